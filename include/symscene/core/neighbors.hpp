@@ -1,0 +1,92 @@
+#pragma once
+
+#include <span>
+#include <utility>
+
+#include "symscene/core/point_cloud.hpp"
+
+namespace symscene {
+
+/// The neighbours of every point, in one array.
+struct NeighborLists {
+  std::vector<Index> offsets;  ///< N+1: the neighbours of i are [offsets[i], offsets[i + 1])
+  std::vector<Index> neighbors;
+
+  std::size_t size() const { return offsets.empty() ? 0 : offsets.size() - 1; }
+  std::span<const Index> of(std::size_t i) const {
+    return {neighbors.data() + offsets[i], neighbors.data() + offsets[i + 1]};
+  }
+};
+
+/// Fixed-radius neighbour search: points sorted into the cells of a dense grid, a row of cells
+/// along x being one run of memory. For clouds of even density, where it beats a tree.
+class CellList {
+ public:
+  /// Sorts `points` into cells with an edge of `cell_size`. [m]
+  /// Throws InputError if a coordinate is not finite or the box of the points holds more than 2^27
+  /// cells.
+  CellList(const Points& points, float cell_size);
+
+  /// Calls visit(index, squared distance) for every point within `radius` of `query`, in a fixed
+  /// order.
+  template <class Visit>
+  void for_each_within(const Eigen::Vector3f& query, float radius, Visit&& visit) const;
+
+  /// The nearest point within `radius` and its squared distance; `none` if there is no such point.
+  /// Ties go to the lower index.
+  std::pair<Index, float> nearest(const Eigen::Vector3f& query, float radius) const;
+
+  static constexpr Index none = ~Index{0};
+
+ private:
+  struct Entry {
+    float x, y, z;
+    Index index;
+  };
+
+  int clamped_cell(float coordinate, int axis) const;
+
+  Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();
+  float inverse_cell_size_ = 1.0F;
+  Eigen::Vector3i cells_ = Eigen::Vector3i::Zero();
+  std::vector<Index> cell_begin_;
+  std::vector<Entry> entries_;  ///< by cell, then by index
+};
+
+/// For every point the others within `radius`, ascending. [m]
+NeighborLists radius_neighbors(const Points& points, float radius);
+
+/// For every point its `count` nearest others, nearest first; fewer where the cloud has fewer
+/// points.
+NeighborLists nearest_neighbors(const Points& points, std::size_t count);
+
+template <class Visit>
+void CellList::for_each_within(const Eigen::Vector3f& query, float radius, Visit&& visit) const {
+  if (entries_.empty()) return;
+  const float squared_radius = radius * radius;
+  Eigen::Vector3i low;
+  Eigen::Vector3i high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = clamped_cell(query[axis] - radius, axis);
+    high[axis] = clamped_cell(query[axis] + radius, axis);
+  }
+  for (int z = low.z(); z <= high.z(); ++z) {
+    for (int y = low.y(); y <= high.y(); ++y) {
+      const auto row = (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y()) +
+                        static_cast<std::size_t>(y)) *
+                       static_cast<std::size_t>(cells_.x());
+      const Index begin = cell_begin_[row + static_cast<std::size_t>(low.x())];
+      const Index end = cell_begin_[row + static_cast<std::size_t>(high.x()) + 1];
+      for (Index k = begin; k < end; ++k) {
+        const Entry& entry = entries_[k];
+        const float dx = entry.x - query.x();
+        const float dy = entry.y - query.y();
+        const float dz = entry.z - query.z();
+        const float squared_distance = dx * dx + dy * dy + dz * dz;
+        if (squared_distance <= squared_radius) visit(entry.index, squared_distance);
+      }
+    }
+  }
+}
+
+}  // namespace symscene

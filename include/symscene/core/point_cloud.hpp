@@ -1,0 +1,51 @@
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "symscene/core/types.hpp"
+
+namespace symscene {
+
+/// Points with optional unit normals and colours, in one frame (the world's unless a name says
+/// otherwise).
+struct PointCloud {
+  Points positions;  ///< N×3 [m]
+  Points normals;    ///< N×3 unit vectors that point out of the surface, or 0×3
+  Colors colors;     ///< N×3, or 0×3
+
+  Index size() const { return static_cast<Index>(positions.rows()); }
+  bool empty() const { return positions.rows() == 0; }
+  bool has_normals() const { return normals.rows() != 0; }
+  bool has_colors() const { return colors.rows() != 0; }
+
+  Eigen::Vector3f position(Index i) const { return positions.row(i).transpose(); }
+  Eigen::Vector3f normal(Index i) const { return normals.row(i).transpose(); }
+};
+
+/// An axis-aligned box. [m]
+struct Box {
+  Eigen::Vector3f min = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Vector3f max = Eigen::Vector3f::Constant(-std::numeric_limits<float>::infinity());
+
+  Eigen::Vector3f extent() const { return max - min; }
+  Box padded(float margin) const { return {min.array() - margin, max.array() + margin}; }
+};
+
+/// The tight box around `points`; min > max where there is no point.
+Box bounding_box(const Points& points);
+
+/// The points of `cloud` that `indices` name, in that order, with their normals and colours.
+PointCloud select(const PointCloud& cloud, std::span<const Index> indices);
+
+/// The mean of the named points; zero where there is none. Summed in double in the order given. [m]
+Eigen::Vector3d centroid(const Points& points, std::span<const Index> indices);
+Eigen::Vector3d centroid(const Points& points);
+
+/// Intersection over union of two ascending index sets; zero where both are empty (Eq. 4.16).
+double intersection_over_union(std::span<const Index> a, std::span<const Index> b);
+
+/// Number of indices common to two ascending sets.
+std::size_t intersection_size(std::span<const Index> a, std::span<const Index> b);
+
+}  // namespace symscene

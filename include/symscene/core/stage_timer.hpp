@@ -1,0 +1,56 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace symscene {
+
+struct StageTime {
+  std::string stage;
+  double seconds = 0.0;  ///< wall time
+};
+
+/// Times stages in the order in which they ran. One stopwatch a run: it is a value that the caller
+/// owns.
+class StageTimer {
+ public:
+  /// Called with a stage's name as it begins, for progress.
+  using OnBegin = std::function<void(const std::string&)>;
+
+  StageTimer() = default;
+  explicit StageTimer(OnBegin on_begin) : on_begin_(std::move(on_begin)) {}
+
+  /// Runs `body`, adds its wall time under `stage` and returns what it returned.
+  template <class Body>
+  decltype(auto) time(const std::string& stage, Body&& body) {
+    if (on_begin_) on_begin_(stage);
+    const Stop stop{*this, stage, std::chrono::steady_clock::now()};
+    return std::forward<Body>(body)();
+  }
+
+  const std::vector<StageTime>& stages() const { return stages_; }
+  double total() const {
+    double sum = 0.0;
+    for (const StageTime& entry : stages_) sum += entry.seconds;
+    return sum;
+  }
+
+ private:
+  struct Stop {
+    StageTimer& timer;
+    const std::string& stage;
+    std::chrono::steady_clock::time_point start;
+    ~Stop() {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+      timer.stages_.push_back({stage, elapsed.count()});
+    }
+  };
+
+  OnBegin on_begin_;
+  std::vector<StageTime> stages_;
+};
+
+}  // namespace symscene

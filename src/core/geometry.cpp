@@ -1,0 +1,45 @@
+#include "symscene/core/geometry.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace symscene {
+
+Eigen::Matrix3d RotationAxis::rotation(double angle) const {
+  return Eigen::AngleAxisd(angle, direction).toRotationMatrix();
+}
+
+Eigen::Vector3d RotationAxis::rotate_point(const Eigen::Vector3d& p, double angle) const {
+  return point + rotation(angle) * (p - point);
+}
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
+namespace {
+
+SymmetryDifference difference_at(double angle, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return {angle, (a - b).norm()};
+}
+
+}  // namespace
+
+SymmetryDifference difference(const RotationAxis& a, const RotationAxis& b,
+                              const Eigen::Vector3d& reference) {
+  return difference_at(line_angle(a.direction, b.direction), a.project(reference),
+                       b.project(reference));
+}
+
+SymmetryDifference difference(const ReflectionPlane& a, const ReflectionPlane& b,
+                              const Eigen::Vector3d& reference) {
+  return difference_at(line_angle(a.normal, b.normal), a.project(reference), b.project(reference));
+}
+
+}  // namespace symscene

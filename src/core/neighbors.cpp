@@ -1,0 +1,148 @@
+#include "symscene/core/neighbors.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nanoflann.hpp>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr double max_cells = 1 << 27;
+constexpr std::size_t query_block = 1024;
+
+/// nanoflann's view of a point array.
+struct PointsAdaptor {
+  const Points& points;
+
+  std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(points.rows()); }
+  float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    return points(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(axis));
+  }
+  template <class BoundingBox>
+  bool kdtree_get_bbox(BoundingBox&) const {
+    return false;
+  }
+};
+
+using KdTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointsAdaptor>,
+                                        PointsAdaptor, 3, Index>;
+
+/// Joins the lists of consecutive blocks of points into one.
+NeighborLists concatenate(const std::vector<NeighborLists>& blocks) {
+  NeighborLists joined;
+  joined.offsets.push_back(0);
+  for (const NeighborLists& block : blocks) {
+    const auto base = static_cast<Index>(joined.neighbors.size());
+    for (const Index end : block.offsets) joined.offsets.push_back(base + end);
+    joined.neighbors.insert(joined.neighbors.end(), block.neighbors.begin(), block.neighbors.end());
+  }
+  return joined;
+}
+
+/// Builds the lists block by block; append(i, neighbors) adds the neighbours of point i.
+template <class Append>
+NeighborLists build_lists(std::size_t count, const Append& append) {
+  std::vector<NeighborLists> blocks((count + query_block - 1) / query_block);
+  parallel_for_blocks(count, query_block, [&](std::size_t begin, std::size_t end) {
+    NeighborLists& block = blocks[begin / query_block];
+    for (std::size_t i = begin; i < end; ++i) {
+      append(static_cast<Index>(i), block.neighbors);
+      block.offsets.push_back(static_cast<Index>(block.neighbors.size()));
+    }
+  });
+  return concatenate(blocks);
+}
+
+}  // namespace
+
+CellList::CellList(const Points& points, float cell_size) {
+  if (!points.allFinite())
+    throw InputError("point cloud", "finite coordinates", "a NaN or infinite one");
+  const Box box = bounding_box(points);
+  if (points.rows() == 0) return;
+  const Eigen::Array3d cells =
+      (box.extent().cast<double>().array() / double{cell_size}).floor() + 1.0;
+  if (cells.prod() > max_cells) {
+    throw InputError(
+        "point cloud",
+        fmt::format("an extent that a grid of {:.3g} m can cover (are the units metres?)",
+                    cell_size),
+        fmt::format("{:.4g} x {:.4g} x {:.4g} m", box.extent().x(), box.extent().y(),
+                    box.extent().z()));
+  }
+  origin_ = box.min;
+  inverse_cell_size_ = 1.0F / cell_size;
+  cells_ = cells.cast<int>().matrix();
+
+  const auto cell_of = [&](Eigen::Index i) {
+    const int x = clamped_cell(points(i, 0), 0);
+    const int y = clamped_cell(points(i, 1), 1);
+    const int z = clamped_cell(points(i, 2), 2);
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y()) +
+            static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(cells_.x()) +
+           static_cast<std::size_t>(x);
+  };
+  // Counting sort: sizes, then their running sum, then every point to its place.
+  cell_begin_.assign(static_cast<std::size_t>(cells.prod()) + 1, 0);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) ++cell_begin_[cell_of(i) + 1];
+  for (std::size_t cell = 1; cell < cell_begin_.size(); ++cell)
+    cell_begin_[cell] += cell_begin_[cell - 1];
+  std::vector<Index> next(cell_begin_.begin(), cell_begin_.end() - 1);
+  entries_.resize(static_cast<std::size_t>(points.rows()));
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    entries_[next[cell_of(i)]++] = {points(i, 0), points(i, 1), points(i, 2),
+                                    static_cast<Index>(i)};
+  }
+}
+
+int CellList::clamped_cell(float coordinate, int axis) const {
+  const float cell = (coordinate - origin_[axis]) * inverse_cell_size_;
+  return static_cast<int>(std::clamp(cell, 0.0F, static_cast<float>(cells_[axis] - 1)));
+}
+
+std::pair<Index, float> CellList::nearest(const Eigen::Vector3f& query, float radius) const {
+  std::pair<Index, float> best{none, std::numeric_limits<float>::infinity()};
+  for_each_within(query, radius, [&](Index i, float squared_distance) {
+    if (squared_distance < best.second || (squared_distance == best.second && i < best.first)) {
+      best = {i, squared_distance};
+    }
+  });
+  return best;
+}
+
+NeighborLists radius_neighbors(const Points& points, float radius) {
+  const CellList cells(points, radius);
+  return build_lists(
+      static_cast<std::size_t>(points.rows()), [&](Index i, std::vector<Index>& neighbors) {
+        const auto begin = static_cast<std::ptrdiff_t>(neighbors.size());
+        cells.for_each_within(points.row(i).transpose(), radius, [&](Index j, float) {
+          if (j != i) neighbors.push_back(j);
+        });
+        std::sort(neighbors.begin() + begin, neighbors.end());
+      });
+}
+
+NeighborLists nearest_neighbors(const Points& points, std::size_t count) {
+  const PointsAdaptor adaptor{points};
+  KdTree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  return build_lists(
+      static_cast<std::size_t>(points.rows()), [&](Index i, std::vector<Index>& neighbors) {
+        const Eigen::Vector3f query = points.row(i).transpose();
+        std::vector<Index> found(count + 1);
+        std::vector<float> squared_distances(count + 1);
+        const std::size_t n =
+            tree.knnSearch(query.data(), count + 1, found.data(), squared_distances.data());
+        const std::size_t end = neighbors.size() + std::min(count, n - 1);
+        for (std::size_t k = 0; k < n && neighbors.size() < end; ++k) {
+          if (found[k] != i) neighbors.push_back(found[k]);
+        }
+      });
+}
+
+}  // namespace symscene
