@@ -1,0 +1,14 @@
+#pragma once
+
+#include "symscene/core/point_cloud.hpp"
+#include "symscene/core/triangle_mesh.hpp"
+
+namespace symscene {
+
+/// About `count` oriented points spread over a mesh by area (a low-discrepancy sequence in every
+/// triangle, so that the same mesh gives the same points). Normals are those of the triangles,
+/// colours those of the nearest vertex. Throws InputError if the mesh has no triangle of positive
+/// area.
+PointCloud sample_surface(const TriangleMesh& mesh, std::size_t count);
+
+}  // namespace symscene

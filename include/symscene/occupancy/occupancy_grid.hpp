@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "symscene/core/occupancy_map.hpp"
+#include "symscene/core/point_cloud.hpp"
+
+namespace symscene {
+
+/// A dense grid of cubic voxels in the world frame, x running fastest.
+struct VoxelFrame {
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< least corner of voxel (0, 0, 0) [m]
+  float resolution = 0.005F;                         ///< edge of a voxel [m]
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();    ///< voxels along x, y and z
+
+  std::size_t row_length() const { return static_cast<std::size_t>(size.x()); }
+  std::size_t rows() const { return static_cast<std::size_t>(size.y()) * slices(); }
+  std::size_t slices() const { return static_cast<std::size_t>(size.z()); }
+  std::size_t slice_length() const { return row_length() * static_cast<std::size_t>(size.y()); }
+  std::size_t voxels() const { return slice_length() * slices(); }
+};
+
+/// What is known of every voxel of a box.
+struct OccupancyGrid {
+  VoxelFrame frame;
+  std::vector<VoxelState> states;
+};
+
+/// The voxels of `map` that cover `box`, on the map's own lattice; what no leaf covers was never
+/// seen. Throws InputError if the box is empty, leaves the map's 2^16 voxels a side or holds more
+/// than 2^28 voxels.
+OccupancyGrid rasterize(const OccupancyMap& map, const Box& box);
+
+}  // namespace symscene

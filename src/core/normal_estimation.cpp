@@ -1,0 +1,103 @@
+#include "symscene/core/normal_estimation.hpp"
+
+#include <cmath>
+#include <queue>
+
+#include <Eigen/Eigenvalues>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/neighbors.hpp"
+#include "symscene/core/parallel.hpp"
+
+namespace symscene {
+namespace {
+
+/// The normal of the plane through a point's neighbourhood, of either sign; zero if there is no
+/// such plane.
+Eigen::Vector3f tangent_plane_normal(const Points& points, Index i,
+                                     std::span<const Index> neighbors) {
+  if (neighbors.size() < 3) return Eigen::Vector3f::Zero();
+  const Eigen::Vector3d origin = points.row(i).transpose().cast<double>();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Index j : neighbors) {
+    const Eigen::Vector3d offset = points.row(j).transpose().cast<double>() - origin;
+    sum += offset;
+    scatter += offset * offset.transpose();
+  }
+  const auto count = static_cast<double>(neighbors.size() + 1);
+  const Eigen::Matrix3d covariance = scatter - sum * sum.transpose() / count;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const bool spans_plane = solver.eigenvalues()[1] > 1e-6 * solver.eigenvalues()[2];
+  return spans_plane ? Eigen::Vector3f(solver.eigenvectors().col(0).cast<float>())
+                     : Eigen::Vector3f::Zero();
+}
+
+/// An edge by which a sign can spread; the least cost spreads first.
+struct Spread {
+  float cost;
+  Index from;
+  Index to;
+  bool operator<(const Spread& other) const {
+    if (cost != other.cost) return cost > other.cost;
+    return std::pair(from, to) > std::pair(other.from, other.to);
+  }
+};
+
+/// Spreads the sign of a seed over its connected piece and gives the piece.
+PointIndices align_piece(Index seed, const NeighborLists& lists, Points& normals,
+                         std::vector<bool>& visited) {
+  PointIndices piece;
+  std::priority_queue<Spread> queue;
+  const auto visit = [&](Index i) {
+    visited[i] = true;
+    piece.push_back(i);
+    for (const Index j : lists.of(i)) {
+      if (!visited[j]) queue.push({1.0F - std::abs(normals.row(i).dot(normals.row(j))), i, j});
+    }
+  };
+  visit(seed);
+  while (!queue.empty()) {
+    const Spread edge = queue.top();
+    queue.pop();
+    if (visited[edge.to]) continue;
+    if (normals.row(edge.from).dot(normals.row(edge.to)) < 0.0F) normals.row(edge.to) *= -1.0F;
+    visit(edge.to);
+  }
+  return piece;
+}
+
+}  // namespace
+
+void NormalEstimationOptions::validate() const {
+  require_option(neighbors >= 3 && neighbors <= 256, "neighbors", "3 to 256 points", neighbors);
+}
+
+Points estimate_normals(const Points& points, const OutwardVote& outward,
+                        const NormalEstimationOptions& options) {
+  options.validate();
+  if (!points.allFinite())
+    throw InputError("point cloud", "finite coordinates", "a NaN or infinite one");
+  const NeighborLists lists =
+      nearest_neighbors(points, static_cast<std::size_t>(options.neighbors));
+  Points normals(points.rows(), 3);
+  parallel_for_blocks(lists.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      normals.row(i) = tangent_plane_normal(points, i, lists.of(i)).transpose();
+    }
+  });
+
+  std::vector<bool> visited(lists.size(), false);
+  for (Index seed = 0; seed < lists.size(); ++seed) {
+    if (visited[seed]) continue;
+    const PointIndices piece = align_piece(seed, lists, normals, visited);
+    double votes = 0.0;
+    for (const Index i : piece)
+      votes += outward(points.row(i).transpose(), normals.row(i).transpose());
+    if (votes >= 0.0) continue;
+    for (const Index i : piece) normals.row(i) *= -1.0F;
+  }
+  return normals;
+}
+
+}  // namespace symscene
