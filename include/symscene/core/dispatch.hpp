@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>  // declares __GLIBC__
+
 /// Before the definition of a free function: compiles its loops for AVX-512, AVX2 and the baseline,
 /// and picks one at load time by what the processor has. For plain loops over arrays; the results
 /// are the same bits in all three, as nothing is contracted or reordered.
