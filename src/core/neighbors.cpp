@@ -61,6 +61,8 @@ NeighborLists build_lists(std::size_t count, const Append& append) {
 }  // namespace
 
 CellList::CellList(const Points& points, float cell_size) {
+  if (!(cell_size > 0.0F) || !std::isfinite(cell_size))
+    throw InputError("neighbour search", "a positive radius", fmt::format("{} m", cell_size));
   if (!points.allFinite())
     throw InputError("point cloud", "finite coordinates", "a NaN or infinite one");
   const Box box = bounding_box(points);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -64,11 +65,13 @@ template <class Visit>
 void CellList::for_each_within(const Eigen::Vector3f& query, float radius, Visit&& visit) const {
   if (entries_.empty()) return;
   const float squared_radius = radius * radius;
+  // A distance that rounds to the radius may be a few units in the last place longer.
+  const float reach = radius * (1.0F + 8.0F * std::numeric_limits<float>::epsilon());
   Eigen::Vector3i low;
   Eigen::Vector3i high;
   for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = clamped_cell(query[axis] - radius, axis);
-    high[axis] = clamped_cell(query[axis] + radius, axis);
+    low[axis] = clamped_cell(query[axis] - reach, axis);
+    high[axis] = clamped_cell(query[axis] + reach, axis);
   }
   for (int z = low.z(); z <= high.z(); ++z) {
     for (int y = low.y(); y <= high.y(); ++y) {

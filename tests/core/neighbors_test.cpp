@@ -1,0 +1,175 @@
+#include "symscene/core/neighbors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/random_clouds.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
+
+namespace symscene {
+namespace {
+
+using testing::clouds_of_all_kinds;
+using testing::random_points;
+
+/// The same arithmetic as the search: what is compared is which points it looks at.
+float squared_distance(const Points& points, Index i, const Eigen::Vector3f& query) {
+  const float dx = points(i, 0) - query.x();
+  const float dy = points(i, 1) - query.y();
+  const float dz = points(i, 2) - query.z();
+  return dx * dx + dy * dy + dz * dz;
+}
+
+std::vector<Index> within(const Points& points, Index query, float radius) {
+  std::vector<Index> found;
+  for (Index j = 0; j < points.rows(); ++j) {
+    if (j != query && squared_distance(points, j, points.row(query).transpose()) <= radius * radius)
+      found.push_back(j);
+  }
+  return found;
+}
+
+std::vector<float> sorted_distances(const Points& points, Index query) {
+  std::vector<float> distances;
+  for (Index j = 0; j < points.rows(); ++j) {
+    if (j != query) distances.push_back(squared_distance(points, j, points.row(query).transpose()));
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+
+std::vector<Index> list(std::span<const Index> indices) { return {indices.begin(), indices.end()}; }
+
+TEST(RadiusNeighbors, EqualBruteForce) {
+  for (const auto& [kind, points] : clouds_of_all_kinds()) {
+    for (const float radius : {0.005F, 0.01F, 0.0300001F, 0.5F}) {
+      const NeighborLists lists = radius_neighbors(points, radius);
+      ASSERT_EQ(lists.size(), static_cast<std::size_t>(points.rows())) << kind;
+      for (Index i = 0; i < points.rows(); ++i) {
+        ASSERT_EQ(list(lists.of(i)), within(points, i, radius)) << kind << ", " << i;
+      }
+    }
+  }
+}
+
+TEST(RadiusNeighbors, IncludePointsExactlyARadiusAwayWhereverTheLatticeLies) {
+  for (int shift = 0; shift < 400; ++shift) {
+    Points points = Points::Zero(40, 3);
+    for (Index i = 0; i < points.rows(); ++i)
+      points(i, 0) = 0.005F * static_cast<float>(i) + 0.0123F * static_cast<float>(shift);
+    const NeighborLists lists = radius_neighbors(points, 0.005F);
+    for (Index i = 0; i < points.rows(); ++i)
+      ASSERT_EQ(list(lists.of(i)), within(points, i, 0.005F)) << shift << ", " << i;
+  }
+}
+
+TEST(RadiusNeighbors, AreMutual) {
+  const Points points = random_points(3, 500);
+  const NeighborLists lists = radius_neighbors(points, 0.03F);
+  for (Index i = 0; i < points.rows(); ++i) {
+    for (const Index j : lists.of(i)) {
+      EXPECT_TRUE(std::binary_search(lists.of(j).begin(), lists.of(j).end(), i));
+    }
+  }
+}
+
+TEST(NearestNeighbors, HaveTheDistancesOfBruteForce) {
+  for (const auto& [kind, points] : clouds_of_all_kinds()) {
+    for (const std::size_t count : {1U, 4U, 10U, 100U}) {
+      const NeighborLists lists = nearest_neighbors(points, count);
+      ASSERT_EQ(lists.size(), static_cast<std::size_t>(points.rows())) << kind;
+      for (Index i = 0; i < points.rows(); ++i) {
+        std::vector<float> expected = sorted_distances(points, i);
+        expected.resize(std::min(count, expected.size()));
+        std::vector<float> found;
+        for (const Index j : lists.of(i)) {
+          ASSERT_NE(j, i) << kind;
+          found.push_back(squared_distance(points, j, points.row(i).transpose()));
+        }
+        ASSERT_EQ(found, expected) << kind << ", " << i;
+      }
+    }
+  }
+}
+
+TEST(NearestNeighbors, NameNoPointTwice) {
+  for (const auto& [kind, points] : clouds_of_all_kinds()) {
+    const NeighborLists lists = nearest_neighbors(points, 10);
+    for (Index i = 0; i < points.rows(); ++i) {
+      std::vector<Index> neighbors = list(lists.of(i));
+      std::sort(neighbors.begin(), neighbors.end());
+      EXPECT_EQ(std::adjacent_find(neighbors.begin(), neighbors.end()), neighbors.end()) << kind;
+    }
+  }
+}
+
+TEST(NearestNeighbors, OfCountZeroAreNone) {
+  const NeighborLists lists = nearest_neighbors(random_points(1, 20), 0);
+  EXPECT_EQ(lists.size(), 20U);
+  EXPECT_TRUE(lists.neighbors.empty());
+}
+
+TEST(CellList, FindsTheNearestPointOfBruteForceFromAnywhere) {
+  const Points points = random_points(4, 400);
+  const CellList cells(points, 0.01F);
+  const Points queries = random_points(5, 200, 0.15);
+  for (Index q = 0; q < queries.rows(); ++q) {
+    const Eigen::Vector3f query = queries.row(q).transpose();
+    std::pair<Index, float> expected{CellList::none, 0.04F * 0.04F};
+    for (Index i = 0; i < points.rows(); ++i) {
+      const float d = squared_distance(points, i, query);
+      if (d < expected.second) expected = {i, d};
+    }
+    EXPECT_EQ(cells.nearest(query, 0.04F).first, expected.first);
+  }
+}
+
+TEST(CellList, BreaksTiesByTheLowerIndex) {
+  const Points points = random_points(4, 1).replicate(5, 1);
+  const CellList cells(points, 0.01F);
+  EXPECT_EQ(cells.nearest(points.row(0).transpose(), 0.01F), (std::pair<Index, float>{0, 0.0F}));
+}
+
+TEST(CellList, FindsNothingInAnEmptyCloudOrFarFromIt) {
+  EXPECT_EQ(CellList(Points(0, 3), 0.01F).nearest(Eigen::Vector3f::Zero(), 1.0F).first,
+            CellList::none);
+  const CellList cells(random_points(1, 50), 0.01F);
+  EXPECT_EQ(cells.nearest(Eigen::Vector3f::Constant(9.0F), 0.02F).first, CellList::none);
+}
+
+TEST(CellList, RefusesPointsThatAreNotFinite) {
+  Points points = random_points(1, 10);
+  points(3, 1) = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(CellList(points, 0.01F), InputError);
+  points(3, 1) = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(CellList(points, 0.01F), InputError);
+}
+
+TEST(CellList, RefusesAnExtentThatNoGridCovers) {
+  Points points = random_points(1, 10);
+  points(3, 1) = 3e38F;
+  EXPECT_THROW(CellList(points, 0.01F), InputError);
+  points(4, 1) = -3e38F;
+  EXPECT_THROW(CellList(points, 0.01F), InputError);
+}
+
+TEST(CellList, RefusesACellWithoutASize) {
+  for (const float size : {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_THROW(CellList(random_points(1, 10), size), InputError);
+    EXPECT_THROW(CellList(random_points(1, 1), size), InputError);
+  }
+}
+
+TEST(Neighbors, AreTheSameForAnyNumberOfThreads) {
+  const Points points = random_points(2, 5000);
+  std::vector<NeighborLists> lists;
+  for (const std::size_t threads : {1U, 2U, 8U}) {
+    const ThreadLimit limit(threads);
+    lists.push_back(nearest_neighbors(points, 10));
+  }
+  EXPECT_EQ(lists[0].neighbors, lists[1].neighbors);
+  EXPECT_EQ(lists[0].neighbors, lists[2].neighbors);
+}
+
+}  // namespace
+}  // namespace symscene

@@ -1,0 +1,75 @@
+#include "symscene/core/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <numeric>
+#include <stdexcept>
+
+#include "core/random_clouds.hpp"
+
+namespace symscene {
+namespace {
+
+double sum_of(const Points& points) {
+  return reduce_blocks(
+      static_cast<std::size_t>(points.rows()), 128, 0.0,
+      [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t i = begin; i < end; ++i)
+          sum += static_cast<double>(points(static_cast<Eigen::Index>(i), 0));
+        return sum;
+      },
+      [](double a, double b) { return a + b; });
+}
+
+TEST(ReduceBlocks, GivesTheSameBitsForAnyNumberOfThreads) {
+  const Points points = testing::random_points(1, 100'003);
+  std::vector<double> sums;
+  for (const std::size_t threads : {1U, 2U, 8U}) {
+    const ThreadLimit limit(threads);
+    sums.push_back(sum_of(points));
+  }
+  EXPECT_EQ(sums[0], sums[1]);
+  EXPECT_EQ(sums[0], sums[2]);
+}
+
+TEST(ReduceBlocks, OfNothingIsTheIdentity) { EXPECT_EQ(sum_of(Points(0, 3)), 0.0); }
+
+TEST(ParallelForBlocks, VisitsEveryIndexOnce) {
+  for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 1000U}) {
+    std::vector<std::atomic<int>> visits(count);
+    parallel_for_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
+      EXPECT_LT(begin, end);
+      EXPECT_EQ(begin % 64, 0U);
+      for (std::size_t i = begin; i < end; ++i) ++visits[i];
+    });
+    for (const auto& visit : visits) EXPECT_EQ(visit, 1);
+  }
+}
+
+TEST(ParallelForEach, HandsOnTheExceptionOfItsBody) {
+  const auto body = [](std::size_t i) {
+    if (i == 17) throw std::runtime_error("seventeen");
+  };
+  EXPECT_THROW(parallel_for_each(100, body), std::runtime_error);
+}
+
+TEST(ThreadLimit, BoundsTheThreadsWhileItLives) {
+  const auto threads = [] {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  };
+  const std::size_t before = threads();
+  {
+    const ThreadLimit limit(1);
+    EXPECT_EQ(threads(), 1U);
+  }
+  {
+    const ThreadLimit all(0);
+    EXPECT_EQ(threads(), before);
+  }
+  EXPECT_EQ(threads(), before);
+}
+
+}  // namespace
+}  // namespace symscene

@@ -1,0 +1,65 @@
+// What core says to its caller: errors, log messages and stage times.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/log.hpp"
+#include "symscene/core/stage_timer.hpp"
+
+namespace symscene {
+namespace {
+
+TEST(InputError, IsOneSentenceThatNamesPlaceExpectedAndFound) {
+  const InputError error("cloud.ply", "a PLY header", "an empty file");
+  EXPECT_STREQ(error.what(), "cloud.ply: expected a PLY header, found an empty file");
+  EXPECT_EQ(error.where(), "cloud.ply");
+  EXPECT_EQ(error.expected(), "a PLY header");
+  EXPECT_EQ(error.found(), "an empty file");
+}
+
+TEST(RequireOption, ThrowsOnlyWhereTheConditionFails) {
+  EXPECT_NO_THROW(require_option(true, "voxel_size", "a positive length in metres", 0.005));
+  EXPECT_THROW(require_option(false, "voxel_size", "a positive length in metres", 0.0), InputError);
+}
+
+TEST(Log, HandsMessagesToTheSinkUntilItIsReplaced) {
+  std::vector<std::pair<LogLevel, std::string>> messages;
+  LogSink before = set_log_sink(
+      [&](LogLevel level, std::string_view message) { messages.emplace_back(level, message); });
+  log(LogLevel::warning, "no normals");
+  set_log_sink(std::move(before));
+  log(LogLevel::warning, "nobody hears this");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0].first, LogLevel::warning);
+  EXPECT_EQ(messages[0].second, "no normals");
+}
+
+TEST(StageTimer, ListsStagesInTheOrderInWhichTheyRanAndAnnouncesThem) {
+  std::vector<std::string> announced;
+  StageTimer timer([&](const std::string& stage) { announced.push_back(stage); });
+  EXPECT_EQ(timer.time("load", [] { return 42; }), 42);
+  timer.time("cut", [] {});
+  ASSERT_EQ(timer.stages().size(), 2U);
+  EXPECT_EQ(timer.stages()[0].stage, "load");
+  EXPECT_EQ(timer.stages()[1].stage, "cut");
+  EXPECT_GE(timer.stages()[0].seconds, 0.0);
+  EXPECT_EQ(timer.total(), timer.stages()[0].seconds + timer.stages()[1].seconds);
+  EXPECT_EQ(announced, (std::vector<std::string>{"load", "cut"}));
+}
+
+TEST(StageTimer, ReturnsReferencesAsReferences) {
+  StageTimer timer;
+  int value = 1;
+  timer.time("touch", [&]() -> int& { return value; }) = 2;
+  EXPECT_EQ(value, 2);
+}
+
+TEST(StageTimer, CountsAStageThatThrew) {
+  StageTimer timer;
+  EXPECT_THROW(timer.time("fail", [] { throw std::runtime_error("no"); }), std::runtime_error);
+  EXPECT_EQ(timer.stages().size(), 1U);
+}
+
+}  // namespace
+}  // namespace symscene
