@@ -1,0 +1,123 @@
+#include <fcntl.h>
+#include <stdio.h>
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "io/temporary_name.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/io/atomic_file.hpp"
+
+namespace symscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder that a path means: no trailing slash, symbolic links followed.
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  fs::path result = fs::weakly_canonical(path, error);
+  if (error) result = fs::absolute(path).lexically_normal();
+  return result.has_filename() ? result : result.parent_path();
+}
+
+/// The first file below `dir` that does not belong there, relative to it; empty if there is none.
+std::string first_foreign_file(const fs::path& dir, const DirectoryLayout& layout) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(dir)) {
+    const std::string relative = entry.path().lexically_relative(dir).generic_string();
+    const bool folder = entry.is_directory() && !entry.is_symlink();
+    if (!layout.belongs(folder ? relative + "/" : relative)) return relative;
+  }
+  return {};
+}
+
+void require_replaceable(const fs::path& dir, const DirectoryLayout& layout) {
+  if (!fs::exists(dir)) return;
+  const std::string expected = "no folder yet, an empty one, or " + layout.what + " to replace";
+  if (!fs::is_directory(dir)) throw InputError(dir.string(), expected, "a file");
+  if (fs::is_empty(dir)) return;
+  const std::string foreign = first_foreign_file(dir, layout);
+  if (!foreign.empty()) {
+    throw InputError(dir.string(), expected, "a folder that holds " + foreign);
+  }
+  if (!fs::exists(dir / layout.marker)) {
+    throw InputError(dir.string(), expected, "a folder without " + layout.marker);
+  }
+}
+
+/// Exchanges two folders in one step where the file system can. Returns whether it could.
+bool exchange(const fs::path& a, const fs::path& b) {
+#ifdef RENAME_EXCHANGE
+  return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+#else
+  static_cast<void>(a), static_cast<void>(b);
+  return false;
+#endif
+}
+
+/// Puts `staging` in the place of the folder `target`; after this `staging` is the old one.
+void swap_folders(const fs::path& staging, const fs::path& target) {
+  if (exchange(staging, target)) return;
+  const fs::path old = temporary_beside(target);
+  fs::rename(target, old);
+  std::error_code error;
+  fs::rename(staging, target, error);
+  if (error) {
+    fs::rename(old, target);
+    throw fs::filesystem_error("rename", staging, target, error);
+  }
+  fs::rename(old, staging);
+}
+
+[[noreturn]] void fail(const fs::path& target, const fs::filesystem_error& error) {
+  throw InputError(target.string(), "a folder that can be written", error.code().message());
+}
+
+}  // namespace
+
+AtomicDirectory::AtomicDirectory(fs::path target, DirectoryLayout layout)
+    : target_(resolved(target)), staging_(temporary_beside(target_)), layout_(std::move(layout)) {
+  try {
+    require_replaceable(target_, layout_);
+    fs::create_directories(target_.parent_path());
+    fs::create_directory(staging_);
+  } catch (const fs::filesystem_error& error) {
+    fail(target_, error);
+  }
+}
+
+AtomicDirectory::~AtomicDirectory() {
+  std::error_code ignored;
+  fs::remove_all(staging_, ignored);
+}
+
+void AtomicDirectory::write(const fs::path& relative, std::string_view bytes) const {
+  const fs::path file = staging_ / relative;
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (stream) return;
+  throw InputError((target_ / relative).string(), "a place that can be written",
+                   std::generic_category().message(errno == 0 ? EIO : errno));
+}
+
+void AtomicDirectory::commit() {
+  try {
+    require_replaceable(target_, layout_);
+    if (fs::exists(target_)) {
+      swap_folders(staging_, target_);
+      fs::remove_all(staging_);
+    } else {
+      fs::rename(staging_, target_);
+    }
+  } catch (const fs::filesystem_error& error) {
+    fail(target_, error);
+  }
+}
+
+}  // namespace symscene

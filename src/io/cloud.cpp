@@ -1,0 +1,22 @@
+#include "symscene/io/cloud.hpp"
+
+#include "io/text.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/io/atomic_file.hpp"
+#include "symscene/io/pcd.hpp"
+#include "symscene/io/ply.hpp"
+
+namespace symscene {
+
+PointCloud read_cloud(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  const std::string_view first_line = std::string_view(bytes).substr(0, bytes.find('\n'));
+  if (first_line.starts_with("ply")) return parse_ply_cloud(bytes, path.string());
+  if (first_line.starts_with("#") || first_line.starts_with("VERSION")) {
+    return parse_pcd(bytes, path.string());
+  }
+  throw InputError(path.string(), "a point cloud in PLY or PCD format",
+                   bytes.empty() ? "an empty file" : in_quotes(first_line));
+}
+
+}  // namespace symscene

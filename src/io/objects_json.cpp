@@ -1,0 +1,142 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "io/json_cursor.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/io/result.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr const char* what = "result to write";
+constexpr std::size_t version = 1;
+
+std::string mesh_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
+
+Json format_object(const SceneObject& object, std::size_t id) {
+  Json json = {{"id", id}, {"points", object.points}, {"score", to_json(object.score, what)}};
+  json["rotational"] = Json::array();
+  for (const ScoredAxis& axis : object.rotational) {
+    json["rotational"].push_back({{"point", to_json(axis.axis.point, what)},
+                                  {"direction", to_json(axis.axis.direction, what)},
+                                  {"score", to_json(axis.score, what)}});
+  }
+  json["reflectional"] = Json::array();
+  for (const ScoredPlane& plane : object.reflectional) {
+    json["reflectional"].push_back({{"point", to_json(plane.plane.point, what)},
+                                    {"normal", to_json(plane.plane.normal, what)},
+                                    {"score", to_json(plane.score, what)}});
+  }
+  json["centroid"] = to_json(object.centroid, what);
+  json["mesh"] = mesh_name(id);
+  return json;
+}
+
+/// What is not finite is null.
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json format_rejection(const Rejection& rejection) {
+  return {{"kind", rejection.kind},
+          {"reason", rejection.reason},
+          {"value", number_or_null(rejection.value)},
+          {"bound", number_or_null(rejection.bound)},
+          {"size", rejection.size}};
+}
+
+Json format_timings(const std::vector<StageTime>& timings) {
+  Json json = Json::object();
+  for (const StageTime& time : timings) {
+    json[time.stage] = json.value(time.stage, 0.0) + time.seconds;
+  }
+  return json;
+}
+
+ScoredAxis parse_axis(const JsonCursor& axis) {
+  return {{axis.at("point").vector3(), axis.at("direction").direction()},
+          axis.at("score").number()};
+}
+
+ScoredPlane parse_plane(const JsonCursor& plane) {
+  return {{plane.at("point").vector3(), plane.at("normal").direction()},
+          plane.at("score").number()};
+}
+
+SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_size) {
+  if (object.at("id").count() != id) object.at("id").fail(std::to_string(id));
+  SceneObject result;
+  result.points = object.at("points").indices(cloud_size);
+  result.score = object.at("score").number();
+  if (!(result.score >= 0.0 && result.score <= 1.0)) object.at("score").fail("a score in [0, 1]");
+  for (const JsonCursor& axis : object.at("rotational").items()) {
+    result.rotational.push_back(parse_axis(axis));
+  }
+  for (const JsonCursor& plane : object.at("reflectional").items()) {
+    result.reflectional.push_back(parse_plane(plane));
+  }
+  result.centroid = object.at("centroid").vector3();
+  if (const auto mesh = object.find("mesh"); mesh && mesh->string() != mesh_name(id)) {
+    mesh->fail(mesh_name(id));
+  }
+  return result;
+}
+
+Rejection parse_rejection(const JsonCursor& rejection) {
+  return {rejection.at("kind").string(), rejection.at("reason").string(),
+          rejection.at("value").number_or_nan(), rejection.at("bound").number_or_nan(),
+          rejection.at("size").count()};
+}
+
+void parse_records(const JsonCursor& root, SegmentationResult& result) {
+  if (const auto rejected = root.find("rejected")) {
+    for (const JsonCursor& item : rejected->items()) {
+      result.rejected.push_back(parse_rejection(item));
+    }
+  }
+  if (const auto funnel = root.find("funnel")) {
+    for (const JsonCursor& step : funnel->items()) {
+      result.funnel.push_back({step.at("step").string(), step.at("count").count()});
+    }
+  }
+  if (const auto timings = root.find("timings")) {
+    for (const auto& [stage, seconds] : timings->members()) {
+      result.timings.push_back({stage, seconds.number()});
+    }
+  }
+}
+
+}  // namespace
+
+std::string format_objects_json(const SegmentationResult& result, bool with_timings) {
+  Json document = {{"version", version}, {"cloud", "cloud.ply"}};
+  document["objects"] = Json::array();
+  for (const SceneObject& object : result.objects) {
+    document["objects"].push_back(format_object(object, document["objects"].size()));
+  }
+  document["rejected"] = Json::array();
+  for (const Rejection& rejection : result.rejected) {
+    document["rejected"].push_back(format_rejection(rejection));
+  }
+  document["funnel"] = Json::array();
+  for (const FunnelStep& step : result.funnel) {
+    document["funnel"].push_back({{"step", step.step}, {"count", step.count}});
+  }
+  if (with_timings) document["timings"] = format_timings(result.timings);
+  return format_json(document);
+}
+
+SegmentationResult parse_objects_json(std::string_view text, const std::string& name,
+                                      Index cloud_size) {
+  const Json document = parse_json(text, name);
+  const JsonCursor root(document, name);
+  if (root.at("version").count() != version) root.at("version").fail(std::to_string(version));
+  if (root.at("cloud").string() != "cloud.ply") root.at("cloud").fail("\"cloud.ply\"");
+  SegmentationResult result;
+  for (const JsonCursor& object : root.at("objects").items()) {
+    result.objects.push_back(parse_object(object, result.objects.size(), cloud_size));
+  }
+  parse_records(root, result);
+  return result;
+}
+
+}  // namespace symscene

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "io/ply_header.hpp"
+
+namespace symscene {
+
+/// Reads the elements after a PLY header, one after another. Each declared size is checked against
+/// the bytes that remain before anything is allocated; all throw InputError where it does not fit.
+class PlyBody {
+ public:
+  PlyBody(std::string_view bytes, PlyEncoding encoding, std::string name)
+      : rest_(bytes), encoding_(encoding), name_(std::move(name)) {}
+
+  void skip(const PlyElement& element);
+
+  /// The named single-value properties of an element, a column each.
+  Eigen::MatrixXf read_columns(const PlyElement& element, std::span<const std::size_t> properties);
+
+  /// Calls visit(values) for the list of every row.
+  void read_lists(const PlyElement& element, std::size_t property,
+                  const std::function<void(std::span<const double>)>& visit);
+
+ private:
+  void require_rows(const PlyElement& element) const;
+  std::size_t least_size(ScalarType type) const;
+  double next_value(ScalarType type);
+  double next_ascii_value();
+  void next_list(const PlyProperty& property, std::vector<double>& values);
+  bool swaps() const;
+  Eigen::MatrixXf copy_columns(const PlyElement& element, std::span<const std::size_t> properties);
+  template <class OnValue, class OnList>
+  void walk(const PlyElement& element, const OnValue& on_value, const OnList& on_list);
+
+  std::string_view rest_;
+  PlyEncoding encoding_;
+  std::string name_;
+};
+
+}  // namespace symscene

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symscene/core/point_cloud.hpp"
+
+namespace symscene {
+
+/// A cloud with a mark at every point: 1 where it was observed, 0 where completion added it.
+struct MarkedCloud {
+  PointCloud cloud;
+  std::vector<std::uint8_t> observed;  ///< N, or empty if the file does not say
+};
+
+/// The vertices of a PLY file with their property "observed". Throws InputError.
+MarkedCloud parse_ply_marked(std::string_view bytes, const std::string& name);
+
+/// A PLY file with the extra property "observed" unless that is empty. Throws InputError.
+std::string format_ply_marked(const PointCloud& cloud, std::span<const std::uint8_t> observed);
+
+}  // namespace symscene

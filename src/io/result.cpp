@@ -1,0 +1,127 @@
+#include "symscene/io/result.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "io/cloud_checks.hpp"
+#include "io/ply_points.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/io/atomic_file.hpp"
+#include "symscene/io/ply.hpp"
+
+namespace symscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* what = "result to write";
+
+/// Whether `file` is NUMBER.ply.
+bool is_object_file(std::string_view file) {
+  if (!file.ends_with(".ply") || file.size() == 4) return false;
+  file.remove_suffix(4);
+  return std::all_of(file.begin(), file.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool belongs(const std::string& relative) {
+  if (relative == "cloud.ply" || relative == "objects.json" || relative == "objects/") return true;
+  return relative.starts_with("objects/") && is_object_file(relative.substr(8));
+}
+
+std::string object_file(std::size_t id) { return fmt::format("objects/{}.ply", id); }
+
+void require_writable(const SegmentationResult& result) {
+  require_consistent(result.cloud, what);
+  if (!result.completed.empty() && result.completed.size() != result.objects.size()) {
+    throw InputError(what, fmt::format("{} completed clouds, one an object", result.objects.size()),
+                     std::to_string(result.completed.size()));
+  }
+  for (const PointCloud& completed : result.completed) require_consistent(completed, what);
+  for (const SceneObject& object : result.objects) {
+    const PointIndices& points = object.points;
+    const bool ascending =
+        std::adjacent_find(points.begin(), points.end(), std::greater_equal<>()) == points.end();
+    if (!ascending || (!points.empty() && points.back() >= result.cloud.size())) {
+      throw InputError(what, "ascending indices of points of the cloud", "others");
+    }
+    if (!(object.score >= 0.0 && object.score <= 1.0)) {
+      throw InputError(what, "scores in [0, 1]", fmt::format("{}", object.score));
+    }
+  }
+}
+
+/// The rows of `above` and `below`; zeros for those that one of them does not have.
+template <class Rows>
+Rows stacked(const Rows& above, Eigen::Index above_rows, const Rows& below,
+             Eigen::Index below_rows) {
+  if (above.rows() == 0 && below.rows() == 0) return {};
+  Rows rows = Rows::Zero(above_rows + below_rows, 3);
+  rows.topRows(above.rows()) = above;
+  rows.bottomRows(below.rows()) = below;
+  return rows;
+}
+
+std::string format_object_cloud(const PointCloud& own, const PointCloud& added) {
+  const Eigen::Index own_rows = own.positions.rows();
+  const Eigen::Index added_rows = added.positions.rows();
+  const PointCloud both{stacked(own.positions, own_rows, added.positions, added_rows),
+                        stacked(own.normals, own_rows, added.normals, added_rows),
+                        stacked(own.colors, own_rows, added.colors, added_rows)};
+  std::vector<std::uint8_t> observed(both.size(), 0);
+  std::fill_n(observed.begin(), own_rows, std::uint8_t{1});
+  return format_ply_marked(both, observed);
+}
+
+/// The points that completion added to an object, from its file.
+PointCloud read_added(const fs::path& path, std::size_t own_size) {
+  const MarkedCloud marked = parse_ply_marked(read_file(path), path.string());
+  if (!marked.cloud.empty() && marked.observed.empty()) {
+    throw InputError(path.string(), "points with a property observed", "none");
+  }
+  PointIndices indices;
+  for (Index i = 0; i < marked.cloud.size(); ++i) {
+    if (marked.observed[i] == 0) indices.push_back(i);
+  }
+  if (marked.cloud.size() - indices.size() != own_size) {
+    throw InputError(path.string(), fmt::format("{} observed points", own_size),
+                     std::to_string(marked.cloud.size() - indices.size()));
+  }
+  PointCloud added = select(marked.cloud, indices);
+  if ((added.normals.array() == 0.0F).all()) added.normals.resize(0, 3);
+  if ((added.colors.array() == 0).all()) added.colors.resize(0, 3);
+  return added;
+}
+
+}  // namespace
+
+void write_result(const fs::path& dir, const SegmentationResult& result) {
+  require_writable(result);
+  AtomicDirectory folder(dir, {"a result folder", "objects.json", belongs});
+  folder.write("cloud.ply", format_ply(result.cloud));
+  folder.write("objects.json", format_objects_json(result));
+  for (std::size_t id = 0; id < result.objects.size(); ++id) {
+    const PointCloud own = select(result.cloud, result.objects[id].points);
+    const PointCloud& added = result.completed.empty() ? PointCloud{} : result.completed[id];
+    folder.write(object_file(id), format_object_cloud(own, added));
+  }
+  folder.commit();
+}
+
+SegmentationResult read_result(const fs::path& dir) {
+  if (!fs::is_directory(dir) || !fs::exists(dir / "objects.json")) {
+    throw InputError(dir.string(), "a result folder, which holds cloud.ply and objects.json",
+                     fs::exists(dir) ? "no objects.json" : "nothing of that name");
+  }
+  PointCloud cloud = read_ply_cloud(dir / "cloud.ply");
+  const fs::path objects = dir / "objects.json";
+  SegmentationResult result =
+      parse_objects_json(read_file(objects), objects.string(), cloud.size());
+  result.cloud = std::move(cloud);
+  for (std::size_t id = 0; id < result.objects.size(); ++id) {
+    result.completed.push_back(read_added(dir / object_file(id), result.objects[id].points.size()));
+  }
+  return result;
+}
+
+}  // namespace symscene

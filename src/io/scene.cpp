@@ -1,0 +1,80 @@
+#include "symscene/io/scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "io/json_cursor.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/core/log.hpp"
+#include "symscene/io/atomic_file.hpp"
+#include "symscene/io/cloud.hpp"
+#include "symscene/io/octomap.hpp"
+#include "symscene/io/ply.hpp"
+#include "symscene/io/table_plane.hpp"
+#include "symscene/io/truth.hpp"
+
+namespace symscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* scene_folder =
+    "a scene folder, which holds cloud.ply (or cloud.pcd), occupancy.bt and table_plane.txt";
+
+bool belongs(const std::string& relative) {
+  static constexpr std::array<std::string_view, 7> files = {
+      "cloud.ply", "occupancy.bt", "table_plane.txt", "mesh.ply",
+      "poses.txt", "scene.json",   "truth.json"};
+  return std::find(files.begin(), files.end(), relative) != files.end();
+}
+
+fs::path find_cloud(const fs::path& dir) {
+  if (!fs::exists(dir)) throw InputError(dir.string(), scene_folder, "nothing of that name");
+  if (!fs::is_directory(dir)) throw InputError(dir.string(), scene_folder, "a file");
+  for (const char* file : {"cloud.ply", "cloud.pcd"}) {
+    if (fs::exists(dir / file)) return dir / file;
+  }
+  throw InputError(dir.string(), scene_folder, "a folder with no cloud.ply");
+}
+
+/// Whether `file` is there; if not, a warning that says what follows.
+bool is_there(const fs::path& file, const char* consequence) {
+  if (fs::exists(file)) return true;
+  log(LogLevel::warning, file.string() + " is not there: " + consequence);
+  return false;
+}
+
+/// The text of scene.json: that which was given, checked, or the least.
+std::string scene_text(const std::string& scene_json) {
+  if (scene_json.empty()) return "{\"version\": 1}\n";
+  parse_json(scene_json, "scene.json to write");
+  return scene_json;
+}
+
+}  // namespace
+
+Scene read_scene(const fs::path& dir) {
+  Scene scene;
+  scene.cloud = read_cloud(find_cloud(dir));
+  const fs::path occupancy = dir / "occupancy.bt";
+  if (is_there(occupancy, "all space off the surface counts as never seen")) {
+    scene.occupancy = read_octomap(occupancy);
+  }
+  const fs::path table = dir / "table_plane.txt";
+  if (is_there(table, "the table is not known")) scene.table = read_table_plane(table);
+  return scene;
+}
+
+void write_scene(const fs::path& dir, const Scene& scene, const std::string& scene_json,
+                 const SceneTruth* truth) {
+  AtomicDirectory folder(dir, {"a scene folder", "scene.json", belongs});
+  folder.write("cloud.ply", format_ply(scene.cloud));
+  if (scene.occupancy) folder.write("occupancy.bt", format_octomap(*scene.occupancy));
+  if (scene.table) folder.write("table_plane.txt", format_table_plane(*scene.table));
+  folder.write("scene.json", scene_text(scene_json));
+  if (truth != nullptr) folder.write("truth.json", format_truth(*truth));
+  folder.commit();
+}
+
+}  // namespace symscene
