@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limits>
+
+#include <Eigen/Core>
+
+#include "symscene/core/types.hpp"
+
+namespace symscene {
+
+/// A pinhole camera that looks along +z with +x to the right of the image and +y down. Pixel
+/// centres have whole coordinates. No default camera: the fields must be given.
+struct CameraIntrinsics {
+  Index width = 0;   ///< [px]
+  Index height = 0;  ///< [px]
+  double fx = std::numeric_limits<double>::quiet_NaN();  ///< [px]
+  double fy = std::numeric_limits<double>::quiet_NaN();  ///< [px]
+  double cx = std::numeric_limits<double>::quiet_NaN();  ///< [px]
+  double cy = std::numeric_limits<double>::quiet_NaN();  ///< [px]
+
+  std::size_t pixels() const { return std::size_t{width} * height; }
+
+  /// The pixel onto which a point in front of the camera falls. [px]
+  Eigen::Vector2d project(const Eigen::Vector3d& point_camera) const {
+    return {fx * point_camera.x() / point_camera.z() + cx,
+            fy * point_camera.y() / point_camera.z() + cy};
+  }
+  /// The direction with z = 1 of the ray through a pixel: times the depth it is the point.
+  Eigen::Vector3d ray(double u, double v) const { return {(u - cx) / fx, (v - cy) / fy, 1.0}; }
+};
+
+}  // namespace symscene
