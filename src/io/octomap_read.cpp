@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -60,44 +61,59 @@ class TreeReader {
     enter(OctreeKey{});
     while (depth_ > 0) {
       Node& node = stack_[depth_ - 1];
-      if (node.next_child == 8) {
+      if (node.inner == 0) {
+        add_leaves(node, node.leaves);
         --depth_;
-        continue;
+      } else {
+        const unsigned child = first_bit(node.inner);
+        add_leaves(node, node.leaves & ((1U << child) - 1U));
+        node.leaves &= ~((1U << child) - 1U);
+        node.inner &= node.inner - 1U;
+        enter(child_key(node.key, child / 2, child_level()));
       }
-      const unsigned child = node.next_child++;
-      visit(static_cast<ChildState>((node.states >> (2 * child)) & 3U),
-            child_key(node.key, child, child_level()));
     }
+    nodes_ += leaves_.size();
     return std::move(leaves_);
   }
 
   std::uint64_t nodes() const { return nodes_; }
 
  private:
+  /// A node's children that are still to be taken, a mask bit for every even bit of its two bytes.
   struct Node {
-    OctreeKey key;
-    std::uint16_t states;  ///< two bits a child
-    unsigned next_child;
+    OctreeKey key{};
+    unsigned states = 0;
+    unsigned leaves = 0;
+    unsigned inner = 0;
   };
 
   int child_level() const { return octree_depth - static_cast<int>(depth_); }
 
-  void visit(ChildState state, const OctreeKey& key) {
-    if (state == ChildState::unknown) return;
-    if (state == ChildState::inner) return enter(key);
-    ++nodes_;
-    leaves_.push_back({key, static_cast<std::uint8_t>(child_level()),
-                       state == ChildState::free ? VoxelState::free : VoxelState::occupied});
+  static unsigned first_bit(unsigned mask) { return static_cast<unsigned>(std::countr_zero(mask)); }
+
+  void add_leaves(const Node& node, unsigned mask) {
+    std::array<OccupancyLeaf, 8> added;
+    std::size_t count = 0;
+    const int level = child_level();
+    for (; mask != 0; mask &= mask - 1U) {
+      const unsigned bit = first_bit(mask);
+      const bool occupied = ((node.states >> bit) & 2U) != 0;
+      added[count++] = {child_key(node.key, bit / 2, level), static_cast<std::uint8_t>(level),
+                        occupied ? VoxelState::occupied : VoxelState::free};
+    }
+    leaves_.insert(leaves_.end(), added.begin(), added.begin() + count);
   }
 
   void enter(const OctreeKey& key) {
     if (depth_ == octree_depth) {
       throw InputError(name_, "a tree of depth 16", "a voxel with children");
     }
-    if (body_.size() < 2) {
-      throw InputError(name_, "more nodes", fmt::format("the end of the file after {}", nodes_));
-    }
-    stack_[depth_++] = {key, load<std::uint16_t>(body_.data()), 0};
+    if (body_.size() < 2) throw InputError(name_, "more nodes", "the end of the file");
+    const unsigned states = load<std::uint16_t>(body_.data());
+    constexpr unsigned even_bits = 0x5555;
+    const unsigned low = states & even_bits;
+    const unsigned high = (states >> 1) & even_bits;
+    stack_[depth_++] = {key, states, low ^ high, low & high};
     body_.remove_prefix(2);
     ++nodes_;
   }
@@ -106,7 +122,7 @@ class TreeReader {
   std::string name_;
   std::array<Node, octree_depth> stack_{};
   std::size_t depth_ = 0;
-  std::uint64_t nodes_ = 0;
+  std::uint64_t nodes_ = 0;  ///< inner ones, until all are read
   std::vector<OccupancyLeaf> leaves_;
 };
 

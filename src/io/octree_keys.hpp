@@ -15,12 +15,11 @@ using OctreeKey = std::array<std::uint16_t, 3>;
 
 /// The child's number: bit 0 is the half along x, bit 1 along y, bit 2 along z. `child_level` is
 /// the level of the children.
-constexpr OctreeKey child_key(OctreeKey parent, unsigned child, int child_level) {
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    parent[axis] =
-        static_cast<std::uint16_t>(parent[axis] | (((child >> axis) & 1U) << child_level));
-  }
-  return parent;
+constexpr OctreeKey child_key(const OctreeKey& parent, unsigned child, int child_level) {
+  const auto half = [=](std::uint16_t low, unsigned axis) {
+    return static_cast<std::uint16_t>(low | (((child >> axis) & 1U) << child_level));
+  };
+  return {half(parent[0], 0), half(parent[1], 1), half(parent[2], 2)};
 }
 
 /// Puts two zero bits between the bits of `value`.
