@@ -1,0 +1,162 @@
+// A made-up tabletop: solids of revolution and boxes, seen from one side; what the camera misses is
+// what the symmetries complete. World frame: z up, the table at z = 0, the camera at −y.
+import { encodeScene } from './payload.mjs';
+
+const CAMERA = [0.15, -1.15, 0.8];
+const STEP = 0.004;
+
+// mulberry32
+function randomNumbers(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+}
+
+/** A surface of revolution about the vertical: `profile` is a polyline of (radius, height). */
+function revolve({ at: [x, y], profile, paint }, random) {
+  const samples = [];
+  for (let k = 0; k + 1 < profile.length; ++k) {
+    const [[r0, z0], [r1, z1]] = [profile[k], profile[k + 1]];
+    const length = Math.hypot(r1 - r0, z1 - z0);
+    const count = Math.round((length * Math.PI * (r0 + r1)) / STEP ** 2);
+    for (let i = 0; i < count; ++i) {
+      const t = random();
+      const a = 2 * Math.PI * random();
+      const [r, z] = [r0 + t * (r1 - r0), z0 + t * (z1 - z0)];
+      const [nr, nz] = [(z1 - z0) / length, -(r1 - r0) / length];
+      const p = [x + r * Math.cos(a), y + r * Math.sin(a), z];
+      samples.push({ p, n: [nr * Math.cos(a), nr * Math.sin(a), nz], c: paint(a, z) });
+    }
+  }
+  return samples;
+}
+
+function box({ at: [x, y], size, turn, base = 0, paint }, random) {
+  const samples = [];
+  const [c, s] = [Math.cos(turn), Math.sin(turn)];
+  const place = ([a, b, h]) => [c * a - s * b, s * a + c * b, h];
+  for (let axis = 0; axis < 3; ++axis) {
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    for (const side of [-1, 1]) {
+      const count = Math.round((size[u] * size[v]) / STEP ** 2);
+      for (let i = 0; i < count; ++i) {
+        const q = [0, 0, 0];
+        const n = [0, 0, 0];
+        q[axis] = (side * size[axis]) / 2;
+        q[u] = (random() - 0.5) * size[u];
+        q[v] = (random() - 0.5) * size[v];
+        n[axis] = side;
+        const p = place(q);
+        samples.push({ p: [p[0] + x, p[1] + y, p[2] + base + size[2] / 2], n: place(n), c: paint(q, axis) });
+      }
+    }
+  }
+  return samples;
+}
+
+const stripes = (a, b, every) => (_, z) => (Math.floor(z / every) % 2 ? a : b);
+const arc = (radius, height, from, to) => Array.from({ length: 15 }, (_, i) => {
+  const t = from + ((to - from) * i) / 14;
+  return [radius * Math.cos(t), height + radius * Math.sin(t)];
+});
+
+const SOLIDS = [
+  { kind: revolve, at: [0.02, 0.02], profile: [[0.037, 0], [0.037, 0.235], [0, 0.235]], paint: stripes([58, 160, 62], [214, 224, 90], 0.06) },
+  { kind: revolve, at: [-0.2, -0.12], profile: [[0.06, 0], ...arc(0.105, 0.105, -1, 0), [0.1, 0.105], ...arc(0.098, 0.105, 0, -1.5)], paint: () => [178, 32, 36] },
+  { kind: revolve, at: [0.22, -0.1], profile: [[0.042, 0], [0.058, 0.1], [0.06, 0.102], [0, 0.105]], paint: stripes([206, 40, 40], [240, 214, 160], 0.035) },
+  { kind: revolve, at: [0.06, -0.19], profile: arc(0.038, 0.038, -1.57, 1.57), paint: () => [240, 150, 40] },
+  { kind: box, at: [-0.08, 0.17], size: [0.2, 0.15, 0.24], turn: 0.45, paint: (q, axis) => (axis !== 2 && Math.abs(q[2]) < 0.04 ? [110, 66, 40] : [186, 134, 84]) },
+  { kind: box, at: [0.33, 0.09], size: [0.06, 0.16, 0.2], turn: -0.5, paint: (q) => (q[2] > 0.05 ? [40, 84, 170] : [230, 232, 236]) },
+  { kind: revolve, at: [0.17, 0.16], profile: [[0.033, 0], [0.034, 0.12], [0.014, 0.165], [0.014, 0.2], [0, 0.2]], paint: (_, z) => (z > 0.16 ? [30, 50, 140] : [226, 178, 110]) },
+  { kind: box, at: [-0.36, 0.06], size: [0.09, 0.14, 0.05], turn: 0.2, paint: () => [228, 228, 222] },
+];
+
+// A depth buffer at 2 mrad a pixel: a sample is seen if it faces the camera and nothing is nearer.
+function visibleSamples(samples) {
+  const nearest = new Map();
+  const rays = samples.map(({ p }) => {
+    const d = p.map((value, i) => value - CAMERA[i]);
+    const depth = Math.hypot(...d);
+    const key = `${Math.round(Math.atan2(d[0], d[1]) / 0.006)} ${Math.round(Math.asin(d[2] / depth) / 0.006)}`;
+    nearest.set(key, Math.min(nearest.get(key) ?? Infinity, depth));
+    return { key, depth, d };
+  });
+  return samples.map(({ n }, i) => {
+    const { key, depth, d } = rays[i];
+    const facing = -(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / depth;
+    return facing > 0.12 && depth < nearest.get(key) + 0.015;
+  });
+}
+
+function symmetries({ kind, at, turn = 0, size }) {
+  const point = [...at, size ? size[2] / 2 : 0.1];
+  if (kind === revolve) return { rotational: [{ point, direction: [0, 0, 1], score: 0.012 }], reflectional: [] };
+  const [c, s] = [Math.cos(turn), Math.sin(turn)];
+  return { rotational: [], reflectional: [{ point, normal: [c, s, 0], score: 0.021 }, { point, normal: [-s, c, 0], score: 0.034 }] };
+}
+
+const REPORT = {
+  timings: [
+    { stage: 'downsample', seconds: 0.0042 }, { stage: 'occupancy', seconds: 0.021 },
+    { stage: 'oversegmentation', seconds: 0.038 }, { stage: 'rotational', seconds: 0.187 },
+    { stage: 'reflectional', seconds: 0.312 }, { stage: 'merge', seconds: 0.0011 }, { stage: 'completion', seconds: 0.046 },
+  ],
+  funnel: [
+    { step: 'smooth segments', count: 40 }, { step: 'axis fits', count: 120 }, { step: 'axes', count: 4 },
+    { step: 'plane candidates', count: 600 }, { step: 'planes with correspondences', count: 261 },
+    { step: 'planes that pass', count: 85 }, { step: 'planes after merging', count: 46 }, { step: 'objects', count: 8 },
+  ],
+};
+
+function refusals(random) {
+  const kinds = [['occlusion', 0.005], ['symmetry', 0.3], ['smoothness', 0.3], ['size', 200]];
+  return Array.from({ length: 32 }, (_, i) => {
+    const [reason, bound] = kinds[(i * i) % 4];
+    const value = reason === 'size' ? Math.round(40 + 150 * random()) : bound * (1.1 + 2 * random());
+    return { kind: i % 5 ? 'reflectional' : 'rotational', reason, value, bound, size: Math.round(120 + 2500 * random()) };
+  });
+}
+
+/** The scene as a payload. `clutter` adds points that are in no mask. */
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true } = {}) {
+  const random = randomNumbers(seed);
+  const parts = SOLIDS.map((solid) => solid.kind(solid, random));
+  const seen = visibleSamples(parts.flat());
+  const cloud = { positions: [], normals: [], colors: [] };
+  const add = (target, { p, n, c }) => {
+    target.positions.push(p.map((value) => value + (random() - 0.5) * 0.001));
+    target.normals.push(n);
+    if (colors) target.colors?.push(c.map((value) => Math.min(255, Math.max(0, value + 18 * (random() - 0.5)))));
+  };
+  let offset = 0;
+  const objects = parts.map((samples, id) => {
+    const object = { points: [], score: 0.96 - 0.055 * id, completed: { positions: [], normals: [] }, ...symmetries(SOLIDS[id]) };
+    samples.forEach((sample, i) => {
+      if (!seen[offset + i]) return add(object.completed, sample);
+      object.points.push(cloud.positions.length);
+      add(cloud, sample);
+    });
+    offset += samples.length;
+    const { point } = (object.rotational[0] ?? object.reflectional[0]);
+    return { ...object, centroid: point };
+  });
+  for (let i = 0; i < clutter; ++i) {
+    add(cloud, { p: [0.1 + 0.1 * random(), -0.32 + 0.03 * random(), 0.012], n: [0, 0, 1], c: [120, 124, 130] });
+  }
+  // Masks may overlap: the carton takes a few points of the can before it.
+  objects[4].points = [...objects[0].points.slice(0, 8), ...objects[4].points];
+  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, rejected: refusals(random) });
+}
+
+/** A scan in which nothing was found. */
+export function emptyResult(title = 'Nothing found') {
+  const scene = tabletop({ title });
+  return { ...scene, objects: [], rejected: scene.rejected };
+}
+
+/** No point at all. */
+export const noPoints = () => encodeScene({ title: 'No points', cloud: { positions: [] } });

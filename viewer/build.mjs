@@ -1,0 +1,33 @@
+// Bundles the viewer into dist/page.html: one file with two placeholders, for title and payload.
+import { build } from 'esbuild';
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
+
+const here = (name) => new URL(name, import.meta.url);
+
+async function bundle(entry) {
+  const result = await build({
+    entryPoints: [here(entry).pathname],
+    bundle: true,
+    minify: true,
+    write: false,
+    format: 'iife',
+    target: ['es2020', 'chrome90', 'firefox90', 'safari15'],
+    legalComments: 'none',
+    logLevel: 'warning',
+  });
+  return result.outputFiles[0].text.trim();
+}
+
+// Replacement functions, because "$&" in a bundle must stay what it is.
+const template = await readFile(here('template.html'), 'utf8');
+const [style, script] = await Promise.all([bundle('src/style.css'), bundle('src/main.js')]);
+const page = template
+  .replace('/*@@STYLE@@*/', () => style)
+  .replace('/*@@SCRIPT@@*/', () => `/*! three.js, MIT licence, https://threejs.org */\n${script}`);
+
+for (const placeholder of ['@@SYMSCENE_TITLE@@', '"@@SYMSCENE_PAYLOAD@@"']) {
+  if (page.split(placeholder).length !== 2) throw new Error(`${placeholder} must occur once`);
+}
+await mkdir(here('dist/'), { recursive: true });
+await writeFile(here('dist/page.html'), page);
+console.log(`dist/page.html  ${(page.length / 1024).toFixed(0)} KiB`);

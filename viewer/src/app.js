@@ -1,0 +1,71 @@
+// The application: state on one side, the drawn scene on the other, and what connects them.
+import { Viewpoint } from './camera.js';
+import { h } from './dom.js';
+import { applyHash } from './hash.js';
+import { listenToKeys } from './keyboard.js';
+import { Labels } from './labels.js';
+import { createHook } from './hook.js';
+import { createLayout } from './layout.js';
+import { createPanel } from './panel/panel.js';
+import { listenToPointer } from './pointer.js';
+import { createDrawing } from './drawing.js';
+import { footprint } from './footprint.js';
+import { createActions, createStore, initialState } from './store.js';
+import { createToolbar, createViews } from './toolbar.js';
+import { outlinePoints } from './gl/symmetries.js';
+import { Stage } from './gl/stage.js';
+
+// What the first view must show: the objects; all of the cloud where there are none.
+function framePoints(scene, outlines) {
+  const points = outlines.flat();
+  if (points.length) return points;
+  const everything = Uint32Array.from({ length: scene.cloud.count }, (_, i) => i);
+  const all = outlinePoints(scene.cloud, { points: everything, completed: { positions: [], count: 0 } }, 4000);
+  return all.length ? all : [[-0.3, 0, -0.3], [0.3, 0.2, 0.3]];
+}
+
+function drawOnChange(app) {
+  const { store, stage, drawing, labels } = app;
+  store.subscribe((state, changed) => {
+    drawing.update(state, changed);
+    labels.update(state);
+    stage.invalidate();
+  });
+  const scheme = matchMedia('(prefers-color-scheme: dark)');
+  const applyScheme = () => { drawing.setScheme(scheme.matches ? 'dark' : 'light'); stage.invalidate(); };
+  scheme.addEventListener('change', applyScheme);
+  applyScheme();
+}
+
+export function createApp(scene) {
+  const store = createStore(initialState(scene.objects));
+  const actions = createActions(store, scene.objects);
+  const outlines = scene.objects.map((object) => outlinePoints(scene.cloud, object));
+  const canvas = h('canvas', { tabindex: '0', role: 'img', 'aria-label': 'The scene in three dimensions' });
+  const viewpoint = new Viewpoint(canvas, framePoints(scene, outlines));
+  const stage = new Stage(canvas, viewpoint.camera);
+  const drawing = createDrawing(scene, outlines, stage);
+  const labels = new Labels(scene.objects, outlines, actions);
+  const app = { scene, store, actions, objects: scene.objects, canvas, viewpoint, stage, drawing, labels };
+  app.layout = createLayout(app);
+  const panel = createPanel({
+    scene, store, actions, cell: drawing.cell, onResize: app.layout.update,
+    extents: outlines.map(footprint),
+  });
+  const toolbar = createToolbar(scene, store, actions);
+  const views = createViews(viewpoint);
+  document.body.append(h('main', { class: 'stage' }, canvas, labels.element), toolbar, views, panel);
+  app.layout.attach({ panel, toolbar, views });
+  viewpoint.onChange = () => stage.invalidate();
+  viewpoint.controls.addEventListener('change', () => stage.invalidate());
+  stage.beforeDraw.push(() => viewpoint.step());
+  stage.afterDraw.push(() => labels.place(store.get(), app.layout.project(), app.layout.free(), app.layout.obstacles()));
+  listenToPointer(app);
+  listenToKeys(app);
+  drawOnChange(app);
+  const readHash = () => applyHash(location.hash, app);
+  addEventListener('hashchange', readHash);
+  readHash();
+  createHook(app);
+  return app;
+}

@@ -1,0 +1,74 @@
+// The display frame: x to the right, y up off the table, z towards whoever looks; metres, its
+// origin on the table under the middle of the scene.
+import { add, cross, dot, isVector, length, normalize, quantile, reject, scale, subtract } from './vector.js';
+
+// A sensor sees the surfaces that face it, so the normals lean towards where it stood.
+function sensorSide(cloud, up) {
+  const sum = [0, 0, 0];
+  for (let i = 0; i < cloud.normals.length; ++i) sum[i % 3] += cloud.normals[i];
+  const lean = reject(scale(sum, 1 / Math.max(1, cloud.count)), up);
+  if (length(lean) > 0.05) return normalize(lean);
+  const fallback = Math.abs(up[1]) < 0.9 ? [0, -1, 0] : [0, 0, 1];
+  return normalize(reject(fallback, up));
+}
+
+function heights(cloud, up) {
+  const values = new Float32Array(cloud.count);
+  for (let i = 0; i < cloud.count; ++i) {
+    values[i] = dot(cloud.positions.subarray(3 * i, 3 * i + 3), up);
+  }
+  return values;
+}
+
+function middle(cloud) {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < cloud.positions.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], cloud.positions[i]);
+    high[i % 3] = Math.max(high[i % 3], cloud.positions[i]);
+  }
+  return cloud.count ? scale(add(low, high), 0.5) : [0, 0, 0];
+}
+
+export function tableFrame(scene) {
+  const { cloud, table } = scene;
+  const up = normalize(isVector(scene.up) ? scene.up : [0, 0, 1]);
+  const front = sensorSide(cloud, up);
+  const right = cross(up, front);
+  const height = Number.isFinite(table) ? table : quantile(heights(cloud, up), 0.002) - 0.002;
+  const center = middle(cloud);
+  const origin = add(center, scale(up, height - dot(center, up)));
+  const direction = (v) => [dot(v, right), dot(v, up), dot(v, front)];
+  return { direction, point: (p) => direction(subtract(p, origin)) };
+}
+
+function mapTriples(array, map) {
+  for (let i = 0; i < array.length; i += 3) array.set(map([array[i], array[i + 1], array[i + 2]]), i);
+}
+
+function moveCloud(cloud, frame) {
+  mapTriples(cloud.positions, frame.point);
+  mapTriples(cloud.normals, frame.direction);
+}
+
+function moveObject(object, frame) {
+  moveCloud(object.completed, frame);
+  object.axes = object.rotational.map((s) => ({
+    point: frame.point(s.point),
+    direction: frame.direction(s.direction),
+    score: s.score,
+  }));
+  object.planes = object.reflectional.map((s) => ({
+    point: frame.point(s.point),
+    normal: frame.direction(s.normal),
+    score: s.score,
+  }));
+}
+
+/** Moves every point and symmetry of the scene into the display frame, in place. */
+export function moveToTableFrame(scene) {
+  const frame = tableFrame(scene);
+  moveCloud(scene.cloud, frame);
+  for (const object of scene.objects) moveObject(object, frame);
+  return scene;
+}

@@ -1,0 +1,170 @@
+// GLSL of the cloud. Points are drawn as discs that lie in the surface, into a texture of their own;
+// a second pass adds depth cues and outlines and puts the result on the canvas.
+
+// The alpha of the first pass is not opacity: it marks what is highlighted.
+const MARKS = /* glsl */ `
+  const float MARK_NONE = 1.0;
+  const float MARK_HOVERED = 0.75;
+  const float MARK_SELECTED = 0.5;
+`;
+
+export const splatVertex = /* glsl */ `
+  attribute vec3 shade;
+  attribute float owner;
+  uniform float radius;
+  uniform float focal;
+  varying vec3 viewNormal;
+  varying float upward;
+  varying vec3 albedo;
+  varying float ownerOut;
+  varying float pixels;
+  const float HIDDEN = 65534.5;
+  void main() {
+    vec4 view = modelViewMatrix * vec4(position, 1.0);
+    gl_Position = owner > HIDDEN ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * view;
+    pixels = 2.0 * radius * focal / max(-view.z, 1e-4);
+    gl_PointSize = clamp(pixels, 1.5, 96.0);
+    viewNormal = normalMatrix * normal;
+    upward = normal.y;
+    albedo = shade;
+    ownerOut = owner;
+  }
+`;
+
+export const splatFragment = /* glsl */ `
+  ${MARKS}
+  uniform float selected;
+  uniform float hovered;
+  uniform vec3 paper;
+  varying vec3 viewNormal;
+  varying float upward;
+  varying vec3 albedo;
+  varying float ownerOut;
+  varying float pixels;
+
+  // A lamp over the left shoulder of the viewer, and light from above.
+  float light(vec3 n) {
+    float lamp = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
+    return 0.56 + 0.12 * upward + 0.44 * lamp;
+  }
+
+  void main() {
+    vec2 offset = gl_PointCoord * 2.0 - 1.0;
+    offset.y = -offset.y;
+    bool oriented = dot(viewNormal, viewNormal) > 0.25;
+    vec3 n = oriented ? normalize(viewNormal) : vec3(0.0, 0.0, 1.0);
+    float facing = n.z < 0.0 ? -1.0 : 1.0;
+    n *= facing;
+    if (pixels > 2.5) {
+      float depth = dot(n.xy, offset) / max(n.z, 0.35);
+      if (dot(offset, offset) + depth * depth > 1.0) discard;
+    }
+    vec3 color = albedo * light(n) * (facing < 0.0 ? 0.72 : 1.0);
+    bool isSelected = abs(ownerOut - selected) < 0.5;
+    bool isHovered = abs(ownerOut - hovered) < 0.5;
+    if (selected >= 0.0 && !isSelected && !isHovered) color = mix(color, paper, 0.38);
+    gl_FragColor = vec4(color, isSelected ? MARK_SELECTED : isHovered ? MARK_HOVERED : MARK_NONE);
+  }
+`;
+
+export const composeVertex = /* glsl */ `
+  void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }
+`;
+
+// Eye-dome lighting (Boucheny 2009): a pixel darkens by how far its neighbours stand before it.
+export const composeFragment = /* glsl */ `
+  ${MARKS}
+  uniform sampler2D colors;
+  uniform sampler2D depths;
+  uniform int samples; // texels a pixel, along each side
+  uniform float near;
+  uniform float far;
+  uniform float reach; // texels
+  uniform float strength;
+  uniform vec3 outline;
+
+  const vec2 AROUND[8] = vec2[8](
+    vec2(1.0, 0.0), vec2(0.707, 0.707), vec2(0.0, 1.0), vec2(-0.707, 0.707),
+    vec2(-1.0, 0.0), vec2(-0.707, -0.707), vec2(0.0, -1.0), vec2(0.707, -0.707));
+
+  ivec2 size;
+  ivec2 inside(vec2 texel) { return clamp(ivec2(texel), ivec2(0), size - 1); }
+  float distanceAt(ivec2 texel) {
+    float depth = texelFetch(depths, texel, 0).r;
+    return depth >= 1.0 ? 1e6 : near * far / (far - (far - near) * depth);
+  }
+  bool marked(ivec2 texel) {
+    float mark = texelFetch(colors, texel, 0).a;
+    return mark > 0.25 && mark < 0.875;
+  }
+
+  vec4 shadeAt(ivec2 texel) {
+    vec4 color = texelFetch(colors, texel, 0);
+    bool covered = color.a > 0.0;
+    bool edge = false;
+    float here = log2(distanceAt(texel));
+    float occlusion = 0.0;
+    for (int i = 0; i < 8; ++i) {
+      ivec2 neighbor = inside(vec2(texel) + 0.5 + reach * AROUND[i]);
+      if (covered) occlusion += min(max(0.0, here - log2(distanceAt(neighbor))), 0.05);
+      edge = edge || marked(neighbor);
+    }
+    if (edge && !marked(texel)) return vec4(outline, 1.0);
+    return covered ? vec4(color.rgb * max(exp(-strength * occlusion), 0.25), 1.0) : vec4(0.0);
+  }
+
+  void main() {
+    size = textureSize(colors, 0);
+    ivec2 corner = ivec2(gl_FragCoord.xy) * samples;
+    vec4 sum = vec4(0.0);
+    float depth = 1.0;
+    for (int y = 0; y < samples; ++y) {
+      for (int x = 0; x < samples; ++x) {
+        ivec2 texel = inside(vec2(corner + ivec2(x, y)) + 0.5);
+        sum += shadeAt(texel);
+        depth = min(depth, texelFetch(depths, texel, 0).r);
+      }
+    }
+    gl_FragColor = sum / float(samples * samples);
+    gl_FragDepth = depth;
+  }
+`;
+
+export const tableVertex = /* glsl */ `
+  varying vec2 ground;
+  varying vec2 texel;
+  void main() {
+    ground = position.xz;
+    texel = uv;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }
+`;
+
+export const tableFragment = /* glsl */ `
+  uniform sampler2D shadow;
+  uniform vec3 ink;
+  uniform float cell;
+  uniform float extent;
+  uniform float gridOpacity;
+  uniform float shadowOpacity;
+  varying vec2 ground;
+  varying vec2 texel;
+
+  float lines(float step, float width) {
+    vec2 slope = fwidth(ground / step);
+    vec2 off = abs(fract(ground / step - 0.5) - 0.5) / max(slope, vec2(1e-5));
+    vec2 fade = clamp(1.2 - 4.0 * slope, 0.0, 1.0); // lines that crowd at the horizon vanish
+    vec2 line = clamp(width - off, 0.0, 1.0) * fade;
+    return max(line.x, line.y);
+  }
+
+  void main() {
+    float fade = 1.0 - smoothstep(0.55, 1.0, length(ground) / extent);
+    float grid = (0.45 * lines(cell, 0.9) + 0.55 * lines(5.0 * cell, 1.1)) * gridOpacity * fade;
+    float shade = texture2D(shadow, texel).r * shadowOpacity;
+    float side = gl_FrontFacing ? 1.0 : 0.15;
+    float alpha = (shade + grid * (1.0 - shade)) * side;
+    vec3 color = mix(ink, vec3(0.0), shade / max(shade + grid, 1e-4));
+    gl_FragColor = vec4(color * alpha, alpha);
+  }
+`;

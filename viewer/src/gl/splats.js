@@ -1,0 +1,69 @@
+// A cloud of points as discs on its surface.
+import * as THREE from 'three';
+import { splatFragment, splatVertex } from './shaders.js';
+import { quantile } from '../vector.js';
+
+/** The typical distance from a point to its fourth neighbour: how dense the surface is sampled. */
+export function sampleSpacing(positions) {
+  const total = positions.length / 3;
+  const probes = Math.min(total, 4e7 / Math.max(total, 1), 200);
+  const distances = [];
+  for (let k = 0; k < probes; ++k) {
+    const i = 3 * Math.floor((k * total) / probes);
+    const best = [Infinity, Infinity, Infinity, Infinity];
+    for (let j = 0; j < positions.length; j += 3) {
+      const d = (positions[j] - positions[i]) ** 2 + (positions[j + 1] - positions[i + 1]) ** 2 +
+        (positions[j + 2] - positions[i + 2]) ** 2;
+      if (d > 0 && d < best[3]) best.splice(best.findIndex((b) => d < b), 0, d), best.pop();
+    }
+    if (Number.isFinite(best[3])) distances.push(Math.sqrt(best[3]));
+  }
+  return quantile(distances, 0.5) || 0.005;
+}
+
+function splatMaterial(radius) {
+  return new THREE.ShaderMaterial({
+    vertexShader: splatVertex,
+    fragmentShader: splatFragment,
+    uniforms: {
+      radius: { value: radius },
+      focal: { value: 1000 },
+      selected: { value: -1 },
+      hovered: { value: -1 },
+      paper: { value: new THREE.Color(1, 1, 1) },
+    },
+    blending: THREE.NoBlending,
+  });
+}
+
+export class Splats {
+  constructor({ positions, normals }, radius) {
+    const count = positions.length / 3;
+    this.positions = positions;
+    this.shades = new Uint8Array(3 * count);
+    this.owners = new Uint16Array(count);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+    const oriented = normals.length === positions.length ? normals : new Float32Array(3 * count);
+    geometry.setAttribute('normal', new THREE.BufferAttribute(oriented, 3));
+    geometry.setAttribute('shade', new THREE.BufferAttribute(this.shades, 3, true));
+    geometry.setAttribute('owner', new THREE.BufferAttribute(this.owners, 1));
+    this.object = new THREE.Points(geometry, splatMaterial(radius));
+    this.object.frustumCulled = false;
+  }
+
+  /** shadeOf(point, owner) is an RGB triple of bytes. */
+  paint(owners, shadeOf) {
+    this.owners.set(owners);
+    for (let i = 0; i < owners.length; ++i) this.shades.set(shadeOf(i, owners[i]), 3 * i);
+    this.object.geometry.attributes.shade.needsUpdate = true;
+    this.object.geometry.attributes.owner.needsUpdate = true;
+  }
+
+  emphasise(selected, hovered, paper) {
+    const { uniforms } = this.object.material;
+    uniforms.selected.value = selected ?? -1;
+    uniforms.hovered.value = hovered ?? -1;
+    uniforms.paper.value.setRGB(...paper.map((value) => value / 255));
+  }
+}

@@ -1,0 +1,136 @@
+// The canvas: a table, the cloud in two passes, and lines and sheets over it. Draws on demand.
+import * as THREE from 'three';
+import { composeFragment, composeVertex } from './shaders.js';
+
+const MAX_PIXEL_RATIO = 2;
+const REST_DELAY = 140; // ms without movement, after which the fine picture is drawn
+
+function createTarget() {
+  const target = new THREE.WebGLRenderTarget(2, 2, {
+    minFilter: THREE.NearestFilter,
+    magFilter: THREE.NearestFilter,
+  });
+  target.depthTexture = new THREE.DepthTexture(2, 2, THREE.UnsignedIntType);
+  return target;
+}
+
+function createCompose(target) {
+  const material = new THREE.ShaderMaterial({
+    vertexShader: composeVertex,
+    fragmentShader: composeFragment,
+    uniforms: {
+      colors: { value: target.texture },
+      depths: { value: target.depthTexture },
+      samples: { value: 1 },
+      near: { value: 0.1 },
+      far: { value: 10 },
+      reach: { value: 1 },
+      strength: { value: 9 },
+      outline: { value: new THREE.Color(0, 0, 0) },
+    },
+    depthFunc: THREE.AlwaysDepth,
+    transparent: true,
+    premultipliedAlpha: true,
+  });
+  const triangle = new THREE.BufferGeometry();
+  triangle.setAttribute('position', new THREE.BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+  const mesh = new THREE.Mesh(triangle, material);
+  mesh.frustumCulled = false;
+  const scene = new THREE.Scene();
+  scene.add(mesh);
+  return { scene, uniforms: material.uniforms };
+}
+
+function createRenderer(canvas) {
+  const renderer = new THREE.WebGLRenderer({
+    canvas, alpha: true, antialias: true, powerPreference: 'high-performance',
+  });
+  renderer.autoClear = false;
+  renderer.setClearColor(0x000000, 0);
+  return renderer;
+}
+
+export class Stage {
+  ground = new THREE.Scene();
+  cloud = new THREE.Scene();
+  overlay = new THREE.Scene();
+  beforeDraw = []; // each returns true while it moves
+  afterDraw = [];
+  frames = 0;
+
+  constructor(canvas, camera) {
+    this.camera = camera;
+    this.renderer = createRenderer(canvas);
+    this.target = createTarget();
+    this.compose = createCompose(this.target);
+    this.requested = 0;
+    this.restTimer = 0;
+  }
+
+  resize(width, height) {
+    this.width = width;
+    this.height = height;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, MAX_PIXEL_RATIO));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  setOutline(color) {
+    this.compose.uniforms.outline.value.setRGB(...color.map((value) => value / 255));
+  }
+
+  /** Asks for a picture at the next frame of the screen. */
+  invalidate() {
+    if (!this.requested) this.requested = requestAnimationFrame(() => this.#tick());
+  }
+
+  #tick() {
+    this.requested = 0;
+    const moving = this.beforeDraw.map((step) => step()).some(Boolean);
+    clearTimeout(this.restTimer);
+    this.draw(1);
+    if (moving) this.invalidate();
+    else this.restTimer = setTimeout(() => this.draw(this.#restSamples()), this.frames < 3 ? 0 : REST_DELAY);
+  }
+
+  // A still picture is worth four samples a pixel, where the screen does not have them itself.
+  #restSamples() {
+    return this.renderer.getPixelRatio() > 1.5 ? 1 : 2;
+  }
+
+  /** Draws at once, with samples² texels a pixel. */
+  draw(samples = this.#restSamples()) {
+    const { renderer, camera, target } = this;
+    const pixels = renderer.getDrawingBufferSize(new THREE.Vector2());
+    target.setSize(pixels.x * samples, pixels.y * samples);
+    this.#setFocal((pixels.y * samples) / (2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2))));
+    camera.updateMatrixWorld();
+    renderer.setRenderTarget(target);
+    renderer.clear();
+    renderer.render(this.cloud, camera);
+    renderer.setRenderTarget(null);
+    renderer.clear();
+    renderer.render(this.ground, camera);
+    this.#composeOnto(camera, samples);
+    renderer.render(this.overlay, camera);
+    this.frames += 1;
+    for (const step of this.afterDraw) step();
+  }
+
+  #setFocal(focal) {
+    this.cloud.traverse((child) => {
+      if (child.isPoints) child.material.uniforms.focal.value = focal;
+    });
+  }
+
+  #composeOnto(camera, samples) {
+    const { uniforms, scene } = this.compose;
+    uniforms.samples.value = samples;
+    uniforms.near.value = camera.near;
+    uniforms.far.value = camera.far;
+    uniforms.reach.value = 1.4 * samples * this.renderer.getPixelRatio();
+    this.renderer.render(scene, camera);
+  }
+}

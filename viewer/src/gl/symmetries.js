@@ -1,0 +1,135 @@
+// Reflection planes as bordered sheets and rotation axes as arrows, sized to their object.
+import * as THREE from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { add, cross, dot, planeBasis, quantile, scale, subtract } from '../vector.js';
+
+const UP = [0, 1, 0];
+
+// What an object's symmetries share: materials in its colour, solid and seen through the surface.
+function createMaterials(color) {
+  const rgb = new THREE.Color(`rgb(${color.join(',')})`);
+  const line = (linewidth, opacity, depthTest) =>
+    new LineMaterial({ color: rgb, linewidth, opacity, transparent: true, depthTest, depthWrite: false });
+  return {
+    border: line(1.6, 0.9, true),
+    borderBehind: line(1.2, 0.22, false),
+    axis: line(2.6, 1, true),
+    axisBehind: line(2, 0.4, false),
+    sheet: new THREE.MeshBasicMaterial({
+      color: rgb, transparent: true, opacity: 0.13, side: THREE.DoubleSide, depthWrite: false,
+    }),
+    cap: new THREE.MeshBasicMaterial({ color: rgb }),
+  };
+}
+
+function extentAlong(points, origin, direction) {
+  const values = points.map((p) => dot(subtract(p, origin), direction));
+  return [quantile(values, 0.005), quantile(values, 0.995)];
+}
+
+function segments(pairs, material, order) {
+  const geometry = new LineSegmentsGeometry().setPositions(pairs.flat(2));
+  const lines = new LineSegments2(geometry, material);
+  lines.renderOrder = order;
+  return lines;
+}
+
+const closed = (corners) => corners.map((corner, i) => [corner, corners[(i + 1) % corners.length]]);
+
+function planeObject(plane, points, materials) {
+  const [u, v] = planeBasis(plane.normal, UP);
+  const [u0, u1] = extentAlong(points, plane.point, u);
+  const [v0, v1] = extentAlong(points, plane.point, v);
+  const margin = 0.09 * Math.max(u1 - u0, v1 - v0) + 0.006;
+  const corner = (a, b) => add(plane.point, add(scale(u, a), scale(v, b)));
+  const corners = [
+    corner(u0 - margin, v0 - margin), corner(u1 + margin, v0 - margin),
+    corner(u1 + margin, v1 + margin), corner(u0 - margin, v1 + margin),
+  ];
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(corners.flat()), 3));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  const sheet = new THREE.Mesh(geometry, materials.sheet);
+  sheet.renderOrder = 1;
+  const border = closed(corners);
+  return group(sheet, segments(border, materials.borderBehind, 2), segments(border, materials.border, 3));
+}
+
+function group(...children) {
+  const result = new THREE.Group();
+  result.add(...children);
+  return result;
+}
+
+// Three quarters of a turn about the axis: the line stands for rotations.
+function turn(center, direction, radius) {
+  const [u, v] = planeBasis(direction, [0, 0, 1]);
+  const at = (angle) => add(center, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
+  const steps = 36;
+  return Array.from({ length: steps }, (_, i) => [
+    at((1.6 * Math.PI * i) / steps), at((1.6 * Math.PI * (i + 1)) / steps),
+  ]);
+}
+
+function cone(tip, direction, size, material) {
+  const mesh = new THREE.Mesh(new THREE.ConeGeometry(0.36 * size, size, 24), material);
+  mesh.position.set(...subtract(tip, scale(direction, size / 2)));
+  mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...direction));
+  return mesh;
+}
+
+function axisObject(axis, points, materials) {
+  const direction = axis.direction[1] < 0 ? scale(axis.direction, -1) : axis.direction;
+  const at = (t) => add(axis.point, scale(direction, t));
+  const [t0, t1] = extentAlong(points, axis.point, direction);
+  const radius = quantile(points.map((p) => Math.hypot(...cross(subtract(p, axis.point), direction))), 0.8);
+  const margin = 0.14 * (t1 - t0) + 0.018;
+  const size = Math.min(Math.max(0.3 * radius, 0.009), 0.03);
+  const pairs = [
+    [at(t0 - 0.6 * margin), at(t1 + margin)],
+    ...turn(at(t1 + 0.5 * margin), direction, Math.min(Math.max(0.42 * radius, 0.01), 0.035)),
+  ];
+  return group(
+    segments(pairs, materials.axisBehind, 4),
+    segments(pairs, materials.axis, 5),
+    cone(at(t1 + margin + size), direction, size, materials.cap),
+  );
+}
+
+/** Points that say how large an object is: a sample of what was seen and what was completed. */
+export function outlinePoints(cloud, object, limit = 1200) {
+  const sample = [];
+  const take = (positions, total, indexOf) => {
+    const step = Math.max(1, Math.floor(total / limit));
+    for (let k = 0; k < total; k += step) {
+      const i = 3 * indexOf(k);
+      sample.push([positions[i], positions[i + 1], positions[i + 2]]);
+    }
+  };
+  take(cloud.positions, object.points.length, (k) => object.points[k]);
+  take(object.completed.positions, object.completed.count, (k) => k);
+  return sample;
+}
+
+export class Symmetries {
+  constructor(object, outline, color) {
+    this.materials = createMaterials(color);
+    this.planes = new THREE.Group();
+    this.axes = new THREE.Group();
+    for (const plane of object.planes) this.planes.add(planeObject(plane, outline, this.materials));
+    for (const axis of object.axes) this.axes.add(axisObject(axis, outline, this.materials));
+  }
+
+  show(planes, axes, emphasis) {
+    this.planes.visible = planes;
+    this.axes.visible = axes;
+    const strength = { normal: 1, strong: 1.7, faint: 0.35 }[emphasis];
+    this.materials.sheet.opacity = 0.13 * strength;
+    this.materials.border.opacity = Math.min(1, 0.75 * strength);
+    this.materials.borderBehind.opacity = Math.min(0.5, 0.2 * strength);
+    this.materials.axis.opacity = Math.min(1, strength);
+    this.materials.axisBehind.opacity = Math.min(0.7, 0.4 * strength);
+  }
+}

@@ -1,0 +1,56 @@
+// window.symscene: what a test or a script that takes pictures needs to know and to do.
+
+// The pixel on which a click hits the object, near the middle of those that would.
+function clickPoint(app, index) {
+  const { positions, owners } = app.drawing.cloud;
+  const project = app.layout.project();
+  const { left, top, right, bottom } = app.layout.free();
+  const seen = [];
+  for (let i = 0; i < owners.length; ++i) {
+    if (owners[i] !== index) continue;
+    const p = project(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+    if (p && p.x > left && p.x < right && p.y > top && p.y < bottom) seen.push(p);
+  }
+  const mean = (key) => seen.reduce((sum, p) => sum + p[key], 0) / seen.length;
+  const [x, y] = [mean('x'), mean('y')];
+  const far = (p) => (p.x - x) ** 2 + (p.y - y) ** 2;
+  const nearest = seen.sort((a, b) => far(a) - far(b))[0];
+  return nearest ? { x: nearest.x, y: nearest.y } : null;
+}
+
+// The share of the canvas' pixels that are not empty, and a hash of them all.
+function readPixels({ stage }) {
+  stage.draw();
+  const gl = stage.renderer.getContext();
+  const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+  const bytes = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  let filled = 0;
+  let hash = 0;
+  for (let i = 0; i < bytes.length; i += 4) {
+    if (bytes[i + 3] > 200) filled += 1;
+    hash = (Math.imul(hash, 31) + bytes[i] + 7 * bytes[i + 1] + 13 * bytes[i + 2]) | 0;
+  }
+  return { filled: filled / (width * height), hash };
+}
+
+export function createHook(app) {
+  const { store, objects, stage, viewpoint } = app;
+  const indexOf = (id) => objects.find((object) => object.id === id)?.index ?? null;
+  const ids = (set) => objects.filter(({ index }) => set.has(index)).map(({ id }) => id);
+  window.symscene = {
+    ready: new Promise((resolve) => {
+      const check = () => (stage.frames >= 2 ? resolve(true) : requestAnimationFrame(check));
+      check();
+    }),
+    get selected() { return objects[store.get().selected]?.id ?? null; },
+    get visible() { return ids(store.get().visible); },
+    get completed() { return ids(store.get().completed); },
+    get mode() { return store.get().mode; },
+    get frames() { return stage.frames; },
+    select: (id) => app.actions.select(indexOf(id)),
+    view: (name) => viewpoint.go(name, false),
+    clickPoint: (id) => clickPoint(app, indexOf(id)),
+    pixels: () => readPixels(app),
+  };
+}

@@ -1,0 +1,52 @@
+// The keys of the page. With the canvas in focus the arrows orbit; letters work everywhere.
+
+const VIEW_KEYS = { h: 'home', f: 'front', s: 'side', t: 'top' };
+const TOGGLE_KEYS = { p: 'planes', a: 'axes', l: 'labels', o: 'rest' };
+const MODES = ['scan', 'blend', 'objects'];
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const STEP = 8; // degrees
+
+export const KEY_HELP = [
+  ['Arrows', 'orbit (with Shift: pan)'], ['+  −', 'zoom'], ['H F S T', 'home, front, side, top'],
+  ['[  ]', 'previous, next object'], ['P A C', 'planes, axes, completed points'],
+  ['L O M', 'labels, other points, colours'], ['Esc', 'select nothing'],
+];
+
+function moveCamera(event, viewpoint) {
+  const arrow = ARROWS[event.key];
+  if (arrow && event.shiftKey) viewpoint.pan(...arrow);
+  else if (arrow) viewpoint.orbit(STEP * arrow[0], STEP * arrow[1]);
+  else if (event.key === '+' || event.key === '=') viewpoint.zoom(1 / 1.2);
+  else if (event.key === '-') viewpoint.zoom(1.2);
+  else return false;
+  return true;
+}
+
+function stepSelection(store, actions, objects, step) {
+  if (objects.length === 0) return;
+  const { selected } = store.get();
+  const start = selected === null ? (step > 0 ? -1 : 0) : selected;
+  actions.select((start + step + objects.length) % objects.length);
+}
+
+function press(key, { store, actions, objects, viewpoint }) {
+  if (VIEW_KEYS[key]) viewpoint.go(VIEW_KEYS[key]);
+  else if (TOGGLE_KEYS[key]) actions.toggle(TOGGLE_KEYS[key]);
+  else if (key === 'c') actions.toggleAllCompleted();
+  else if (key === 'm') actions.setMode(MODES[(MODES.indexOf(store.get().mode) + 1) % MODES.length]);
+  else if (key === ']') stepSelection(store, actions, objects, 1);
+  else if (key === '[') stepSelection(store, actions, objects, -1);
+  else if (key === 'escape') actions.select(null);
+  else return false;
+  return true;
+}
+
+export function listenToKeys(app) {
+  addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const onCanvas = event.target === app.canvas || event.target === document.body;
+    if ((onCanvas && moveCamera(event, app.viewpoint)) || press(event.key.toLowerCase(), app)) {
+      event.preventDefault();
+    }
+  });
+}

@@ -1,0 +1,17 @@
+// Which object a point is drawn as. Masks may overlap: of the objects that are switched on, the one
+// with the best score wins.
+
+export const REST = 0xfffe; // in no mask
+export const HIDDEN = 0xffff; // in masks that are all switched off
+
+/** The owner of every point; `objects` are sorted by falling score. */
+export function pointOwners(count, objects, isVisible) {
+  const owners = new Uint16Array(count).fill(REST);
+  for (let i = objects.length - 1; i >= 0; --i) {
+    const owner = isVisible(objects[i].index) ? objects[i].index : HIDDEN;
+    for (const point of objects[i].points) {
+      if (owner !== HIDDEN || owners[point] === REST) owners[point] = owner;
+    }
+  }
+  return owners;
+}

@@ -1,0 +1,44 @@
+// Which colour a point has: of the scan, of its object, or both; grey where it has none.
+import { HIDDEN, REST, pointOwners } from './ownership.js';
+import { lighter, mix, objectColor } from './palette.js';
+
+const PLAIN = { light: [176, 181, 190], dark: [150, 156, 166] };
+const HEIGHTEN = 1.12; // discs are lit, which darkens what the camera saw lit already
+
+const brighten = (value) => Math.min(255, Math.round(value * HEIGHTEN));
+
+function scanColor(colors, i, plain) {
+  if (colors.length === 0) return plain;
+  return [brighten(colors[3 * i]), brighten(colors[3 * i + 1]), brighten(colors[3 * i + 2])];
+}
+
+// The object's hue with the light and dark of the scan, so that print and edges stay legible.
+function blend(scan, color) {
+  const grey = 0.3 * scan[0] + 0.59 * scan[1] + 0.11 * scan[2];
+  const tinted = color.map((value) => Math.min(255, value * (0.55 + grey / 440)));
+  return mix(scan, tinted, 0.74);
+}
+
+function restColor(scan, mode, plain) {
+  if (mode === 'scan') return scan;
+  return mix(scan, plain, mode === 'objects' ? 1 : 0.6);
+}
+
+export function paintCloud(splats, cloud, objects, state, scheme) {
+  const owners = pointOwners(cloud.count, objects, (index) => state.visible.has(index));
+  if (!state.rest) owners.forEach((owner, i) => { if (owner === REST) owners[i] = HIDDEN; });
+  const palette = objects.map((object) => objectColor(object.index));
+  const plain = PLAIN[scheme];
+  splats.paint(owners, (i, owner) => {
+    if (owner === HIDDEN) return plain;
+    const scan = scanColor(cloud.colors, i, plain);
+    if (owner === REST) return restColor(scan, state.mode, plain);
+    if (state.mode === 'scan') return scan;
+    return state.mode === 'objects' || cloud.colors.length === 0 ? palette[owner] : blend(scan, palette[owner]);
+  });
+}
+
+export function paintCompleted(splats, object) {
+  const color = lighter(objectColor(object.index));
+  splats.paint(new Uint16Array(object.completed.count).fill(object.index), () => color);
+}

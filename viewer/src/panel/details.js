@@ -1,0 +1,49 @@
+// What is known of one object.
+import { h } from '../dom.js';
+import * as format from '../format.js';
+
+const vector = (v, digits) => v.map((value) => format.fixed(value, digits)).join(', ');
+
+function why(object) {
+  const fits = (list) => Math.min(...list.map((s) => s.score ?? Infinity));
+  const parts = [];
+  if (object.rotational.length) {
+    parts.push(`turning them about ${object.rotational.length === 1 ? 'an axis' : `${object.rotational.length} axes`} leaves them in place (misfit ${format.fixed(fits(object.rotational), 3)})`);
+  }
+  if (object.reflectional.length) {
+    parts.push(`${object.reflectional.length === 1 ? 'a plane mirrors' : `${object.reflectional.length} planes mirror`} one half onto the other (misfit ${format.fixed(fits(object.reflectional), 3)})`);
+  }
+  if (parts.length === 0) return 'No symmetry is stored with this object.';
+  return `These points are one object because ${parts.join(', and ')}, and what that adds lies where the camera could not look.`;
+}
+
+function facts(object, scene, extent) {
+  const share = object.points.length / Math.max(1, scene.cloud.count);
+  return [
+    ['Score', format.fixed(object.score, 3)],
+    ['Points seen', `${format.count(object.points.length)} (${format.percent(share)})`],
+    ['Completed', object.completed.count ? `+ ${format.count(object.completed.count)}` : 'none'],
+    ['Size', `${extent.map(format.centimetres).join(' × ')} cm`],
+    ['Centroid', `${vector(object.centroid, 3)} m`],
+  ];
+}
+
+function symmetryRows(object) {
+  const row = (kind, s, first, second, names) =>
+    h('tr', { title: `${names[0]} ${vector(first, 3)} m, ${names[1]} ${vector(second, 3)}` },
+      h('th', { scope: 'row' }, kind), h('td', {}, vector(second, 2)), h('td', {}, format.fixed(s.score, 3)));
+  return [
+    ...object.rotational.map((s) => row('Axis', s, s.point, s.direction, ['through', 'along'])),
+    ...object.reflectional.map((s) => row('Plane', s, s.point, s.normal, ['through', 'normal'])),
+  ];
+}
+
+export function objectDetails(object, scene, extent) {
+  const rows = symmetryRows(object);
+  return h('div', {},
+    h('dl', {}, facts(object, scene, extent).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])),
+    rows.length > 0 && h('table', { class: 'symmetries' },
+      h('thead', {}, h('tr', {}, h('th', {}, 'Symmetry'), h('th', {}, 'Direction'), h('th', {}, 'Misfit'))),
+      h('tbody', {}, rows)),
+    h('p', { class: 'why' }, why(object)));
+}

@@ -1,0 +1,75 @@
+// The panel beside the scene; on a narrow screen a sheet under it.
+import { h } from '../dom.js';
+import * as format from '../format.js';
+import { KEY_HELP } from '../keyboard.js';
+import { createObjectList } from './objects.js';
+import { createTimes, totalTime } from './times.js';
+import { createWhy } from './why.js';
+
+const HEIGHTS = ['peek', 'half', 'full'];
+
+function stats({ objects, cloud, timings }) {
+  const parts = [format.plural(objects.length, 'object'), format.plural(cloud.count, 'point')];
+  if (timings.length) parts.push(format.seconds(totalTime(timings)));
+  return parts.join(' · ');
+}
+
+function createControlsHelp(cell) {
+  const rows = [
+    ['Drag', 'orbit'], ['Right drag, two fingers', 'pan'], ['Wheel, pinch', 'zoom'], ['Click', 'select'], ...KEY_HELP,
+  ];
+  const size = cell >= 1 ? `${cell} m` : `${Math.round(cell * 1000) / 10} cm`;
+  return h('details', { class: 'controls' }, h('summary', {}, 'Controls'),
+    h('dl', {}, rows.flatMap(([key, use]) => [h('dt', {}, key), h('dd', {}, use)])),
+    h('p', { class: 'more' }, `A square of the table's grid is ${size} wide, a bold one five times that.`));
+}
+
+function emptyMessage(scene) {
+  const refused = scene.rejected.length;
+  return h('div', { class: 'empty', role: 'status' },
+    h('strong', {}, 'No object was found.'),
+    scene.cloud.count === 0 ? 'The cloud has no points.'
+      : refused ? `${format.plural(refused, 'hypothesis').replace('hypothesiss', 'hypotheses')} failed a bound; “Why these objects” says which.`
+        : 'No candidate symmetry passed; “Why these objects” says where they ended.');
+}
+
+// Dragging the grip sets the sheet's height; a tap steps through the three.
+function createGrip(panel, onResize) {
+  const set = (name) => { panel.dataset.height = name; panel.style.removeProperty('--sheet'); onResize(); };
+  let drag = null;
+  const grip = h('button', { class: 'grip', type: 'button', 'aria-label': 'Height of the panel' }, h('span'));
+  grip.addEventListener('pointerdown', (event) => {
+    drag = { y: event.clientY, height: panel.offsetHeight, moved: false };
+    grip.setPointerCapture(event.pointerId);
+  });
+  grip.addEventListener('pointermove', (event) => {
+    if (!drag || (!drag.moved && Math.abs(event.clientY - drag.y) < 4)) return;
+    drag.moved = true;
+    const height = Math.min(Math.max(drag.height + drag.y - event.clientY, 84), innerHeight * 0.85);
+    panel.style.setProperty('--sheet', `${height}px`);
+    onResize();
+  });
+  grip.addEventListener('pointerup', () => { if (drag?.moved) grip.dataset.moved = ''; drag = null; });
+  grip.addEventListener('click', () => {
+    if ('moved' in grip.dataset) delete grip.dataset.moved;
+    else set(HEIGHTS[(HEIGHTS.indexOf(panel.dataset.height) + 1) % HEIGHTS.length]);
+  });
+  return grip;
+}
+
+export function createPanel({ scene, store, actions, extents, cell, onResize }) {
+  const hasObjects = scene.objects.length > 0;
+  const panel = h('aside', { class: 'panel', 'data-height': 'half', 'aria-label': 'Segmentation result' });
+  panel.append(
+    createGrip(panel, onResize),
+    h('header', {},
+      h('h1', {}, scene.title || 'Segmentation'),
+      h('p', { class: 'stats' }, stats(scene))),
+    h('div', { class: 'scroll', tabindex: '-1' },
+      scene.note ? h('p', { class: 'note' }, scene.note) : '',
+      h('p', { class: 'lead' }, 'A depth-camera scan cut into objects by their symmetry alone: every colour is one object, ' +
+        'sheets are its mirror planes, arrows its axes. Click one for details.'),
+      hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
+      ...[createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)].filter(Boolean)));
+  return panel;
+}

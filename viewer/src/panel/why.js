@@ -1,0 +1,70 @@
+// Why these objects and no others: how many candidates each step left, and what was refused.
+import { h } from '../dom.js';
+import * as format from '../format.js';
+
+const MEANINGS = {
+  symmetry: 'the points do not match their own image',
+  occlusion: 'the image would lie in space that was seen to be empty',
+  smoothness: 'the cut runs through a smooth surface',
+  coverage: 'too little of the turn about the axis was seen',
+  perpendicularity: 'the surface faces along the axis',
+  size: 'too few points',
+  inlier: 'too few points have a counterpart',
+  support: 'it left the segment that proposed it',
+  overlap: 'it left the segment that proposed it',
+  duplicate: 'the same points as a better object',
+  merged: 'the same points as a better object',
+};
+const MOST_ROWS = 60;
+
+function funnelRow({ step, count }, most) {
+  // Counts fall by orders of magnitude: the bars are logarithmic.
+  const share = Math.log1p(count) / Math.log1p(most);
+  return h('tr', {},
+    h('th', { scope: 'row' }, format.words(step)),
+    h('td', { class: 'bar' }, h('span', { style: { width: `${100 * share}%` } })),
+    h('td', { class: 'number' }, format.count(count)));
+}
+
+function createFunnel(funnel) {
+  if (funnel.length === 0) return null;
+  const most = Math.max(1, ...funnel.map(({ count }) => count));
+  return h('div', { class: 'funnel' },
+    h('h3', {}, 'Candidates left after each step'),
+    h('table', { class: 'bars' }, h('tbody', {}, funnel.map((step) => funnelRow(step, most)))));
+}
+
+function byReason(rejected) {
+  const groups = new Map();
+  for (const entry of rejected) {
+    if (!groups.has(entry.reason)) groups.set(entry.reason, []);
+    groups.get(entry.reason).push(entry);
+  }
+  return [...groups].sort((a, b) => b[1].length - a[1].length);
+}
+
+function refusal({ kind, value, bound, size }) {
+  const relation = value > bound ? '>' : value < bound ? '<' : '=';
+  return h('tr', {},
+    h('th', { scope: 'row' }, format.words(kind)),
+    h('td', { class: 'number' }, `${format.fixed(value, 3)} ${relation} ${format.fixed(bound, 3)}`),
+    h('td', { class: 'number' }, format.plural(size, 'point')));
+}
+
+function reasonGroup([reason, entries]) {
+  const hidden = entries.length - MOST_ROWS;
+  return h('details', { class: 'reason' },
+    h('summary', {}, h('span', {}, format.words(reason), h('small', {}, MEANINGS[reason] ?? '')),
+      h('span', { class: 'aside' }, format.count(entries.length))),
+    h('table', { class: 'refusals' }, h('tbody', {}, entries.slice(0, MOST_ROWS).map(refusal))),
+    hidden > 0 && h('p', { class: 'more' }, `and ${format.count(hidden)} more`));
+}
+
+export function createWhy({ funnel, rejected }, open) {
+  if (funnel.length === 0 && rejected.length === 0) return null;
+  return h('details', { class: 'why-section', open },
+    h('summary', {}, 'Why these objects', h('span', { class: 'aside' }, `${format.count(rejected.length)} refused`)),
+    createFunnel(funnel),
+    rejected.length > 0 && h('h3', {}, 'Refused, by the bound that failed'),
+    byReason(rejected).map(reasonGroup));
+}

@@ -1,0 +1,45 @@
+// Hovering and clicking the scene.
+import { REST } from './ownership.js';
+import { pick } from './picking.js';
+
+const CLICK_MOVE = 5; // pixels that a click may wander
+const REACH = 5; // pixels, where discs are smaller than a fingertip
+
+function ownerAt(app, x, y) {
+  const owner = pick(app.drawing.layers(), app.layout.project(), x, y, REACH);
+  return owner === null || owner === REST ? null : owner;
+}
+
+function local(canvas, event) {
+  const box = canvas.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
+export function listenToPointer(app) {
+  const { canvas, actions, viewpoint } = app;
+  let down = null;
+  let queued = null;
+  canvas.addEventListener('pointerdown', (event) => {
+    down = event.isPrimary && event.button === 0 ? local(canvas, event) : null;
+  });
+  canvas.addEventListener('pointerup', (event) => {
+    const up = local(canvas, event);
+    if (down && Math.hypot(up[0] - down[0], up[1] - down[1]) <= CLICK_MOVE) actions.select(ownerAt(app, ...up));
+    down = null;
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    if (event.pointerType === 'touch' || event.buttons) return;
+    if (!queued) requestAnimationFrame(() => { if (queued) setHover(queued); queued = null; });
+    queued = local(canvas, event);
+  });
+  canvas.addEventListener('pointerleave', () => { queued = null; actions.hover(null); });
+  canvas.addEventListener('dblclick', (event) => {
+    const owner = ownerAt(app, ...local(canvas, event));
+    if (owner !== null) viewpoint.focus(app.drawing.outlines[owner]);
+  });
+  function setHover(position) {
+    const owner = ownerAt(app, ...position);
+    canvas.style.cursor = owner === null ? '' : 'pointer';
+    actions.hover(owner);
+  }
+}

@@ -1,0 +1,60 @@
+// What the person has switched on. One store; whoever draws subscribes.
+
+export function createStore(initial) {
+  let state = initial;
+  const listeners = new Set();
+  return {
+    get: () => state,
+    set(patch) {
+      const changed = Object.keys(patch).filter((key) => state[key] !== patch[key]);
+      if (changed.length === 0) return;
+      state = { ...state, ...patch };
+      for (const listener of listeners) listener(state, new Set(changed));
+    },
+    subscribe(listener) {
+      listeners.add(listener);
+      listener(state, new Set(Object.keys(state)));
+    },
+  };
+}
+
+export function initialState(objects) {
+  return {
+    mode: 'blend',
+    visible: new Set(objects.map((object) => object.index)),
+    completed: new Set(),
+    selected: null,
+    hovered: null,
+    planes: true,
+    axes: true,
+    labels: true,
+    rest: true,
+  };
+}
+
+const toggled = (set, value) => {
+  const copy = new Set(set);
+  if (!copy.delete(value)) copy.add(value);
+  return copy;
+};
+
+/** The changes that a person can make, by name, so that every control means the same by them. */
+export function createActions(store, objects) {
+  const all = () => new Set(objects.map((object) => object.index));
+  const state = store.get;
+  const isSolo = (index) => state().visible.size === 1 && state().visible.has(index);
+  return {
+    isSolo,
+    select: (index) => store.set({ selected: index }),
+    toggleSelect: (index) => store.set({ selected: state().selected === index ? null : index }),
+    hover: (index) => store.set({ hovered: index }),
+    toggleVisible: (index) => store.set({ visible: toggled(state().visible, index) }),
+    solo: (index) => store.set({ visible: isSolo(index) ? all() : new Set([index]) }),
+    showAll: () => store.set({ visible: all() }),
+    showNone: () => store.set({ visible: new Set() }),
+    toggleCompleted: (index) => store.set({ completed: toggled(state().completed, index) }),
+    toggleAllCompleted: () => store.set({ completed: state().completed.size ? new Set() : all() }),
+    toggle: (key) => store.set({ [key]: !state()[key] }),
+    setMode: (mode) => store.set({ mode }),
+  };
+}
