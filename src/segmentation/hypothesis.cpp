@@ -1,0 +1,107 @@
+#include "symscene/segmentation/hypothesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+/// Disjoint sets of nodes, each led by its lowest.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : leader_(count) {
+    std::iota(leader_.begin(), leader_.end(), Index{0});
+  }
+
+  Index leader(Index node) {
+    while (leader_[node] != node) node = leader_[node] = leader_[leader_[node]];
+    return node;
+  }
+
+  void join(Index a, Index b) {
+    const auto [low, high] = std::minmax(leader(a), leader(b));
+    leader_[high] = low;
+  }
+
+ private:
+  std::vector<Index> leader_;
+};
+
+double margin(double value, double bound) {
+  return bound > 0.0 ? std::clamp(1.0 - value / bound, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+void HypothesisBounds::validate() const {
+  require_option(max_symmetry >= 0.0, "max_symmetry", "a score of at least 0", max_symmetry);
+  require_option(max_occlusion >= 0.0, "max_occlusion", "a score of at least 0", max_occlusion);
+  require_option(max_smoothness >= 0.0, "max_smoothness", "a score of at least 0", max_smoothness);
+  require_option(min_size >= 1, "min_size", "at least 1 point", min_size);
+}
+
+std::optional<Rejection> judge(const Hypothesis& hypothesis, const HypothesisBounds& bounds,
+                               const std::string& kind) {
+  const std::size_t size = hypothesis.points.size();
+  const HypothesisScores& scores = hypothesis.scores;
+  if (size < static_cast<std::size_t>(bounds.min_size)) {
+    return Rejection{kind, "size", static_cast<double>(size), static_cast<double>(bounds.min_size),
+                     size};
+  }
+  if (scores.symmetry >= bounds.max_symmetry) {
+    return Rejection{kind, "symmetry", scores.symmetry, bounds.max_symmetry, size};
+  }
+  if (scores.occlusion >= bounds.max_occlusion) {
+    return Rejection{kind, "occlusion", scores.occlusion, bounds.max_occlusion, size};
+  }
+  if (scores.smoothness >= bounds.max_smoothness) {
+    return Rejection{kind, "smoothness", scores.smoothness, bounds.max_smoothness, size};
+  }
+  return std::nullopt;
+}
+
+double confidence(const HypothesisScores& scores, const HypothesisBounds& bounds) {
+  return std::cbrt(margin(scores.symmetry, bounds.max_symmetry) *
+                   margin(scores.occlusion, bounds.max_occlusion) *
+                   margin(scores.smoothness, bounds.max_smoothness));
+}
+
+double smoothness(const std::vector<std::uint8_t>& is_object,
+                  const std::vector<WeightedEdge>& edges, double factor) {
+  double broken = 0.0;
+  for (const WeightedEdge& edge : edges) {
+    if (is_object[edge.a] != is_object[edge.b]) broken += double{edge.weight};
+  }
+  const auto size =
+      static_cast<double>(std::count(is_object.begin(), is_object.end(), std::uint8_t{1}));
+  return size > 0.0 ? factor * broken / size : 0.0;
+}
+
+std::vector<Index> connected_components(const std::vector<std::uint8_t>& is_object,
+                                        std::span<const WeightedEdge> edges) {
+  DisjointSets sets(is_object.size());
+  for (const WeightedEdge& edge : edges) {
+    if (is_object[edge.a] != 0 && is_object[edge.b] != 0) sets.join(edge.a, edge.b);
+  }
+  std::vector<Index> component(is_object.size(), no_component);
+  Index next = 0;
+  for (Index i = 0; i < is_object.size(); ++i) {
+    if (is_object[i] == 0) continue;
+    const Index leader = sets.leader(i);
+    component[i] = leader == i ? next++ : component[leader];
+  }
+  return component;
+}
+
+PointIndices object_nodes(const std::vector<std::uint8_t>& is_object) {
+  PointIndices nodes;
+  for (Index i = 0; i < is_object.size(); ++i) {
+    if (is_object[i] != 0) nodes.push_back(i);
+  }
+  return nodes;
+}
+
+}  // namespace symscene

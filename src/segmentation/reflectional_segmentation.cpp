@@ -1,0 +1,205 @@
+#include "symscene/segmentation/reflectional_segmentation.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr float cell_size = 0.01F;
+
+/// A cut with what it was made from.
+struct PlaneCut {
+  std::vector<std::uint8_t> is_object;
+  std::vector<Correspondence> matches;
+};
+
+class ReflectionalCutter {
+ public:
+  ReflectionalCutter(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                     const DistanceField& field, const PlaneFitOptions& fit,
+                     const ReflectionalSegmentationOptions& options)
+      : cloud_(cloud),
+        edges_(edges),
+        scaled_edges_(edges),
+        cells_(cloud.positions, cell_size),
+        all_points_(cloud.size()),
+        field_(field),
+        fit_(fit),
+        options_(options) {
+    for (WeightedEdge& edge : scaled_edges_) edge.weight *= static_cast<float>(options.edge_factor);
+    std::iota(all_points_.begin(), all_points_.end(), Index{0});
+  }
+
+  /// The points that agree with the candidate's plane, refitted; empty if they leave its support.
+  Hypothesis segment(const ReflectionalCandidate& candidate) const {
+    PlaneCut first = cut(candidate.plane, candidate.support);
+    if (!holds_support(first.is_object, candidate.support)) return {};
+    const ReflectionPlane plane = refitted(candidate.plane, first.is_object);
+    const PlaneCut second = cut(plane, candidate.support);
+    if (!holds_support(second.is_object, candidate.support)) return {};
+    Hypothesis hypothesis;
+    hypothesis.points = object_nodes(second.is_object);
+    hypothesis.scores = scores(second, plane, hypothesis.points);
+    hypothesis.reflectional = {{plane, hypothesis.scores.symmetry}};
+    return hypothesis;
+  }
+
+ private:
+  float occlusion(const PlaneReflector& reflector, Index i) const {
+    return options_.occlusion_range()(field_.at(reflector.point(cloud_.position(i))));
+  }
+
+  /// Eqs. 4.4 to 4.9. A point whose normal lies in the plane looks symmetric wherever the plane
+  /// stands: outside the proposing segment it is weak evidence.
+  std::vector<Affinity> affinities(const ReflectionPlane& plane, const PointIndices& support,
+                                   const std::vector<Correspondence>& matches) const {
+    const PlaneReflector reflector(plane);
+    std::vector<Affinity> affinities(cloud_.size());
+    for (Index i = 0; i < cloud_.size(); ++i) {
+      affinities[i].background =
+          static_cast<float>(options_.background_weight) * occlusion(reflector, i);
+    }
+    for (const Correspondence& match : matches) {
+      const float facing = safe_acos(std::abs(cloud_.normal(match.from).dot(reflector.normal())));
+      const float weak = std::binary_search(support.begin(), support.end(), match.from)
+                             ? 0.0F
+                             : ScoreRange{options_.loud_angle, options_.silent_angle}(facing);
+      affinities[match.from].object = (1.0F - options_.angle_range()(match.angle)) * (1.0F - weak);
+    }
+    return affinities;
+  }
+
+  /// The surface's edges and one between every two symmetric points, which ties the halves
+  /// together.
+  std::vector<WeightedEdge> edges_with_pairs(const std::vector<Correspondence>& matches) const {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Correspondence& match : matches) pairs.push_back(std::minmax(match.from, match.to));
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    std::vector<WeightedEdge> joined = scaled_edges_;
+    const auto weight = static_cast<float>(options_.pair_weight * options_.edge_factor);
+    for (const auto& [a, b] : pairs) joined.push_back({a, b, weight});
+    return joined;
+  }
+
+  PlaneCut cut(const ReflectionPlane& plane, const PointIndices& support) const {
+    PlaneCut result;
+    result.matches = reflect_onto(cloud_, cells_, all_points_, plane, options_.matching);
+    const std::vector<WeightedEdge> joined = edges_with_pairs(result.matches);
+    result.is_object = cut_graph(affinities(plane, support, result.matches), joined).is_object;
+    keep_components_of(support, joined, result.is_object);
+    return result;
+  }
+
+  /// Pieces that neither touch the proposing segment nor mirror a piece that does are another
+  /// object's.
+  static void keep_components_of(const PointIndices& support,
+                                 const std::vector<WeightedEdge>& edges,
+                                 std::vector<std::uint8_t>& is_object) {
+    const std::vector<Index> component = connected_components(is_object, edges);
+    std::vector<std::uint8_t> supported(component.size() + 1, 0);
+    for (const Index i : support) {
+      if (component[i] != no_component) supported[component[i]] = 1;
+    }
+    for (Index i = 0; i < is_object.size(); ++i) {
+      if (is_object[i] != 0 && supported[component[i]] == 0) is_object[i] = 0;
+    }
+  }
+
+  bool holds_support(const std::vector<std::uint8_t>& is_object,
+                     const PointIndices& support) const {
+    std::size_t held = 0;
+    for (const Index i : support) held += is_object[i];
+    return static_cast<double>(held) >=
+           options_.min_support_share * static_cast<double>(support.size());
+  }
+
+  ReflectionPlane refitted(const ReflectionPlane& plane,
+                           const std::vector<std::uint8_t>& is_object) const {
+    const PointIndices members = object_nodes(is_object);
+    const PointCloud part = select(cloud_, members);
+    const CellList cells(part.positions, cell_size);
+    PointIndices sources(members.size());
+    std::iota(sources.begin(), sources.end(), Index{0});
+    const PlaneFit fit = fit_plane(part, cells, sources, plane, fit_);
+    const bool usable =
+        fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
+    return usable ? fit.plane : plane;
+  }
+
+  HypothesisScores scores(const PlaneCut& cut, const ReflectionPlane& plane,
+                          const PointIndices& points) const {
+    double symmetry = 0.0;
+    double matched = 0.0;
+    for (const Correspondence& match : cut.matches) {
+      if (cut.is_object[match.from] == 0) continue;
+      symmetry += double{options_.angle_range()(match.angle)};
+      matched += 1.0;
+    }
+    const PlaneReflector reflector(plane);
+    double occluded = 0.0;
+    for (const Index i : points) occluded += double{occlusion(reflector, i)};
+    return {matched > 0.0 ? symmetry / matched : 1.0, occluded / static_cast<double>(points.size()),
+            smoothness(cut.is_object, edges_, options_.edge_factor)};
+  }
+
+  const PointCloud& cloud_;
+  const std::vector<WeightedEdge>& edges_;
+  std::vector<WeightedEdge> scaled_edges_;
+  CellList cells_;
+  PointIndices all_points_;
+  const DistanceField& field_;
+  const PlaneFitOptions& fit_;
+  const ReflectionalSegmentationOptions& options_;
+};
+
+}  // namespace
+
+void ReflectionalSegmentationOptions::validate() const {
+  matching.validate();
+  require_option(min_angle >= 0.0 && min_angle < max_angle, "max_angle", "an angle above min_angle",
+                 max_angle);
+  require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
+                 "a distance above min_occlusion", max_occlusion);
+  require_option(loud_angle >= 0.0 && loud_angle < silent_angle, "silent_angle",
+                 "an angle above loud_angle", silent_angle);
+  require_option(background_weight >= 0.0 && background_weight < 1000.0, "background_weight",
+                 "a weight in [0, 1000)", background_weight);
+  require_option(edge_factor >= 0.0 && edge_factor < 1000.0, "edge_factor", "a weight in [0, 1000)",
+                 edge_factor);
+  require_option(pair_weight >= 0.0 && pair_weight * edge_factor < 8000.0, "pair_weight",
+                 "a weight of at least 0 that times edge_factor is below 8000", pair_weight);
+  require_option(min_support_share >= 0.0 && min_support_share <= 1.0, "min_support_share",
+                 "a share in [0, 1]", min_support_share);
+  bounds.validate();
+}
+
+HypothesisSet segment_reflectional(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                                   const std::vector<ReflectionalCandidate>& candidates,
+                                   const DistanceField& field, const PlaneFitOptions& fit,
+                                   const ReflectionalSegmentationOptions& options) {
+  options.validate();
+  const ReflectionalCutter cutter(cloud, edges, field, fit, options);
+  std::vector<Hypothesis> hypotheses(candidates.size());
+  parallel_for_each(candidates.size(),
+                    [&](std::size_t c) { hypotheses[c] = cutter.segment(candidates[c]); });
+  HypothesisSet set;
+  for (std::size_t c = 0; c < hypotheses.size(); ++c) {
+    Hypothesis& hypothesis = hypotheses[c];
+    if (hypothesis.points.empty()) {
+      set.rejected.push_back({"reflectional", "support", 0.0, options.min_support_share,
+                              candidates[c].support.size()});
+    } else if (const auto rejection = judge(hypothesis, options.bounds, "reflectional")) {
+      set.rejected.push_back(*rejection);
+    } else {
+      set.accepted.push_back(std::move(hypothesis));
+    }
+  }
+  return set;
+}
+
+}  // namespace symscene

@@ -1,0 +1,135 @@
+#include "symscene/segmentation/rotational_segmentation.hpp"
+
+#include <algorithm>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
+
+namespace symscene {
+namespace {
+
+/// Pieces far smaller than the largest are chance agreement elsewhere in the scene.
+void drop_small_components(std::vector<std::uint8_t>& is_object,
+                           const std::vector<WeightedEdge>& edges, double min_share) {
+  const std::vector<Index> component = connected_components(is_object, edges);
+  std::vector<std::size_t> sizes;
+  for (const Index c : component) {
+    if (c == no_component) continue;
+    sizes.resize(std::max<std::size_t>(sizes.size(), c + 1), 0);
+    ++sizes[c];
+  }
+  if (sizes.empty()) return;
+  const double least =
+      min_share * static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
+  for (Index i = 0; i < is_object.size(); ++i) {
+    if (is_object[i] != 0 && static_cast<double>(sizes[component[i]]) < least) is_object[i] = 0;
+  }
+}
+
+class RotationalCutter {
+ public:
+  RotationalCutter(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                   const DistanceField& field, const RotationalDetectionOptions& detection,
+                   const RotationalSegmentationOptions& options)
+      : cloud_(cloud),
+        edges_(edges),
+        scaled_edges_(edges),
+        field_(field),
+        detection_(detection),
+        options_(options) {
+    for (WeightedEdge& edge : scaled_edges_) edge.weight *= static_cast<float>(options.edge_factor);
+  }
+
+  Hypothesis segment(const RotationAxis& proposed) const {
+    const RotationAxis axis = refitted(proposed, cut(proposed));
+    const std::vector<std::uint8_t> is_object = cut(axis);
+    Hypothesis hypothesis;
+    hypothesis.points = object_nodes(is_object);
+    const RotationalScores scores =
+        rotational_scores(select(cloud_, hypothesis.points), axis, field_, detection_);
+    hypothesis.scores = {scores.symmetry, scores.occlusion,
+                         smoothness(is_object, edges_, options_.edge_factor)};
+    hypothesis.rotational = {{axis, scores.symmetry}};
+    return hypothesis;
+  }
+
+ private:
+  /// Eqs. 4.4 and 4.5, weighted by how much a point's normal says of the axis.
+  Affinity affinity(const AxisScorer& scorer, Index i) const {
+    const Eigen::Vector3f p = cloud_.position(i);
+    const Eigen::Vector3f n = cloud_.normal(i);
+    const float symmetry = options_.angle_range()(scorer.plane_angle(p, n));
+    const float occlusion = options_.occlusion_range()(scorer.free_distance(p, field_));
+    const float says = ramp(scorer.axis_angle(n), 0.0F, static_cast<float>(options_.silent_angle));
+    return {(1.0F - symmetry) * (1.0F - occlusion) * says,
+            static_cast<float>(options_.background_weight) * (symmetry * says + occlusion)};
+  }
+
+  std::vector<std::uint8_t> cut(const RotationAxis& axis) const {
+    const AxisScorer scorer(axis);
+    std::vector<Affinity> affinities(cloud_.size());
+    for (Index i = 0; i < cloud_.size(); ++i) affinities[i] = affinity(scorer, i);
+    std::vector<std::uint8_t> is_object = cut_graph(affinities, scaled_edges_).is_object;
+    drop_small_components(is_object, edges_, options_.min_component);
+    return is_object;
+  }
+
+  RotationAxis refitted(const RotationAxis& axis,
+                        const std::vector<std::uint8_t>& is_object) const {
+    const AxisFit fit = fit_axis(select(cloud_, object_nodes(is_object)), axis, detection_.fit);
+    const bool usable =
+        fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
+    return usable && line_angle(fit.axis.direction, axis.direction) <= options_.max_refinement
+               ? fit.axis
+               : axis;
+  }
+
+  const PointCloud& cloud_;
+  const std::vector<WeightedEdge>& edges_;
+  std::vector<WeightedEdge> scaled_edges_;
+  const DistanceField& field_;
+  const RotationalDetectionOptions& detection_;
+  const RotationalSegmentationOptions& options_;
+};
+
+}  // namespace
+
+void RotationalSegmentationOptions::validate() const {
+  require_option(min_angle >= 0.0 && min_angle < max_angle, "max_angle", "an angle above min_angle",
+                 max_angle);
+  require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
+                 "a distance above min_occlusion", max_occlusion);
+  require_option(silent_angle > 0.0, "silent_angle", "an angle above 0 rad", silent_angle);
+  require_option(background_weight >= 0.0 && background_weight < 1000.0, "background_weight",
+                 "a weight in [0, 1000)", background_weight);
+  require_option(edge_factor >= 0.0 && edge_factor < 1000.0, "edge_factor", "a weight in [0, 1000)",
+                 edge_factor);
+  require_option(max_refinement >= 0.0, "max_refinement", "an angle of at least 0 rad",
+                 max_refinement);
+  require_option(min_component >= 0.0 && min_component <= 1.0, "min_component", "a share in [0, 1]",
+                 min_component);
+  bounds.validate();
+}
+
+HypothesisSet segment_rotational(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                                 const std::vector<RotationalCandidate>& candidates,
+                                 const DistanceField& field,
+                                 const RotationalDetectionOptions& detection,
+                                 const RotationalSegmentationOptions& options) {
+  options.validate();
+  const RotationalCutter cutter(cloud, edges, field, detection, options);
+  std::vector<Hypothesis> hypotheses(candidates.size());
+  parallel_for_each(candidates.size(),
+                    [&](std::size_t c) { hypotheses[c] = cutter.segment(candidates[c].axis); });
+  HypothesisSet set;
+  for (Hypothesis& hypothesis : hypotheses) {
+    if (const auto rejection = judge(hypothesis, options.bounds, "rotational")) {
+      set.rejected.push_back(*rejection);
+    } else {
+      set.accepted.push_back(std::move(hypothesis));
+    }
+  }
+  return set;
+}
+
+}  // namespace symscene

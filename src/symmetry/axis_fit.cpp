@@ -1,0 +1,249 @@
+#include "symscene/symmetry/axis_fit.hpp"
+
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+constexpr std::size_t min_points = 8;
+
+/// The points of a fit, centred and in double.
+struct FitPoints {
+  Eigen::Vector3d centroid;
+  std::vector<Eigen::Vector3d> positions;  ///< from the centroid
+  std::vector<Eigen::Vector3d> normals;
+};
+
+FitPoints thinned(const PointCloud& cloud, std::size_t max_points) {
+  FitPoints points;
+  points.centroid = centroid(cloud.positions);
+  const std::size_t count = std::min<std::size_t>(cloud.size(), max_points);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto i = static_cast<Index>(k * cloud.size() / count);
+    points.positions.emplace_back(cloud.position(i).cast<double>() - points.centroid);
+    points.normals.emplace_back(cloud.normal(i).cast<double>());
+  }
+  return points;
+}
+
+/// Two unit vectors that complete `direction` to an orthonormal basis.
+Eigen::Matrix<double, 3, 2> basis_across(const Eigen::Vector3d& direction) {
+  Eigen::Matrix<double, 3, 2> basis;
+  basis.col(0) = direction.unitOrthogonal();
+  basis.col(1) = direction.cross(basis.col(0));
+  return basis;
+}
+
+struct NormalEquations {
+  Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
+  double cost = 0.0;
+};
+
+/// The angular residual of one point: r = n · u with u the unit vector across the plane of axis and
+/// point.
+struct Residual {
+  double sine;
+  double across_length;
+  Eigen::Vector3d across;  ///< unit
+};
+
+Residual residual(const RotationAxis& axis, const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
+  const Eigen::Vector3d across = axis.direction.cross(p - axis.point);
+  const double length = across.norm();
+  if (length < 1e-9) return {0.0, 0.0, Eigen::Vector3d::Zero()};
+  const Eigen::Vector3d unit = across / length;
+  return {n.dot(unit), length, unit};
+}
+
+/// Geman-McClure: ρ = r²/(r² + σ²) and its weight ρ'/2r.
+struct RobustLoss {
+  double squared_scale;
+  double cost(double r) const { return r * r / (r * r + squared_scale); }
+  double weight(double r) const {
+    const double sum = r * r + squared_scale;
+    return squared_scale / (sum * sum);
+  }
+};
+
+class AxisProblem {
+ public:
+  AxisProblem(const FitPoints& points, const AxisFitOptions& options)
+      : points_(points),
+        loss_{std::pow(std::sin(options.residual_scale), 2)},
+        squared_noise_(options.position_noise * options.position_noise) {}
+
+  double cost(const RotationAxis& axis) const {
+    double cost = 0.0;
+    for (std::size_t i = 0; i < points_.positions.size(); ++i) {
+      const Residual r = residual(axis, points_.positions[i], points_.normals[i]);
+      cost += trust(r) * loss_.cost(r.sine);
+    }
+    return cost / static_cast<double>(points_.positions.size());
+  }
+
+  /// With the axis moved by basis·(a, b) in direction and basis·(c, d) in position.
+  NormalEquations normal_equations(const RotationAxis& axis,
+                                   const Eigen::Matrix<double, 3, 2>& basis) const {
+    NormalEquations equations;
+    for (std::size_t i = 0; i < points_.positions.size(); ++i) {
+      const Residual r = residual(axis, points_.positions[i], points_.normals[i]);
+      if (r.across_length == 0.0) continue;
+      // dr = g · (δd × q − d × δc) = δd · (q × g) − δc · (g × d)
+      const Eigen::Vector3d q = points_.positions[i] - axis.point;
+      const Eigen::Vector3d g = (points_.normals[i] - r.sine * r.across) / r.across_length;
+      Eigen::Vector4d jacobian;
+      jacobian << basis.transpose() * q.cross(g), -basis.transpose() * g.cross(axis.direction);
+      const double weight = trust(r) * loss_.weight(r.sine);
+      equations.hessian += weight * jacobian * jacobian.transpose();
+      equations.gradient += weight * r.sine * jacobian;
+      equations.cost += trust(r) * loss_.cost(r.sine);
+    }
+    equations.cost /= static_cast<double>(points_.positions.size());
+    return equations;
+  }
+
+ private:
+  /// Noise in a position turns the plane of a point near the axis: its angle is trusted less.
+  double trust(const Residual& r) const {
+    const double squared = r.across_length * r.across_length;
+    return squared / (squared + 4.0 * squared_noise_);
+  }
+
+  const FitPoints& points_;
+  RobustLoss loss_;
+  double squared_noise_;
+};
+
+/// The axis after a step; its point is brought back to the foot of the origin, the centroid.
+RotationAxis moved(const RotationAxis& axis, const Eigen::Matrix<double, 3, 2>& basis,
+                   const Eigen::Vector4d& step) {
+  RotationAxis result;
+  result.direction = (axis.direction + basis * step.head<2>()).normalized();
+  result.point = axis.point + basis * step.tail<2>();
+  result.point = result.project(Eigen::Vector3d::Zero());
+  return result;
+}
+
+/// The place of an axis of known direction: the normals' lines meet it, n · (d × (p − c)) = 0,
+/// linear in c.
+RotationAxis place_axis(const FitPoints& points, const Eigen::Vector3d& direction) {
+  const Eigen::Matrix<double, 3, 2> basis = basis_across(direction);
+  Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    const Eigen::Vector2d a = basis.transpose() * points.normals[i].cross(direction);
+    normal_matrix += a * a.transpose();
+    right_side += a * a.dot(basis.transpose() * points.positions[i]);
+  }
+  // A flat patch leaves one direction open: hold it near the centroid.
+  const double hold = 1e-6 * static_cast<double>(points.positions.size());
+  normal_matrix += hold * Eigen::Matrix2d::Identity();
+  return {basis * normal_matrix.ldlt().solve(right_side), direction};
+}
+
+/// The direction about which a helical motion best slides the surface along itself: with velocity v
+/// + ω × p, minimises Σ (n · v + (p × n) · ω)² over |ω| = 1, v eliminated.
+Eigen::Vector3d sliding_motion_direction(const FitPoints& points) {
+  Matrix6d matrix = Matrix6d::Zero();
+  double squared_size = 0.0;
+  for (const Eigen::Vector3d& p : points.positions) squared_size += p.squaredNorm();
+  const double size =
+      std::sqrt(squared_size / static_cast<double>(points.positions.size())) + 1e-12;
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    Vector6d row;
+    row << points.positions[i].cross(points.normals[i]) / size, points.normals[i];
+    matrix += row * row.transpose();
+  }
+  const double hold = 1e-4 * static_cast<double>(points.positions.size());
+  const Eigen::Matrix3d vv = matrix.bottomRightCorner<3, 3>() + hold * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d wv = matrix.topRightCorner<3, 3>();
+  const Eigen::Matrix3d schur = matrix.topLeftCorner<3, 3>() - wv * vv.ldlt().solve(wv.transpose());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(schur).eigenvectors().col(0);
+}
+
+Eigen::Matrix3d principal_axes(const FitPoints& points) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : points.positions) covariance += p * p.transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
+}
+
+RotationAxis translated(RotationAxis axis, const Eigen::Vector3d& offset) {
+  axis.point += offset;
+  return axis;
+}
+
+}  // namespace
+
+void AxisFitOptions::validate() const {
+  require_option(residual_scale > 0.0 && residual_scale < std::numbers::pi / 2, "residual_scale",
+                 "an angle in (0, pi/2) rad", residual_scale);
+  require_option(position_noise >= 0.0, "position_noise", "a length of at least 0 m",
+                 position_noise);
+  require_option(max_iterations >= 1, "max_iterations", "at least 1", max_iterations);
+  require_option(max_points >= static_cast<int>(min_points), "max_points", "at least 8 points",
+                 max_points);
+}
+
+AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
+                 const AxisFitOptions& options) {
+  if (cloud.size() < min_points) return {initial, 1.0, FitStatus::too_few_points};
+  const FitPoints points = thinned(cloud, static_cast<std::size_t>(options.max_points));
+  const AxisProblem problem(points, options);
+  RotationAxis axis = translated(initial, -points.centroid);
+  axis.point = axis.project(Eigen::Vector3d::Zero());
+  FitStatus status = FitStatus::iteration_limit;
+  double damping = 1e-3;
+  double cost = problem.cost(axis);
+  for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
+    const Eigen::Matrix<double, 3, 2> basis = basis_across(axis.direction);
+    const NormalEquations equations = problem.normal_equations(axis, basis);
+    Eigen::Matrix4d damped = equations.hessian;
+    damped.diagonal() *= 1.0 + damping;
+    damped.diagonal().array() += 1e-12;
+    const Eigen::Vector4d step = damped.ldlt().solve(-equations.gradient);
+    if (!step.allFinite()) {
+      status = FitStatus::degenerate;
+      break;
+    }
+    const RotationAxis candidate = moved(axis, basis, step);
+    const double candidate_cost = problem.cost(candidate);
+    const bool settled = step.head<2>().norm() < 1e-5 && step.tail<2>().norm() < 1e-6;
+    if (candidate_cost < cost) {
+      axis = candidate;
+      cost = candidate_cost;
+      damping = std::max(damping * 0.3, 1e-9);
+    } else {
+      damping *= 10.0;
+    }
+    if (settled || damping > 1e6) {
+      status = FitStatus::converged;
+      break;
+    }
+  }
+  return {translated(axis, points.centroid), cost, status};
+}
+
+std::vector<RotationAxis> initial_axes(const PointCloud& cloud,
+                                       const std::vector<Eigen::Vector3d>& more_directions) {
+  if (cloud.size() < min_points) return {};
+  const FitPoints points = thinned(cloud, AxisFitOptions{}.max_points);
+  const Eigen::Matrix3d principal = principal_axes(points);
+  std::vector<Eigen::Vector3d> directions{sliding_motion_direction(points), principal.col(0),
+                                          principal.col(1), principal.col(2)};
+  directions.insert(directions.end(), more_directions.begin(), more_directions.end());
+  std::vector<RotationAxis> axes;
+  for (const Eigen::Vector3d& direction : directions) {
+    axes.push_back(translated(place_axis(points, direction), points.centroid));
+  }
+  return axes;
+}
+
+}  // namespace symscene

@@ -1,0 +1,150 @@
+#include "symscene/symmetry/plane_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr std::size_t min_correspondences = 6;
+
+/// The angle between normals; nearly opposite ones are the two sides of a thin wall and count as
+/// equal.
+float folded_angle(float cosine) {
+  constexpr float fold = -0.70710678F;  // cos 135°
+  return safe_acos(cosine < fold ? -cosine : cosine);
+}
+
+/// A plane as normal and offset from a reference point, about which its rotation is measured.
+struct LocalPlane {
+  Eigen::Vector3d normal;
+  double offset;  ///< n · (x − reference) = offset
+
+  double distance(const Eigen::Vector3d& q) const { return normal.dot(q) - offset; }
+};
+
+/// The step (two rotations, one shift) that best brings reflections onto the tangent planes of
+/// their matches.
+Eigen::Vector3d solve_step(const PointCloud& cloud, const std::vector<Correspondence>& matches,
+                           const Eigen::Vector3d& reference, const LocalPlane& plane,
+                           const Eigen::Matrix<double, 3, 2>& basis) {
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  for (const Correspondence& match : matches) {
+    const Eigen::Vector3d q = cloud.position(match.from).cast<double>() - reference;
+    const Eigen::Vector3d target = cloud.position(match.to).cast<double>() - reference;
+    const Eigen::Vector3d target_normal = cloud.normal(match.to).cast<double>();
+    const double distance = plane.distance(q);
+    const double residual = target_normal.dot(q - 2.0 * distance * plane.normal - target);
+    // S(q) = q − 2 (n · q − o) n, so that dr = −2 [(n' · n)(q · δn − δo) + (n · q − o)(n' · δn)]
+    const double cosine = target_normal.dot(plane.normal);
+    Eigen::Vector3d jacobian;
+    jacobian << -2.0 * basis.transpose() * (cosine * q + distance * target_normal), 2.0 * cosine;
+    hessian += jacobian * jacobian.transpose();
+    gradient += residual * jacobian;
+  }
+  // A tenth of a millimetre squared a match holds what the matches leave open.
+  hessian.diagonal().array() +=
+      1e-3 * static_cast<double>(matches.size()) * Eigen::Array3d(1e-2, 1e-2, 1.0);
+  return hessian.ldlt().solve(-gradient);
+}
+
+Eigen::Matrix<double, 3, 2> basis_across(const Eigen::Vector3d& direction) {
+  Eigen::Matrix<double, 3, 2> basis;
+  basis.col(0) = direction.unitOrthogonal();
+  basis.col(1) = direction.cross(basis.col(0));
+  return basis;
+}
+
+}  // namespace
+
+void CorrespondenceOptions::validate() const {
+  require_option(max_distance > 0.0, "max_distance", "a distance above 0 m", max_distance);
+  require_option(max_angle > 0.0 && max_angle <= std::numbers::pi, "max_angle",
+                 "an angle in (0, pi] rad", max_angle);
+  require_option(min_plane_distance >= 0.0, "min_plane_distance", "a distance of at least 0 m",
+                 min_plane_distance);
+}
+
+void PlaneFitOptions::validate() const {
+  matching.validate();
+  require_option(max_iterations >= 1, "max_iterations", "at least 1", max_iterations);
+  require_option(angle_tolerance > 0.0, "angle_tolerance", "an angle above 0 rad", angle_tolerance);
+  require_option(distance_tolerance > 0.0, "distance_tolerance", "a distance above 0 m",
+                 distance_tolerance);
+}
+
+std::vector<Correspondence> reflect_onto(const PointCloud& cloud, const CellList& cells,
+                                         std::span<const Index> sources,
+                                         const ReflectionPlane& plane,
+                                         const CorrespondenceOptions& options) {
+  const PlaneReflector reflector(plane);
+  const auto radius = static_cast<float>(options.max_distance);
+  const auto min_plane_distance = static_cast<float>(options.min_plane_distance);
+  const auto max_angle = static_cast<float>(options.max_angle);
+  std::vector<Correspondence> correspondences;
+  for (const Index from : sources) {
+    const Eigen::Vector3f p = cloud.position(from);
+    if (std::abs(reflector.signed_distance(p)) < min_plane_distance) continue;
+    const auto [to, squared_distance] = cells.nearest(reflector.point(p), radius);
+    if (to == CellList::none) continue;
+    const float angle = folded_angle(reflector.direction(cloud.normal(from)).dot(cloud.normal(to)));
+    if (angle <= max_angle) correspondences.push_back({from, to, squared_distance, angle});
+  }
+  return correspondences;
+}
+
+std::vector<Correspondence> one_to_one(std::vector<Correspondence> correspondences) {
+  std::sort(correspondences.begin(), correspondences.end(),
+            [](const Correspondence& a, const Correspondence& b) {
+              return std::tuple(a.to, a.squared_distance, a.from) <
+                     std::tuple(b.to, b.squared_distance, b.from);
+            });
+  const auto same_match = [](const Correspondence& a, const Correspondence& b) {
+    return a.to == b.to;
+  };
+  correspondences.erase(std::unique(correspondences.begin(), correspondences.end(), same_match),
+                        correspondences.end());
+  return correspondences;
+}
+
+PlaneFit fit_plane(const PointCloud& cloud, const CellList& cells, std::span<const Index> sources,
+                   const ReflectionPlane& initial, const PlaneFitOptions& options) {
+  const Eigen::Vector3d reference = centroid(cloud.positions, sources);
+  LocalPlane plane{initial.normal, initial.normal.dot(initial.point - reference)};
+  const auto as_plane = [&] {
+    return ReflectionPlane{reference + plane.offset * plane.normal, plane.normal};
+  };
+  PlaneFit fit;
+  fit.status = FitStatus::iteration_limit;
+  for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
+    const std::vector<Correspondence> matches =
+        one_to_one(reflect_onto(cloud, cells, sources, as_plane(), options.matching));
+    fit.correspondences = matches.size();
+    if (matches.size() < min_correspondences) {
+      fit.status = FitStatus::too_few_points;
+      break;
+    }
+    const Eigen::Matrix<double, 3, 2> basis = basis_across(plane.normal);
+    const Eigen::Vector3d step = solve_step(cloud, matches, reference, plane, basis);
+    if (!step.allFinite()) {
+      fit.status = FitStatus::degenerate;
+      break;
+    }
+    plane.normal = (plane.normal + basis * step.head<2>()).normalized();
+    plane.offset += step.z();
+    if (step.head<2>().norm() < options.angle_tolerance &&
+        std::abs(step.z()) < options.distance_tolerance) {
+      fit.status = FitStatus::converged;
+      break;
+    }
+  }
+  fit.plane = as_plane();
+  return fit;
+}
+
+}  // namespace symscene
