@@ -2,7 +2,8 @@
 import { mkdtemp, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 
 const require = createRequire(new URL('../../viewer/package.json', import.meta.url));
 const { chromium } = require('playwright-core');
@@ -44,7 +45,7 @@ export async function openPage(context, path, hash = '') {
   page.on('request', (request) => {
     if (!/^(file|data):/.test(request.url())) trouble.push(`request: ${request.url()}`);
   });
-  await page.goto(`file://${path}${hash}`);
+  await page.goto(`${pathToFileURL(resolve(path))}${hash}`);
   await page.waitForFunction(() => window.symscene, null, { timeout: 60000 })
     .catch(() => trouble.push('window.symscene never came'));
   if (trouble.length === 0) await page.evaluate(() => window.symscene.ready);

@@ -52,6 +52,7 @@ export class Drawing {
     this.table.uniforms.gridOpacity.value = grid;
     this.table.uniforms.shadowOpacity.value = shadow;
     this.stage.setOutline(outline);
+    for (const symmetries of this.symmetries) symmetries.setScheme(scheme);
     if (this.state) this.update(this.state, new Set(['mode', 'selected']));
   }
 

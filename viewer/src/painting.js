@@ -15,7 +15,7 @@ function scanColor(colors, i, plain) {
 // The object's hue with the light and dark of the scan, so that print and edges stay legible.
 function blend(scan, color) {
   const grey = 0.3 * scan[0] + 0.59 * scan[1] + 0.11 * scan[2];
-  const tinted = color.map((value) => Math.min(255, value * (0.55 + grey / 440)));
+  const tinted = color.map((value) => Math.min(255, value * (0.72 + grey / 700)));
   return mix(scan, tinted, 0.74);
 }
 

@@ -23,7 +23,7 @@ export function objectColor(index) {
 
 export const mix = (a, b, t) => a.map((value, i) => Math.round(value + (b[i] - value) * t));
 export const lighter = (color) => mix(color, [255, 255, 255], 0.5);
-export const css = (color) => `rgb(${color.join(' ')})`;
+export const css = (color) => `rgb(${color.join(', ')})`;
 
 /** Black or white, whichever reads better on `color`. */
 export function inkOn(color) {

@@ -1,5 +1,5 @@
-// GLSL of the cloud. Points are drawn as discs that lie in the surface, into a texture of their own;
-// a second pass adds depth cues and outlines and puts the result on the canvas.
+// GLSL of the cloud. Points are discs that lie in the surface. Discs that make up the nearest surface
+// are blended (Botsch et al. 2005); the last pass adds depth cues and outlines.
 
 // The alpha of the first pass is not opacity: it marks what is highlighted.
 const MARKS = /* glsl */ `
@@ -18,12 +18,14 @@ export const splatVertex = /* glsl */ `
   varying vec3 albedo;
   varying float ownerOut;
   varying float pixels;
+  varying float distanceOut;
   const float HIDDEN = 65534.5;
   void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
     gl_Position = owner > HIDDEN ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * view;
-    pixels = 2.0 * radius * focal / max(-view.z, 1e-4);
-    gl_PointSize = clamp(pixels, 1.5, 96.0);
+    distanceOut = -view.z;
+    pixels = 2.0 * radius * focal / max(distanceOut, 1e-4);
+    gl_PointSize = clamp(pixels, 1.5, 256.0);
     viewNormal = normalMatrix * normal;
     upward = normal.y;
     albedo = shade;
@@ -31,39 +33,75 @@ export const splatVertex = /* glsl */ `
   }
 `;
 
-export const splatFragment = /* glsl */ `
-  ${MARKS}
-  uniform float selected;
-  uniform float hovered;
-  uniform vec3 paper;
+// The disc of a point: where the fragment lies on it, and how far that is from the viewer.
+const DISC = /* glsl */ `
+  uniform float radius;
+  uniform float near;
+  uniform float far;
   varying vec3 viewNormal;
-  varying float upward;
-  varying vec3 albedo;
-  varying float ownerOut;
   varying float pixels;
+  varying float distanceOut;
 
-  // A lamp over the left shoulder of the viewer, and light from above.
-  float light(vec3 n) {
-    float lamp = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
-    return 0.56 + 0.12 * upward + 0.44 * lamp;
-  }
+  struct Disc { vec3 normal; bool seenFromBehind; float squaredRadius; float distance; };
 
-  void main() {
+  Disc discHere() {
     vec2 offset = gl_PointCoord * 2.0 - 1.0;
     offset.y = -offset.y;
     bool oriented = dot(viewNormal, viewNormal) > 0.25;
     vec3 n = oriented ? normalize(viewNormal) : vec3(0.0, 0.0, 1.0);
-    float facing = n.z < 0.0 ? -1.0 : 1.0;
-    n *= facing;
-    if (pixels > 2.5) {
-      float depth = dot(n.xy, offset) / max(n.z, 0.35);
-      if (dot(offset, offset) + depth * depth > 1.0) discard;
-    }
-    vec3 color = albedo * light(n) * (facing < 0.0 ? 0.72 : 1.0);
+    bool behind = n.z < 0.0;
+    if (behind) n = -n;
+    // A disc that is seen from its edge is drawn a little thick, so that silhouettes stay closed.
+    float slope = pixels > 2.5 ? dot(n.xy, offset) / max(n.z, 0.3) : 0.0;
+    return Disc(n, behind, dot(offset, offset) + slope * slope, distanceOut + radius * slope);
+  }
+`;
+
+// First pass: the nearest surface, and what on it is highlighted.
+export const depthFragment = /* glsl */ `
+  ${MARKS}
+  ${DISC}
+  uniform float selected;
+  uniform float hovered;
+  varying float ownerOut;
+  void main() {
+    Disc disc = discHere();
+    if (disc.squaredRadius > 1.0) discard;
     bool isSelected = abs(ownerOut - selected) < 0.5;
     bool isHovered = abs(ownerOut - hovered) < 0.5;
-    if (selected >= 0.0 && !isSelected && !isHovered) color = mix(color, paper, 0.38);
-    gl_FragColor = vec4(color, isSelected ? MARK_SELECTED : isHovered ? MARK_HOVERED : MARK_NONE);
+    gl_FragColor = vec4(0.0, 0.0, 0.0, isSelected ? MARK_SELECTED : isHovered ? MARK_HOVERED : MARK_NONE);
+    gl_FragDepth = clamp(far * (disc.distance - near) / ((far - near) * disc.distance), 0.0, 1.0);
+  }
+`;
+
+// Second pass: discs at that surface, summed with a weight that falls from their middle.
+export const colorFragment = /* glsl */ `
+  ${DISC}
+  uniform sampler2D depths;
+  uniform float selected;
+  uniform float hovered;
+  uniform vec3 paper;
+  varying float upward;
+  varying vec3 albedo;
+  varying float ownerOut;
+
+  // A lamp over the left shoulder of the viewer, and light from above.
+  float light(vec3 n) {
+    float lamp = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
+    return 0.6 + 0.11 * upward + 0.42 * lamp;
+  }
+
+  void main() {
+    Disc disc = discHere();
+    if (disc.squaredRadius > 1.0) discard;
+    float depth = texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r;
+    float nearest = near * far / (far - (far - near) * depth);
+    if (disc.distance > nearest + 0.8 * radius) discard;
+    vec3 color = albedo * light(disc.normal) * (disc.seenFromBehind ? 0.72 : 1.0);
+    bool isMarked = abs(ownerOut - selected) < 0.5 || abs(ownerOut - hovered) < 0.5;
+    if (selected >= 0.0 && !isMarked) color = mix(color, paper, 0.38);
+    float weight = exp(-4.0 * disc.squaredRadius) + 1e-3;
+    gl_FragColor = vec4(color * weight, weight);
   }
 `;
 
@@ -74,6 +112,7 @@ export const composeVertex = /* glsl */ `
 // Eye-dome lighting (Boucheny 2009): a pixel darkens by how far its neighbours stand before it.
 export const composeFragment = /* glsl */ `
   ${MARKS}
+  uniform sampler2D marks;
   uniform sampler2D colors;
   uniform sampler2D depths;
   uniform int samples; // texels a pixel, along each side
@@ -94,13 +133,14 @@ export const composeFragment = /* glsl */ `
     return depth >= 1.0 ? 1e6 : near * far / (far - (far - near) * depth);
   }
   bool marked(ivec2 texel) {
-    float mark = texelFetch(colors, texel, 0).a;
+    float mark = texelFetch(marks, texel, 0).a;
     return mark > 0.25 && mark < 0.875;
   }
 
   vec4 shadeAt(ivec2 texel) {
     vec4 color = texelFetch(colors, texel, 0);
     bool covered = color.a > 0.0;
+    color.rgb /= max(color.a, 1e-6);
     bool edge = false;
     float here = log2(distanceAt(texel));
     float occlusion = 0.0;

@@ -1,6 +1,6 @@
 // A cloud of points as discs on its surface.
 import * as THREE from 'three';
-import { splatFragment, splatVertex } from './shaders.js';
+import { colorFragment, depthFragment, splatVertex } from './shaders.js';
 import { quantile } from '../vector.js';
 
 /** The typical distance from a point to its fourth neighbour: how dense the surface is sampled. */
@@ -21,19 +21,27 @@ export function sampleSpacing(positions) {
   return quantile(distances, 0.5) || 0.005;
 }
 
-function splatMaterial(radius) {
-  return new THREE.ShaderMaterial({
-    vertexShader: splatVertex,
-    fragmentShader: splatFragment,
-    uniforms: {
-      radius: { value: radius },
-      focal: { value: 1000 },
-      selected: { value: -1 },
-      hovered: { value: -1 },
-      paper: { value: new THREE.Color(1, 1, 1) },
-    },
-    blending: THREE.NoBlending,
+// Both passes share their uniforms; the stage fills in those that depend on the view.
+function splatMaterials(radius) {
+  const uniforms = {
+    radius: { value: radius },
+    focal: { value: 1000 },
+    near: { value: 0.1 },
+    far: { value: 10 },
+    depths: { value: null },
+    selected: { value: -1 },
+    hovered: { value: -1 },
+    paper: { value: new THREE.Color(1, 1, 1) },
+  };
+  const depth = new THREE.ShaderMaterial({
+    vertexShader: splatVertex, fragmentShader: depthFragment, uniforms, blending: THREE.NoBlending,
   });
+  const color = new THREE.ShaderMaterial({
+    vertexShader: splatVertex, fragmentShader: colorFragment, uniforms,
+    depthTest: false, depthWrite: false, transparent: true,
+    blending: THREE.CustomBlending, blendSrc: THREE.OneFactor, blendDst: THREE.OneFactor,
+  });
+  return { uniforms, depth, color };
 }
 
 export class Splats {
@@ -48,7 +56,9 @@ export class Splats {
     geometry.setAttribute('normal', new THREE.BufferAttribute(oriented, 3));
     geometry.setAttribute('shade', new THREE.BufferAttribute(this.shades, 3, true));
     geometry.setAttribute('owner', new THREE.BufferAttribute(this.owners, 1));
-    this.object = new THREE.Points(geometry, splatMaterial(radius));
+    this.materials = splatMaterials(radius);
+    this.object = new THREE.Points(geometry, this.materials.depth);
+    this.object.userData.splats = this;
     this.object.frustumCulled = false;
   }
 
@@ -61,7 +71,7 @@ export class Splats {
   }
 
   emphasise(selected, hovered, paper) {
-    const { uniforms } = this.object.material;
+    const { uniforms } = this.materials;
     uniforms.selected.value = selected ?? -1;
     uniforms.hovered.value = hovered ?? -1;
     uniforms.paper.value.setRGB(...paper.map((value) => value / 255));

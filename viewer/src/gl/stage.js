@@ -5,22 +5,30 @@ import { composeFragment, composeVertex } from './shaders.js';
 const MAX_PIXEL_RATIO = 2;
 const REST_DELAY = 140; // ms without movement, after which the fine picture is drawn
 
-function createTarget() {
-  const target = new THREE.WebGLRenderTarget(2, 2, {
+function createTarget(type) {
+  return new THREE.WebGLRenderTarget(2, 2, {
+    type,
     minFilter: THREE.NearestFilter,
     magFilter: THREE.NearestFilter,
+    depthBuffer: type === THREE.UnsignedByteType,
   });
-  target.depthTexture = new THREE.DepthTexture(2, 2, THREE.UnsignedIntType);
-  return target;
 }
 
-function createCompose(target) {
+// Marks and depth of the nearest surface, and the weighted sum of the colours on it.
+function createTargets() {
+  const surface = createTarget(THREE.UnsignedByteType);
+  surface.depthTexture = new THREE.DepthTexture(2, 2, THREE.UnsignedIntType);
+  return { surface, colors: createTarget(THREE.HalfFloatType) };
+}
+
+function createCompose({ surface, colors }) {
   const material = new THREE.ShaderMaterial({
     vertexShader: composeVertex,
     fragmentShader: composeFragment,
     uniforms: {
-      colors: { value: target.texture },
-      depths: { value: target.depthTexture },
+      marks: { value: surface.texture },
+      colors: { value: colors.texture },
+      depths: { value: surface.depthTexture },
       samples: { value: 1 },
       near: { value: 0.1 },
       far: { value: 10 },
@@ -61,8 +69,8 @@ export class Stage {
   constructor(canvas, camera) {
     this.camera = camera;
     this.renderer = createRenderer(canvas);
-    this.target = createTarget();
-    this.compose = createCompose(this.target);
+    this.targets = createTargets();
+    this.compose = createCompose(this.targets);
     this.requested = 0;
     this.restTimer = 0;
   }
@@ -102,14 +110,10 @@ export class Stage {
 
   /** Draws at once, with samples² texels a pixel. */
   draw(samples = this.#restSamples()) {
-    const { renderer, camera, target } = this;
-    const pixels = renderer.getDrawingBufferSize(new THREE.Vector2());
-    target.setSize(pixels.x * samples, pixels.y * samples);
-    this.#setFocal((pixels.y * samples) / (2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2))));
+    const { renderer, camera } = this;
+    const pixels = renderer.getDrawingBufferSize(new THREE.Vector2()).multiplyScalar(samples);
     camera.updateMatrixWorld();
-    renderer.setRenderTarget(target);
-    renderer.clear();
-    renderer.render(this.cloud, camera);
+    this.#drawCloud(pixels);
     renderer.setRenderTarget(null);
     renderer.clear();
     renderer.render(this.ground, camera);
@@ -119,10 +123,25 @@ export class Stage {
     for (const step of this.afterDraw) step();
   }
 
-  #setFocal(focal) {
-    this.cloud.traverse((child) => {
-      if (child.isPoints) child.material.uniforms.focal.value = focal;
-    });
+  #drawCloud(pixels) {
+    const { renderer, camera, targets } = this;
+    const focal = pixels.y / (2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)));
+    for (const pass of ['depth', 'color']) {
+      const target = pass === 'depth' ? targets.surface : targets.colors;
+      target.setSize(pixels.x, pixels.y);
+      for (const { userData: { splats } } of this.cloud.children) {
+        const { uniforms } = splats.materials;
+        uniforms.focal.value = focal;
+        uniforms.near.value = camera.near;
+        uniforms.far.value = camera.far;
+        // A texture must not be read while it is drawn to.
+        uniforms.depths.value = pass === 'depth' ? null : targets.surface.depthTexture;
+      }
+      for (const points of this.cloud.children) points.material = points.userData.splats.materials[pass];
+      renderer.setRenderTarget(target);
+      renderer.clear();
+      renderer.render(this.cloud, camera);
+    }
   }
 
   #composeOnto(camera, samples) {

@@ -3,13 +3,14 @@ import * as THREE from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { css, mix } from '../palette.js';
 import { add, cross, dot, planeBasis, quantile, scale, subtract } from '../vector.js';
 
 const UP = [0, 1, 0];
 
 // What an object's symmetries share: materials in its colour, solid and seen through the surface.
 function createMaterials(color) {
-  const rgb = new THREE.Color(`rgb(${color.join(',')})`);
+  const rgb = new THREE.Color(css(color));
   const line = (linewidth, opacity, depthTest) =>
     new LineMaterial({ color: rgb, linewidth, opacity, transparent: true, depthTest, depthWrite: false });
   return {
@@ -115,11 +116,19 @@ export function outlinePoints(cloud, object, limit = 1200) {
 
 export class Symmetries {
   constructor(object, outline, color) {
+    this.color = color;
     this.materials = createMaterials(color);
     this.planes = new THREE.Group();
     this.axes = new THREE.Group();
     for (const plane of object.planes) this.planes.add(planeObject(plane, outline, this.materials));
     for (const axis of object.axes) this.axes.add(axisObject(axis, outline, this.materials));
+  }
+
+  /** Lines must stand out from the background: lighter on a dark one, darker on a light one. */
+  setScheme(scheme) {
+    const target = scheme === 'dark' ? [255, 255, 255] : [0, 0, 0];
+    const rgb = mix(this.color, target, scheme === 'dark' ? 0.3 : 0.12);
+    for (const material of Object.values(this.materials)) material.color.set(css(rgb));
   }
 
   show(planes, axes, emphasis) {

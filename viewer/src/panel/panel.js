@@ -67,8 +67,8 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
       h('p', { class: 'stats' }, stats(scene))),
     h('div', { class: 'scroll', tabindex: '-1' },
       scene.note ? h('p', { class: 'note' }, scene.note) : '',
-      h('p', { class: 'lead' }, 'A depth-camera scan cut into objects by their symmetry alone: every colour is one object, ' +
-        'sheets are its mirror planes, arrows its axes. Click one for details.'),
+      h('p', { class: 'lead' }, 'One colour per object, found by its symmetry alone: sheets are mirror planes, ' +
+        'arrows are axes of rotation. Click an object for details.'),
       hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
       ...[createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)].filter(Boolean)));
   return panel;

@@ -1,0 +1,48 @@
+# Builds the viewer's page with npm, in the build folder, and embeds it into symscene_viewer.
+# Include after symscene_library(viewer ...).
+set(SYMSCENE_VIEWER_PAGE "" CACHE FILEPATH "A built viewer/dist/page.html, to build without Node and npm")
+
+# Sets `page` to the path of the built page and adds the commands that make it.
+function(symscene_build_page page)
+  find_program(SYMSCENE_NODE NAMES node nodejs REQUIRED)
+  find_program(SYMSCENE_NPM npm REQUIRED)
+  set(source ${PROJECT_SOURCE_DIR}/viewer)
+  set(work ${PROJECT_BINARY_DIR}/viewer)
+  set(packages ${source}/package.json ${source}/package-lock.json ${source}/.npmrc)
+  file(GLOB_RECURSE inputs CONFIGURE_DEPENDS ${source}/src/*)
+  list(APPEND inputs ${source}/template.html ${source}/build.mjs)
+  add_custom_command(OUTPUT ${work}/packages.stamp
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${work}
+    COMMAND ${CMAKE_COMMAND} -E copy ${packages} ${work}
+    # esbuild's install script only checks what npm has put there already.
+    COMMAND ${CMAKE_COMMAND} -E chdir ${work}
+      ${SYMSCENE_NPM} ci --omit=dev --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error
+    COMMAND ${CMAKE_COMMAND} -E touch ${work}/packages.stamp
+    DEPENDS ${packages} COMMENT "Fetching three.js and esbuild" VERBATIM)
+  add_custom_command(OUTPUT ${work}/dist/page.html
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${work}/src
+    COMMAND ${CMAKE_COMMAND} -E copy_directory ${source}/src ${work}/src
+    COMMAND ${CMAKE_COMMAND} -E copy ${source}/template.html ${source}/build.mjs ${work}
+    COMMAND ${CMAKE_COMMAND} -E chdir ${work} ${SYMSCENE_NODE} build.mjs
+    DEPENDS ${inputs} ${work}/packages.stamp COMMENT "Bundling the viewer's page" VERBATIM)
+  set(${page} ${work}/dist/page.html PARENT_SCOPE)
+endfunction()
+
+function(symscene_embed_page target)
+  if(SYMSCENE_VIEWER_PAGE)
+    set(page ${SYMSCENE_VIEWER_PAGE})
+  else()
+    symscene_build_page(page)
+  endif()
+  set(embed ${PROJECT_SOURCE_DIR}/viewer/embed.cmake)
+  set(embedded ${PROJECT_BINARY_DIR}/viewer/page_template.cpp)
+  add_custom_command(OUTPUT ${embedded}
+    COMMAND ${CMAKE_COMMAND} -DPAGE=${page} -DOUTPUT=${embedded} -P ${embed}
+    DEPENDS ${page} ${embed} COMMENT "Embedding the viewer's page" VERBATIM)
+  set_source_files_properties(${embedded} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  target_sources(${target} PRIVATE ${embedded})
+endfunction()
+
+if(TARGET symscene_viewer)
+  symscene_embed_page(symscene_viewer)
+endif()

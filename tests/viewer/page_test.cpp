@@ -1,0 +1,110 @@
+#include "symscene/viewer/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+/// A result of `count` points on a line and one object that holds the first two.
+SegmentationResult small_result(Index count = 5) {
+  SegmentationResult result;
+  result.cloud.positions.resize(count, 3);
+  for (Index i = 0; i < count; ++i) {
+    result.cloud.positions.row(i) << 0.1F * static_cast<float>(i), 0.0F, -0.2F;
+  }
+  SceneObject object;
+  object.points = {0, 1};
+  object.score = 0.9;
+  object.rotational.push_back({RotationAxis{}, 0.01});
+  object.reflectional.push_back({ReflectionPlane{}, 0.02});
+  result.objects.push_back(object);
+  result.completed.emplace_back();
+  result.timings.push_back({"merge", 0.001});
+  result.funnel.push_back({"axes", 3});
+  result.rejected.push_back({"rotational", "occlusion", 0.02, 0.015, 120});
+  return result;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(Page, IsOneDocumentWithoutPlaceholders) {
+  const std::string page = render_page(small_result(), {.title = "Two cups"});
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_NE(page.find("<title>Two cups</title>"), std::string::npos);
+  EXPECT_EQ(page.find("@@SYMSCENE"), std::string::npos);
+  EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  EXPECT_EQ(occurrences(page, "<script"), 2U);
+}
+
+TEST(Page, TextFromOutsideCannotBecomeMarkup) {
+  const std::string hostile = "</title></script><script>alert(1)</script><!--";
+  SegmentationResult result = small_result();
+  result.timings[0].stage = hostile;
+  result.rejected[0].reason = hostile;
+  result.funnel[0].step = hostile;
+  const std::string page = render_page(result, {.title = hostile, .note = hostile});
+  const std::string harmless = render_page(small_result());
+  for (const char* markup : {"<script", "</script", "</title", "<!--", "alert(1)</"}) {
+    EXPECT_EQ(occurrences(page, markup), occurrences(harmless, markup)) << markup;
+  }
+}
+
+TEST(Page, TextThatIsNotUtf8StillMakesAPage) {
+  const std::string page = render_page(small_result(), {.title = "caf\xE9"});
+  EXPECT_NE(page.find("caf\\ufffd"), std::string::npos);
+}
+
+TEST(Payload, HoldsWhatTheResultHolds) {
+  const std::string json = page_payload(small_result(), {.title = "t"});
+  EXPECT_NE(json.find(R"("funnel":[{"count":3,"step":"axes"}])"), std::string::npos);
+  EXPECT_NE(json.find(R"("points":"AAAAAAEAAAA=")"), std::string::npos);
+  EXPECT_NE(json.find(R"("reason":"occlusion")"), std::string::npos);
+  EXPECT_NE(json.find(R"("up":[0.0,0.0,1.0])"), std::string::npos);
+}
+
+TEST(Payload, CoordinatesAreStepsOverTheBoxAndFloatsWhereTheBoxIsLarge) {
+  SegmentationResult result = small_result(2);
+  EXPECT_NE(page_payload(result).find(R"("data":"AAAAAAAA//8AAAAA")"), std::string::npos);
+  result.cloud.positions(1, 0) = 100.0F;
+  EXPECT_NE(page_payload(result).find(R"("encoding":"f32")"), std::string::npos);
+}
+
+TEST(Payload, TheTableGivesUpAndHeight) {
+  const Plane table{Eigen::Vector3d(0.0, -2.0, 0.0), 1.0};
+  const std::string json = page_payload(small_result(), {.table = table});
+  EXPECT_NE(json.find(R"("table":-0.5)"), std::string::npos);
+  EXPECT_NE(json.find("-1.0,0.0]"), std::string::npos);
+}
+
+TEST(Payload, AnEmptyResultIsFine) {
+  const std::string json = page_payload(SegmentationResult{});
+  EXPECT_NE(json.find(R"("objects":[])"), std::string::npos);
+}
+
+TEST(Payload, ABrokenResultIsRefused) {
+  SegmentationResult outside = small_result();
+  outside.objects[0].points = {99};
+  EXPECT_THROW(page_payload(outside), InputError);
+
+  SegmentationResult infinite = small_result();
+  infinite.cloud.positions(0, 0) = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(page_payload(infinite), InputError);
+
+  SegmentationResult uneven = small_result();
+  uneven.completed.resize(3);
+  EXPECT_THROW(page_payload(uneven), InputError);
+
+  EXPECT_THROW(page_payload(small_result(), {.up = Eigen::Vector3d::Zero()}), InputError);
+}
+
+}  // namespace
+}  // namespace symscene
