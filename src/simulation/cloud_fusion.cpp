@@ -10,9 +10,8 @@
 namespace symscene {
 namespace {
 
-std::vector<Surfel> all_surfels(std::span<const SensorFrame> frames,
-                                const CameraIntrinsics& camera, const OrientedBox& region,
-                                const CloudFusionOptions& options) {
+std::vector<Surfel> all_surfels(std::span<const SensorFrame> frames, const CameraIntrinsics& camera,
+                                const OrientedBox& region, const CloudFusionOptions& options) {
   std::vector<std::vector<Surfel>> by_frame(frames.size());
   parallel_for_each(frames.size(), [&](std::size_t i) {
     by_frame[i] = frame_surfels(frames[i], i, camera, region, options);

@@ -94,8 +94,7 @@ std::vector<Surfel> frame_surfels(const SensorFrame& frame, std::size_t frame_in
       Surfel surfel;
       surfel.position = (frame.T_world_camera * point).cast<float>();
       surfel.normal = (frame.T_world_camera.linear() * normal).cast<float>();
-      surfel.color =
-          frame.colors.row(static_cast<Eigen::Index>(pixel)).transpose().cast<float>();
+      surfel.color = frame.colors.row(static_cast<Eigen::Index>(pixel)).transpose().cast<float>();
       surfel.weight = static_cast<float>(weight);
       surfel.object = frame.objects[pixel];
       surfel.frames = std::uint64_t{1} << frame_index;

@@ -90,8 +90,7 @@ HouseholdObject make_can(Random& random, double scale) {
       {{0, 0}, {r - bevel, 0}, {r, bevel}, {r, h - bevel}, {r - bevel, h}, {0, h}}};
   HouseholdObject object = revolved(ObjectKind::can, profile);
   object.top_radius = r - bevel;
-  object.reflectional.push_back(
-      plane({0, 0, 0.5 * h}, Eigen::Vector3d::UnitZ(), false));
+  object.reflectional.push_back(plane({0, 0, 0.5 * h}, Eigen::Vector3d::UnitZ(), false));
   return object;
 }
 
@@ -179,22 +178,27 @@ HouseholdObject make_toy(Random& random, double scale) {
       {s * Eigen::Vector3d(0.070, 0.050, 0.022), vary(0.060, 0.028, 0.027)},
       {s * Eigen::Vector3d(0.125, 0.055, 0.032), vary(0.018, 0.026, 0.032)},
   }};
-  HouseholdObject object =
-      standing(ObjectKind::toy, make_mirrored_body(parts, 0.008 * s, 0.005));
-  object.reflectional.push_back(
-      plane(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), true));
+  HouseholdObject object = standing(ObjectKind::toy, make_mirrored_body(parts, 0.008 * s, 0.005));
+  object.reflectional.push_back(plane(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), true));
   return object;
 }
 
 HouseholdObject make_shape(ObjectKind kind, Random& random, double scale) {
   switch (kind) {
-    case ObjectKind::box: return make_box_object(random, scale);
-    case ObjectKind::can: return make_can(random, scale);
-    case ObjectKind::lying_can: return make_lying_can(random, scale);
-    case ObjectKind::bowl: return make_bowl(random, scale);
-    case ObjectKind::bottle: return make_bottle(random, scale);
-    case ObjectKind::cup: return make_cup(random, scale);
-    case ObjectKind::toy: return make_toy(random, scale);
+    case ObjectKind::box:
+      return make_box_object(random, scale);
+    case ObjectKind::can:
+      return make_can(random, scale);
+    case ObjectKind::lying_can:
+      return make_lying_can(random, scale);
+    case ObjectKind::bowl:
+      return make_bowl(random, scale);
+    case ObjectKind::bottle:
+      return make_bottle(random, scale);
+    case ObjectKind::cup:
+      return make_cup(random, scale);
+    case ObjectKind::toy:
+      return make_toy(random, scale);
   }
   return {};
 }

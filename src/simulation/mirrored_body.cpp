@@ -124,8 +124,7 @@ class HalfBodyMesher {
   }
 
   void add_outward(Index a, Index b, Index c, const Eigen::Vector3d& within) {
-    const Eigen::Vector3d normal =
-        (points_[b] - points_[a]).cross(points_[c] - points_[a]);
+    const Eigen::Vector3d normal = (points_[b] - points_[a]).cross(points_[c] - points_[a]);
     if (normal.dot(points_[a] - within) >= 0.0) {
       mesh_.add_triangle(a, b, c);
     } else {

@@ -108,9 +108,9 @@ VoxelBlock covering_block(const OrientedBox& region, double resolution) {
     block.size[axis] = cell(bounds.max[axis]) + 1 - block.low[axis];
     const int end = block.low[axis] + block.size[axis];
     if (block.low[axis] < -OccupancyMap::key_of_origin || end > OccupancyMap::key_of_origin) {
-      throw InputError("region", "a box within OctoMap's 65536 voxels",
-                       std::to_string(bounds.min[axis]) + " to " +
-                           std::to_string(bounds.max[axis]) + " m");
+      throw InputError(
+          "region", "a box within OctoMap's 65536 voxels",
+          std::to_string(bounds.min[axis]) + " to " + std::to_string(bounds.max[axis]) + " m");
     }
   }
   block.states.assign(static_cast<std::size_t>(block.size.x()) *
@@ -136,8 +136,8 @@ OccupancyMap fuse_occupancy(std::span<const SensorFrame> frames, const CameraInt
   const Voter voter(views, camera, options);
   const Eigen::Isometry3d T_box_world = region.T_world_box.inverse();
   VoxelBlock block = covering_block(region, options.resolution);
-  const auto rows = static_cast<std::size_t>(block.size.y()) *
-                    static_cast<std::size_t>(block.size.z());
+  const auto rows =
+      static_cast<std::size_t>(block.size.y()) * static_cast<std::size_t>(block.size.z());
   const auto columns = static_cast<std::size_t>(block.size.x());
   parallel_for_blocks(rows, 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {

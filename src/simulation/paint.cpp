@@ -19,8 +19,7 @@ Eigen::Vector3d from_hue(double hue, double saturation, double value) {
 
 Colors paint(const Points& vertices, Random& random) {
   const double hue = random.uniform();
-  const Eigen::Vector3d base =
-      from_hue(hue, random.uniform(0.3, 0.85), random.uniform(0.55, 0.95));
+  const Eigen::Vector3d base = from_hue(hue, random.uniform(0.3, 0.85), random.uniform(0.55, 0.95));
   const Eigen::Vector3d second =
       from_hue(std::fmod(hue + random.uniform(0.3, 0.7), 1.0), 0.5, random.uniform(0.4, 0.95));
   const double height = std::max(1e-3, static_cast<double>(vertices.col(2).maxCoeff()));

@@ -91,10 +91,9 @@ SensorFrame add_sensor_noise(const SensorFrame& exact, const CameraIntrinsics& c
       const std::size_t source = jittered_pixel(u, v, camera, options.lateral, random);
       const double z = exact.depth[source];
       const double angle = std::acos(std::min(1.0, static_cast<double>(exact.cosines[source])));
-      const double lost = std::max(ramp(angle, options.grazing_begin, options.grazing_end),
-                                   is_at_edge(exact, camera, u, v, options.edge_step)
-                                       ? options.edge_dropout
-                                       : 0.0);
+      const double lost =
+          std::max(ramp(angle, options.grazing_begin, options.grazing_end),
+                   is_at_edge(exact, camera, u, v, options.edge_step) ? options.edge_dropout : 0.0);
       const bool measured = z > 0.0 && z < options.max_depth && !random.chance(lost);
       noisy.depth[pixel] =
           measured ? static_cast<float>(with_axial_error(z, noise.at(u, v), options)) : 0.0F;

@@ -33,7 +33,8 @@ class BoxBuilder {
             lattice[b] = j + dj;
             return vertex(lattice);
           };
-          const Index v00 = corner(0, 0), v10 = corner(1, 0), v11 = corner(1, 1), v01 = corner(0, 1);
+          const Index v00 = corner(0, 0), v10 = corner(1, 0), v11 = corner(1, 1),
+                      v01 = corner(0, 1);
           if (side == 0) {
             mesh_.add_quad(v00, v01, v11, v10);
           } else {
@@ -156,8 +157,8 @@ bool is_inside(const TriangleMesh& mesh, const Eigen::Vector3d& point) {
     };
     const Eigen::Vector3d a = corner(0), b = corner(1), c = corner(2);
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    solid_angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc +
-                                                           b.dot(c) * la + c.dot(a) * lb);
+    solid_angle += 2.0 * std::atan2(a.dot(b.cross(c)),
+                                    la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return solid_angle > 2.0 * std::numbers::pi;
 }

@@ -12,8 +12,8 @@
 namespace symscene {
 namespace {
 
-constexpr double table_size = 2.4;       // [m]
-constexpr double table_thickness = 0.03; // [m]
+constexpr double table_size = 2.4;        // [m]
+constexpr double table_thickness = 0.03;  // [m]
 
 /// A camera at `eye` that looks at `target` with the table's up in its image.
 Eigen::Isometry3d looking_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
@@ -76,7 +76,9 @@ std::size_t thinned_size(const Points& points, const PointIndices& indices) {
   constexpr float edge = 0.005F;
   std::set<std::array<int, 3>> cells;
   for (const Index i : indices) {
-    const auto cell = [&](int axis) { return static_cast<int>(std::floor(points(i, axis) / edge)); };
+    const auto cell = [&](int axis) {
+      return static_cast<int>(std::floor(points(i, axis) / edge));
+    };
     cells.insert({cell(0), cell(1), cell(2)});
   }
   return cells.size();

@@ -124,8 +124,7 @@ std::vector<Surfel> flattened(const std::vector<Surfel>& surfels, double smoothi
       cells.for_each_within(own.position, radius, [&](Index j, float squared_distance) {
         const Surfel& other = surfels[j];
         if (own.normal.dot(other.normal) < 0.5F) return;
-        const double w =
-            other.weight * std::exp(-0.5 * squared_distance / (smoothing * smoothing));
+        const double w = other.weight * std::exp(-0.5 * squared_distance / (smoothing * smoothing));
         weight += w;
         offset += w * own.normal.dot(other.position - own.position);
         normal += w * other.normal.cast<double>();

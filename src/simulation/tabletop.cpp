@@ -234,8 +234,7 @@ Tabletop arrange_tabletop(const TabletopOptions& options) {
     Eigen::Isometry3d T_table_object(
         Eigen::AngleAxisd(standing.place.yaw, Eigen::Vector3d::UnitZ()));
     T_table_object.pretranslate(standing.place.position);
-    tabletop.objects.push_back({std::move(standing.object),
-                                tabletop.T_world_table * T_table_object,
+    tabletop.objects.push_back({std::move(standing.object), tabletop.T_world_table * T_table_object,
                                 standing.place.supporter});
   }
   return tabletop;
@@ -251,11 +250,11 @@ TrueObject true_object(const PlacedObject& placed) {
   truth.name = to_string(placed.object.kind);
   truth.centroid = T * volume_centroid(placed.object.mesh);
   for (const TrueAxis& own : placed.object.rotational) {
-    truth.rotational.push_back(
-        {{T * own.axis.point, T.linear() * own.axis.direction}, own.strict});
+    truth.rotational.push_back({{T * own.axis.point, T.linear() * own.axis.direction}, own.strict});
   }
   for (const TruePlane& own : placed.object.reflectional) {
-    truth.reflectional.push_back({{T * own.plane.point, T.linear() * own.plane.normal}, own.strict});
+    truth.reflectional.push_back(
+        {{T * own.plane.point, T.linear() * own.plane.normal}, own.strict});
   }
   return truth;
 }

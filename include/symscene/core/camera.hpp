@@ -11,8 +11,8 @@ namespace symscene {
 /// A pinhole camera that looks along +z with +x to the right of the image and +y down. Pixel
 /// centres have whole coordinates. No default camera: the fields must be given.
 struct CameraIntrinsics {
-  Index width = 0;   ///< [px]
-  Index height = 0;  ///< [px]
+  Index width = 0;                                       ///< [px]
+  Index height = 0;                                      ///< [px]
   double fx = std::numeric_limits<double>::quiet_NaN();  ///< [px]
   double fy = std::numeric_limits<double>::quiet_NaN();  ///< [px]
   double cx = std::numeric_limits<double>::quiet_NaN();  ///< [px]

@@ -19,11 +19,11 @@ struct OrientedBox {
 Box world_bounds(const OrientedBox& box);
 
 struct CloudFusionOptions {
-  double voxel_size = 0.003;      ///< spacing of the fused points, 3.1 mm in section 2.1.1 [m]
-  int min_frames = 3;             ///< frames that must have seen a point
-  double edge_step = 0.015;       ///< depth between neighbours from which pixels count as flying [m]
-  int normal_radius = 3;          ///< half width of the window that a normal is fitted to [px]
-  double smoothing = 0.0035;      ///< standard deviation of the smoothing over the surface [m]
+  double voxel_size = 0.003;  ///< spacing of the fused points, 3.1 mm in section 2.1.1 [m]
+  int min_frames = 3;         ///< frames that must have seen a point
+  double edge_step = 0.015;   ///< depth between neighbours from which pixels count as flying [m]
+  int normal_radius = 3;      ///< half width of the window that a normal is fitted to [px]
+  double smoothing = 0.0035;  ///< standard deviation of the smoothing over the surface [m]
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {

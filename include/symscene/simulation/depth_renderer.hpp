@@ -18,8 +18,7 @@ class DepthRenderer {
   DepthRenderer& operator=(DepthRenderer&&) noexcept;
 
   /// The exact image from a pose: depth at pixel centres, colours shaded by a lamp at the camera.
-  SensorFrame render(const CameraIntrinsics& camera,
-                     const Eigen::Isometry3d& T_world_camera) const;
+  SensorFrame render(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera) const;
 
  private:
   struct Implementation;

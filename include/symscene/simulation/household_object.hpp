@@ -24,12 +24,13 @@ struct Cavity {
 /// An object of a household in its own frame: it stands on z = 0, about the z axis.
 struct HouseholdObject {
   ObjectKind kind = ObjectKind::box;
-  TriangleMesh mesh;                        ///< closed, coloured
-  std::vector<TrueAxis> rotational;         ///< as built
-  std::vector<TruePlane> reflectional;      ///< as built
-  std::vector<Eigen::Vector2d> footprint;   ///< convex outline seen from above, counter-clockwise [m]
-  double height = 0.0;                      ///< [m]
-  double top_radius = 0.0;                  ///< of a disc on its flat top, 0 where it has none [m]
+  TriangleMesh mesh;                    ///< closed, coloured
+  std::vector<TrueAxis> rotational;     ///< as built
+  std::vector<TruePlane> reflectional;  ///< as built
+  std::vector<Eigen::Vector2d>
+      footprint;            ///< convex outline seen from above, counter-clockwise [m]
+  double height = 0.0;      ///< [m]
+  double top_radius = 0.0;  ///< of a disc on its flat top, 0 where it has none [m]
   std::optional<Cavity> cavity;
 };
 

@@ -22,16 +22,16 @@ namespace symscene {
 /// - No measurement beyond a grazing angle (Nguyen et al.: unreliable from 70°, none over 80°), nor
 ///   for a share of the pixels at depth edges, where the pattern is in shadow.
 struct SensorNoiseOptions {
-  bool enabled = true;                ///< off: exact depth
-  double axial = 1.2e-3;              ///< standard deviation over squared depth [1/m]
-  double grain = 2.0;                 ///< spacing of the grid on which noise is drawn [px]
-  double disparity_step = 2.85e-3;    ///< step of 1/z, 0 for none [1/m]
-  double lateral = 0.4;               ///< standard deviation of a pixel's place [px]
-  double grazing_begin = 1.2217305;   ///< angle from which pixels begin to drop out, 70° [rad]
-  double grazing_end = 1.4486233;     ///< angle from which no pixel is measured, 83° [rad]
-  double edge_step = 0.03;            ///< depth between neighbours that makes an edge [m]
-  double edge_dropout = 0.4;          ///< share of the pixels at edges that is lost
-  double max_depth = 4.0;             ///< range of the sensor [m]
+  bool enabled = true;               ///< off: exact depth
+  double axial = 1.2e-3;             ///< standard deviation over squared depth [1/m]
+  double grain = 2.0;                ///< spacing of the grid on which noise is drawn [px]
+  double disparity_step = 2.85e-3;   ///< step of 1/z, 0 for none [1/m]
+  double lateral = 0.4;              ///< standard deviation of a pixel's place [px]
+  double grazing_begin = 1.2217305;  ///< angle from which pixels begin to drop out, 70° [rad]
+  double grazing_end = 1.4486233;    ///< angle from which no pixel is measured, 83° [rad]
+  double edge_step = 0.03;           ///< depth between neighbours that makes an edge [m]
+  double edge_dropout = 0.4;         ///< share of the pixels at edges that is lost
+  double max_depth = 4.0;            ///< range of the sensor [m]
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {

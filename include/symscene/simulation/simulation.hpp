@@ -9,15 +9,15 @@ namespace symscene {
 
 /// How the camera goes around the table: the arc of section 2.2.
 struct CameraArcOptions {
-  int frames = 20;                    ///< along the arc, at most 64
-  double arc = 2.0943951;             ///< horizontal angle of the arc, 120° [rad]
-  double radius = 1.0;                ///< distance to the point looked at [m]
-  double min_elevation = 0.6108652;   ///< lowest above the table, 35° [rad]
-  double max_elevation = 0.8726646;   ///< highest above the table, 50° [rad]
-  double target_height = 0.06;        ///< of the point looked at, over the table [m]
-  int width = 640;                    ///< [px]
-  int height = 480;                   ///< [px]
-  double focal_length = 525.0;        ///< [px]
+  int frames = 20;                   ///< along the arc, at most 64
+  double arc = 2.0943951;            ///< horizontal angle of the arc, 120° [rad]
+  double radius = 1.0;               ///< distance to the point looked at [m]
+  double min_elevation = 0.6108652;  ///< lowest above the table, 35° [rad]
+  double max_elevation = 0.8726646;  ///< highest above the table, 50° [rad]
+  double target_height = 0.06;       ///< of the point looked at, over the table [m]
+  int width = 640;                   ///< [px]
+  int height = 480;                  ///< [px]
+  double focal_length = 525.0;       ///< [px]
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -42,9 +42,9 @@ struct SimulationOptions {
   SensorNoiseOptions sensor;
   CloudFusionOptions cloud;
   OccupancyFusionOptions occupancy;
-  double margin = 0.2;            ///< of mapped space around and above the objects [m]
-  double table_clearance = 0.005; ///< height under which points count as the table's [m]
-  int min_object_points = 100;    ///< at 5 mm; the truth leaves out what shows fewer
+  double margin = 0.2;             ///< of mapped space around and above the objects [m]
+  double table_clearance = 0.005;  ///< height under which points count as the table's [m]
+  int min_object_points = 100;     ///< at 5 mm; the truth leaves out what shows fewer
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -54,8 +54,10 @@ struct SimulationOptions {
     visit("cloud", self.cloud);
     visit("occupancy", self.occupancy);
     visit("margin", self.margin, "m", "mapped space around and above the objects");
-    visit("table_clearance", self.table_clearance, "m", "height under which points are the table's");
-    visit("min_object_points", self.min_object_points, "", "points at 5 mm that the truth asks for");
+    visit("table_clearance", self.table_clearance, "m",
+          "height under which points are the table's");
+    visit("min_object_points", self.min_object_points, "",
+          "points at 5 mm that the truth asks for");
   }
   void validate() const;
 };

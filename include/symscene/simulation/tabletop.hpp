@@ -13,13 +13,13 @@ namespace symscene {
 
 /// How objects are put on the table.
 struct TabletopOptions {
-  int objects = 6;              ///< how many, 1 to 15
-  double stacked = 0.25;        ///< share of the objects that try to stand on or in another
-  double touching = 0.3;        ///< share of the objects that are pushed up against another
-  double min_gap = 0.003;       ///< between objects that do not touch [m]
-  double max_gap = 0.04;        ///< between objects that do not touch [m]
-  bool random_frame = false;    ///< turn and shift the world at random, as in a real scan
-  std::uint64_t seed = 1;       ///< of everything random about the objects and their places
+  int objects = 6;            ///< how many, 1 to 15
+  double stacked = 0.25;      ///< share of the objects that try to stand on or in another
+  double touching = 0.3;      ///< share of the objects that are pushed up against another
+  double min_gap = 0.003;     ///< between objects that do not touch [m]
+  double max_gap = 0.04;      ///< between objects that do not touch [m]
+  bool random_frame = false;  ///< turn and shift the world at random, as in a real scan
+  std::uint64_t seed = 1;     ///< of everything random about the objects and their places
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
