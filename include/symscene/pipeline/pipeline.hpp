@@ -1,0 +1,59 @@
+#pragma once
+
+#include "symscene/completion/completion.hpp"
+#include "symscene/core/normal_estimation.hpp"
+#include "symscene/core/scene.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+#include "symscene/pipeline/merge.hpp"
+#include "symscene/segmentation/oversegmentation.hpp"
+#include "symscene/segmentation/reflectional_segmentation.hpp"
+#include "symscene/segmentation/rotational_segmentation.hpp"
+#include "symscene/segmentation/surface_graph.hpp"
+#include "symscene/symmetry/reflectional_detection.hpp"
+#include "symscene/symmetry/rotational_detection.hpp"
+
+namespace symscene {
+
+/// Every option of every stage.
+struct PipelineOptions {
+  double voxel_size = 0.005;  ///< spacing of the cloud that everything works on (section 2.1.1) [m]
+  double space_margin = 0.15;  ///< of known space around the cloud [m]
+  NormalEstimationOptions normals;
+  DistanceFieldOptions distance_field;
+  OversegmentationOptions oversegmentation;
+  SurfaceGraphOptions surface_graph;
+  RotationalDetectionOptions rotational_detection;
+  RotationalSegmentationOptions rotational_segmentation;
+  ReflectionalDetectionOptions reflectional_detection;
+  ReflectionalSegmentationOptions reflectional_segmentation;
+  MergeOptions merge;
+  CompletionOptions completion;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("voxel_size", self.voxel_size, "m", "spacing of the cloud that everything works on");
+    visit("space_margin", self.space_margin, "m", "known space that is looked at around the cloud");
+    visit("normals", self.normals);
+    visit("distance_field", self.distance_field);
+    visit("oversegmentation", self.oversegmentation);
+    visit("surface_graph", self.surface_graph);
+    visit("rotational_detection", self.rotational_detection);
+    visit("rotational_segmentation", self.rotational_segmentation);
+    visit("reflectional_detection", self.reflectional_detection);
+    visit("reflectional_segmentation", self.reflectional_segmentation);
+    visit("merge", self.merge);
+    visit("completion", self.completion);
+  }
+  /// Throws InputError if a field of any stage is out of its range.
+  void validate() const;
+};
+
+/// The objects of a scene (section 4.4): rotational symmetries and their objects first, then
+/// reflectional ones among the points that are left; equal objects become one with all their
+/// symmetries. `on_begin` hears of every stage. The same bits for any number of threads, but for
+/// the times. Throws InputError if the cloud has no finite point, spans more space than memory
+/// holds, or an option is invalid.
+SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& options = {},
+                                 const StageTimer::OnBegin& on_begin = {});
+
+}  // namespace symscene

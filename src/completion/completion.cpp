@@ -1,0 +1,188 @@
+#include "symscene/completion/completion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/neighbors.hpp"
+#include "symscene/core/voxel_sampling.hpp"
+
+namespace symscene {
+namespace {
+
+/// A growing list of oriented, maybe coloured points.
+class CloudBuilder {
+ public:
+  explicit CloudBuilder(bool with_colors) : with_colors_(with_colors) {}
+
+  void add(const Eigen::Vector3d& position, const Eigen::Vector3d& normal,
+           const Eigen::Matrix<std::uint8_t, 1, 3>& color) {
+    positions_.push_back(position.cast<float>());
+    normals_.push_back(normal.cast<float>());
+    if (with_colors_) colors_.push_back(color);
+  }
+
+  PointCloud build() const {
+    const auto count = static_cast<Eigen::Index>(positions_.size());
+    PointCloud cloud;
+    cloud.positions.resize(count, 3);
+    cloud.normals.resize(count, 3);
+    cloud.colors.resize(with_colors_ ? count : 0, 3);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      cloud.positions.row(i) = positions_[k].transpose();
+      cloud.normals.row(i) = normals_[k].transpose();
+      if (with_colors_) cloud.colors.row(i) = colors_[k];
+    }
+    return cloud;
+  }
+
+ private:
+  bool with_colors_;
+  std::vector<Eigen::Vector3f> positions_;
+  std::vector<Eigen::Vector3f> normals_;
+  std::vector<Eigen::Matrix<std::uint8_t, 1, 3>> colors_;
+};
+
+Eigen::Matrix<std::uint8_t, 1, 3> color_of(const PointCloud& cloud, Index i) {
+  return cloud.has_colors() ? Eigen::Matrix<std::uint8_t, 1, 3>(cloud.colors.row(i))
+                            : Eigen::Matrix<std::uint8_t, 1, 3>(128, 128, 128);
+}
+
+PointCloud joined(const PointCloud& a, const PointCloud& b) {
+  CloudBuilder builder(a.has_colors());
+  for (const PointCloud* part : {&a, &b}) {
+    for (Index i = 0; i < part->size(); ++i) {
+      builder.add(part->position(i).cast<double>(), part->normal(i).cast<double>(),
+                  color_of(*part, i));
+    }
+  }
+  return builder.build();
+}
+
+/// One point of the curve whose rotation is the surface: height along the axis, distance from it,
+/// and its normal's parts along and away from it.
+struct ProfilePoint {
+  double height = 0.0, radius = 0.0, normal_along = 0.0, normal_away = 0.0;
+  std::size_t count = 0;
+  Index example = 0;
+};
+
+/// The profile in cells of `spacing`; the two faces of a thin wall stay apart.
+std::vector<ProfilePoint> profile_of(const PointCloud& cloud, const RotationAxis& axis,
+                                     double spacing) {
+  std::map<std::tuple<int, int, bool>, ProfilePoint> cells;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d q = cloud.position(i).cast<double>() - axis.point;
+    const Eigen::Vector3d n = cloud.normal(i).cast<double>();
+    const double height = axis.direction.dot(q);
+    const Eigen::Vector3d away = q - height * axis.direction;
+    const double radius = away.norm();
+    const double facing = radius > 1e-9 ? n.dot(away) / radius : 0.0;
+    ProfilePoint& cell = cells[{static_cast<int>(std::floor(height / spacing)),
+                                static_cast<int>(std::floor(radius / spacing)), facing >= 0.0}];
+    if (cell.count++ == 0) cell.example = i;
+    cell.height += height;
+    cell.radius += radius;
+    cell.normal_along += n.dot(axis.direction);
+    cell.normal_away += facing;
+  }
+  std::vector<ProfilePoint> profile;
+  for (auto& [key, cell] : cells) {
+    const auto count = static_cast<double>(cell.count);
+    profile.push_back({cell.height / count, cell.radius / count, cell.normal_along,
+                       cell.normal_away, cell.count, cell.example});
+  }
+  return profile;
+}
+
+PointCloud rotated_images(const PointCloud& cloud, const RotationAxis& axis, double spacing) {
+  const Eigen::Vector3d u = axis.direction.unitOrthogonal();
+  const Eigen::Vector3d v = axis.direction.cross(u);
+  CloudBuilder images(cloud.has_colors());
+  for (const ProfilePoint& point : profile_of(cloud, axis, spacing)) {
+    const double turn = 2.0 * std::numbers::pi;
+    const int steps =
+        std::clamp(static_cast<int>(std::ceil(turn * point.radius / spacing)), 1, 4096);
+    for (int step = 0; step < steps; ++step) {
+      const double angle = turn * step / steps;
+      const Eigen::Vector3d away = std::cos(angle) * u + std::sin(angle) * v;
+      const Eigen::Vector3d normal = point.normal_along * axis.direction + point.normal_away * away;
+      images.add(axis.point + point.height * axis.direction + point.radius * away,
+                 normal.normalized(), color_of(cloud, point.example));
+    }
+  }
+  return images.build();
+}
+
+PointCloud reflected_images(const PointCloud& cloud, const ReflectionPlane& plane) {
+  CloudBuilder images(cloud.has_colors());
+  for (Index i = 0; i < cloud.size(); ++i) {
+    images.add(plane.reflect_point(cloud.position(i).cast<double>()),
+               plane.reflect_direction(cloud.normal(i).cast<double>()), color_of(cloud, i));
+  }
+  return images.build();
+}
+
+/// The images that nothing speaks against and that the observed points do not show already.
+PointCloud admissible(const PointCloud& images, const PointCloud& observed,
+                      const DistanceField& field, const CompletionOptions& options) {
+  const auto spacing = static_cast<float>(options.spacing);
+  const auto tolerance = static_cast<float>(options.free_tolerance);
+  const CellList observed_cells(observed.positions, 2.0F * spacing);
+  PointIndices kept;
+  for (Index i = 0; i < images.size(); ++i) {
+    const Eigen::Vector3f p = images.position(i);
+    if (field.at(p) <= tolerance && observed_cells.nearest(p, spacing).first == CellList::none)
+      kept.push_back(i);
+  }
+  return select(images, kept);
+}
+
+}  // namespace
+
+void CompletionOptions::validate() const {
+  require_option(spacing > 0.0, "spacing", "a length above 0 m", spacing);
+  require_option(free_tolerance >= 0.0, "free_tolerance", "a distance of at least 0 m",
+                 free_tolerance);
+}
+
+PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredAxis>& axes,
+                           const std::vector<ScoredPlane>& planes, const DistanceField& field,
+                           const CompletionOptions& options) {
+  options.validate();
+  PointCloud body =
+      observed;  // the observed points and the images so far, so that planes also reflect images
+  const auto extend = [&](const PointCloud& images) {
+    const PointCloud added = admissible(images, body, field, options);
+    body = joined(body, voxel_downsample(added, options.spacing));
+  };
+  for (const ScoredAxis& rotational : axes)
+    extend(rotated_images(observed, rotational.axis, options.spacing));
+  for (const ScoredPlane& reflectional : planes) extend(reflected_images(body, reflectional.plane));
+  PointIndices added;
+  for (Index i = observed.size(); i < body.size(); ++i) added.push_back(i);
+  return select(body, added);
+}
+
+Eigen::Vector3d centre_of_mass(const PointCloud& observed, const PointCloud& added,
+                               const std::vector<ScoredAxis>& axes,
+                               const std::vector<ScoredPlane>& planes) {
+  const auto observed_count = static_cast<double>(observed.size());
+  const auto added_count = static_cast<double>(added.size());
+  Eigen::Vector3d centre =
+      (centroid(observed.positions) * observed_count + centroid(added.positions) * added_count) /
+      std::max(1.0, observed_count + added_count);
+  // Alternating projections end in the common point of symmetries that meet.
+  for (int round = 0; round < 50; ++round) {
+    for (const ScoredAxis& rotational : axes) centre = rotational.axis.project(centre);
+    for (const ScoredPlane& reflectional : planes) centre = reflectional.plane.project(centre);
+  }
+  return centre;
+}
+
+}  // namespace symscene

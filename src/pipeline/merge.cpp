@@ -1,0 +1,64 @@
+#include "symscene/pipeline/merge.hpp"
+
+#include <algorithm>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+void add_symmetries(const Hypothesis& from, const Eigen::Vector3d& here,
+                    const MergeOptions& options, SceneObject& object) {
+  const auto is_known = [&](const auto& symmetry, const auto& known) {
+    const SymmetryDifference apart = difference(symmetry, known, here);
+    return apart.angle < options.same_angle && apart.distance < options.same_distance;
+  };
+  for (const ScoredAxis& axis : from.rotational) {
+    const bool known =
+        std::any_of(object.rotational.begin(), object.rotational.end(),
+                    [&](const ScoredAxis& other) { return is_known(axis.axis, other.axis); });
+    if (!known) object.rotational.push_back(axis);
+  }
+  for (const ScoredPlane& plane : from.reflectional) {
+    const bool known =
+        std::any_of(object.reflectional.begin(), object.reflectional.end(),
+                    [&](const ScoredPlane& other) { return is_known(plane.plane, other.plane); });
+    if (!known) object.reflectional.push_back(plane);
+  }
+}
+
+}  // namespace
+
+void MergeOptions::validate() const {
+  require_option(same_object >= 0.0 && same_object <= 1.0, "same_object", "an IoU in [0, 1]",
+                 same_object);
+  require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);
+  require_option(same_distance >= 0.0, "same_distance", "a distance of at least 0 m",
+                 same_distance);
+}
+
+std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypotheses,
+                                          const PointCloud& cloud, const MergeOptions& options) {
+  std::stable_sort(
+      hypotheses.begin(), hypotheses.end(),
+      [](const RatedHypothesis& a, const RatedHypothesis& b) { return a.score > b.score; });
+  std::vector<SceneObject> objects;
+  for (RatedHypothesis& rated : hypotheses) {
+    PointIndices& points = rated.hypothesis.points;
+    auto same = std::find_if(objects.begin(), objects.end(), [&](const SceneObject& object) {
+      return intersection_over_union(object.points, points) > options.same_object;
+    });
+    const Eigen::Vector3d here = centroid(cloud.positions, points);
+    if (same == objects.end()) {
+      SceneObject object;
+      object.points = std::move(points);
+      object.score = rated.score;
+      object.centroid = here;
+      same = objects.insert(objects.end(), std::move(object));
+    }
+    add_symmetries(rated.hypothesis, here, options, *same);
+  }
+  return objects;
+}
+
+}  // namespace symscene

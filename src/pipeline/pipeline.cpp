@@ -1,0 +1,241 @@
+#include "symscene/pipeline/pipeline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/log.hpp"
+#include "symscene/core/voxel_sampling.hpp"
+
+namespace symscene {
+namespace {
+
+/// The 5 mm cloud with its space and its surface: what both streams read.
+struct Workspace {
+  PointCloud cloud;
+  DistanceField field;
+  std::optional<Eigen::Vector3d> up;
+  std::vector<WeightedEdge> edges;
+  std::vector<PointIndices> segments;
+};
+
+PointCloud sample_cloud(const Scene& scene, double voxel_size) {
+  PointCloud cloud = voxel_downsample(scene.cloud, voxel_size);
+  if (cloud.empty()) {
+    throw InputError("point cloud", "at least one point with finite coordinates",
+                     std::to_string(scene.cloud.size()) + " points without any");
+  }
+  return cloud;
+}
+
+DistanceField space_around(const Scene& scene, const PointCloud& cloud,
+                           const PipelineOptions& options) {
+  const Box box = bounding_box(cloud.positions).padded(static_cast<float>(options.space_margin));
+  if (!scene.occupancy) {
+    log(LogLevel::warning, "no occupancy: all space off the surface counts as never seen");
+    return unknown_distance_field(box, static_cast<float>(options.voxel_size), scene.table,
+                                  options.distance_field);
+  }
+  return distance_field(rasterize(*scene.occupancy, box), scene.table, options.distance_field);
+}
+
+/// Outwards is where space is free; where that is not known, away from the table.
+OutwardVote outward_vote(const DistanceField& field, const std::optional<Plane>& table) {
+  constexpr float step = 0.02F;
+  const Eigen::Vector3f up =
+      table ? Eigen::Vector3f(table->normal.cast<float>()) : Eigen::Vector3f::UnitZ();
+  return [&field, up](const Eigen::Vector3f& p, const Eigen::Vector3f& n) {
+    const float freer = field.at(p + step * n) - field.at(p - step * n);
+    return double{freer} + 1e-3 * double{n.dot(up)};
+  };
+}
+
+/// Estimates normals if there are none; drops points that have none.
+void complete_normals(const Scene& scene, const PipelineOptions& options,
+                      const DistanceField& field, PointCloud& cloud) {
+  if (!cloud.has_normals()) {
+    log(LogLevel::info, "no normals: estimated from neighbouring points");
+    cloud.normals =
+        estimate_normals(cloud.positions, outward_vote(field, scene.table), options.normals);
+  }
+  PointIndices oriented;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    if (cloud.normals.row(i).squaredNorm() > 0.5F) oriented.push_back(i);
+  }
+  if (oriented.size() != cloud.size()) {
+    log(LogLevel::warning, std::to_string(cloud.size() - oriented.size()) +
+                               " points without a usable normal are left out");
+    cloud = select(cloud, oriented);
+  }
+  if (cloud.empty()) throw InputError("point cloud", "points with normals", "none that is usable");
+}
+
+Workspace build_workspace(const Scene& scene, const PipelineOptions& options, StageTimer& timer) {
+  Workspace space;
+  if (scene.table) space.up = scene.table->normal;
+  space.cloud = timer.time("sampling", [&] { return sample_cloud(scene, options.voxel_size); });
+  space.field =
+      timer.time("distance field", [&] { return space_around(scene, space.cloud, options); });
+  timer.time("normals", [&] { complete_normals(scene, options, space.field, space.cloud); });
+  space.edges = timer.time("surface graph",
+                           [&] { return surface_graph(space.cloud, options.surface_graph); });
+  space.segments = timer.time("oversegmentation", [&] {
+    const auto radius = static_cast<float>(options.voxel_size * std::sqrt(3.0));
+    return oversegment(space.cloud, radius_neighbors(space.cloud.positions, radius),
+                       options.oversegmentation);
+  });
+  return space;
+}
+
+/// The part of a workspace that a set of points does not cover, with where its points stand in the
+/// whole.
+struct Remainder {
+  Workspace space;
+  PointIndices original;
+};
+
+constexpr Index removed = ~Index{0};
+
+std::vector<Index> renumbered(std::size_t count, const PointIndices& kept) {
+  std::vector<Index> place(count, removed);
+  for (Index k = 0; k < kept.size(); ++k) place[kept[k]] = k;
+  return place;
+}
+
+/// Removes the points of rotational objects (section 4.4); segments are thinned, small leftovers
+/// dropped.
+Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>& objects,
+                          std::size_t min_segment) {
+  std::vector<bool> covered(space.cloud.size(), false);
+  for (const Hypothesis& object : objects) {
+    for (const Index i : object.points) covered[i] = true;
+  }
+  Remainder rest;
+  for (Index i = 0; i < space.cloud.size(); ++i) {
+    if (!covered[i]) rest.original.push_back(i);
+  }
+  const std::vector<Index> place = renumbered(space.cloud.size(), rest.original);
+  rest.space.cloud = select(space.cloud, rest.original);
+  rest.space.up = space.up;
+  for (const WeightedEdge& edge : space.edges) {
+    if (place[edge.a] != removed && place[edge.b] != removed) {
+      rest.space.edges.push_back({place[edge.a], place[edge.b], edge.weight});
+    }
+  }
+  for (const PointIndices& segment : space.segments) {
+    PointIndices thinned;
+    for (const Index i : segment) {
+      if (place[i] != removed) thinned.push_back(place[i]);
+    }
+    if (thinned.size() >= min_segment) rest.space.segments.push_back(std::move(thinned));
+  }
+  return rest;
+}
+
+HypothesisSet rotational_stream(const Workspace& space, const PipelineOptions& options,
+                                StageTimer& timer, std::vector<FunnelStep>& funnel) {
+  const RotationalDetection detection = timer.time("rotational detection", [&] {
+    return detect_rotational(space.cloud, space.segments, space.field, space.up,
+                             options.rotational_detection);
+  });
+  funnel.insert(funnel.end(), detection.funnel.begin(), detection.funnel.end());
+  HypothesisSet set = timer.time("rotational segmentation", [&] {
+    return segment_rotational(space.cloud, space.edges, detection.candidates, space.field,
+                              options.rotational_detection, options.rotational_segmentation);
+  });
+  funnel.push_back({"rotational: objects", set.accepted.size()});
+  return set;
+}
+
+HypothesisSet reflectional_stream(const Remainder& rest, const DistanceField& field,
+                                  const PipelineOptions& options, StageTimer& timer,
+                                  std::vector<FunnelStep>& funnel) {
+  const Workspace& space = rest.space;
+  const ReflectionalDetection detection = timer.time("reflectional detection", [&] {
+    return detect_reflectional(space.cloud, space.segments, field, space.up,
+                               options.reflectional_detection);
+  });
+  funnel.insert(funnel.end(), detection.funnel.begin(), detection.funnel.end());
+  HypothesisSet set = timer.time("reflectional segmentation", [&] {
+    return segment_reflectional(space.cloud, space.edges, detection.candidates, field,
+                                options.reflectional_detection.fit,
+                                options.reflectional_segmentation);
+  });
+  for (Hypothesis& hypothesis : set.accepted) {
+    for (Index& i : hypothesis.points) i = rest.original[i];
+  }
+  funnel.push_back({"reflectional: segments that look like objects", set.accepted.size()});
+  return set;
+}
+
+void append_rated(std::vector<Hypothesis>&& hypotheses, const HypothesisBounds& bounds,
+                  std::vector<RatedHypothesis>& rated) {
+  for (Hypothesis& hypothesis : hypotheses) {
+    const double score = confidence(hypothesis.scores, bounds);
+    rated.push_back({std::move(hypothesis), score});
+  }
+}
+
+void complete_objects(const DistanceField& field, const CompletionOptions& options,
+                      SegmentationResult& result) {
+  for (SceneObject& object : result.objects) {
+    const PointCloud observed = select(result.cloud, object.points);
+    PointCloud added =
+        complete_object(observed, object.rotational, object.reflectional, field, options);
+    object.centroid = centre_of_mass(observed, added, object.rotational, object.reflectional);
+    result.completed.push_back(std::move(added));
+  }
+}
+
+}  // namespace
+
+void PipelineOptions::validate() const {
+  require_option(voxel_size > 0.0, "voxel_size", "a length above 0 m", voxel_size);
+  require_option(space_margin >= 0.0, "space_margin", "a length of at least 0 m", space_margin);
+  normals.validate();
+  distance_field.validate();
+  oversegmentation.validate();
+  surface_graph.validate();
+  rotational_detection.validate();
+  rotational_segmentation.validate();
+  reflectional_detection.validate();
+  reflectional_segmentation.validate();
+  merge.validate();
+  completion.validate();
+}
+
+SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& options,
+                                 const StageTimer::OnBegin& on_begin) {
+  options.validate();
+  StageTimer timer(on_begin);
+  SegmentationResult result;
+  Workspace space = build_workspace(scene, options, timer);
+  result.funnel = {{"points", scene.cloud.size()},
+                   {"points at the working spacing", space.cloud.size()},
+                   {"smooth segments", space.segments.size()}};
+
+  HypothesisSet rotational = rotational_stream(space, options, timer, result.funnel);
+  const Remainder rest = timer.time("removal of rotational objects", [&] {
+    return without_objects(space, rotational.accepted,
+                           static_cast<std::size_t>(options.oversegmentation.min_size));
+  });
+  HypothesisSet reflectional =
+      reflectional_stream(rest, space.field, options, timer, result.funnel);
+
+  timer.time("merge", [&] {
+    std::vector<RatedHypothesis> rated;
+    append_rated(std::move(rotational.accepted), options.rotational_segmentation.bounds, rated);
+    append_rated(std::move(reflectional.accepted), options.reflectional_segmentation.bounds, rated);
+    result.objects = merge_hypotheses(std::move(rated), space.cloud, options.merge);
+  });
+  result.funnel.push_back({"objects", result.objects.size()});
+  result.rejected = std::move(rotational.rejected);
+  result.rejected.insert(result.rejected.end(), reflectional.rejected.begin(),
+                         reflectional.rejected.end());
+  result.cloud = std::move(space.cloud);
+  timer.time("completion", [&] { complete_objects(space.field, options.completion, result); });
+  result.timings = timer.stages();
+  return result;
+}
+
+}  // namespace symscene
