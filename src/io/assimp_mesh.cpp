@@ -1,9 +1,12 @@
 #include "io/assimp_mesh.hpp"
 
 #include <exception>
-#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include <assimp/BaseImporter.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -29,7 +32,9 @@ void keep_known_formats(Assimp::Importer& importer) {
     for (const std::string_view extension : words_of(extensions)) {
       known = known || extension == "obj" || extension == "stl" || extension == "glb";
     }
-    if (!known) importer.UnregisterLoader(importer.GetImporter(i));
+    if (known) continue;
+    const std::unique_ptr<Assimp::BaseImporter> dropped(importer.GetImporter(i));
+    importer.UnregisterLoader(dropped.get());
   }
 }
 

@@ -1,0 +1,135 @@
+#include "symscene/io/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include "io/io_support.hpp"
+#include "symscene/io/ply.hpp"
+
+namespace symscene {
+namespace {
+
+using namespace io_test;
+
+const std::string tetrahedron_obj =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+TriangleMesh tetrahedron() { return parse_mesh(tetrahedron_obj, "obj", "x"); }
+
+std::string tetrahedron_stl() {
+  const TriangleMesh mesh = tetrahedron();
+  std::string stl(80, ' ');
+  const auto append = [&](auto value) {
+    stl.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  append(std::uint32_t{4});
+  for (Eigen::Index t = 0; t < 4; ++t) {
+    for (int k = 0; k < 3; ++k) append(0.0F);
+    for (int corner = 0; corner < 3; ++corner) {
+      for (int k = 0; k < 3; ++k) append(mesh.vertices(mesh.triangles(t, corner), k));
+    }
+    append(std::uint16_t{0});
+  }
+  return stl;
+}
+
+/// A triangle with colours that its node moves by (10, 0, 0) and scales by (2, 2, `z_scale`).
+std::string triangle_glb(const std::string& z_scale = "2") {
+  std::string binary;
+  const auto append = [](std::string& out, auto value) {
+    out.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) append(binary, x);
+  for (const float c : {1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F}) append(binary, c);
+  for (const std::uint32_t i : {0U, 1U, 2U}) append(binary, i);
+  std::string json =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1],)"
+      R"("translation":[10,0,0]},{"mesh":0,"scale":[2,2,)" +
+      z_scale +
+      R"(]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1},"indices":2}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
+      R"("min":[0,0,0],"max":[1,1,0]},{"bufferView":1,"componentType":5126,"count":3,)"
+      R"("type":"VEC3"},{"bufferView":2,"componentType":5125,"count":3,"type":"SCALAR"}],)"
+      R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,)"
+      R"("byteLength":36},{"buffer":0,"byteOffset":72,"byteLength":12}],)"
+      R"("buffers":[{"byteLength":84}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string glb = "glTF";
+  append(glb, std::uint32_t{2});
+  append(glb, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + binary.size()));
+  append(glb, static_cast<std::uint32_t>(json.size()));
+  glb += "JSON" + json;
+  append(glb, static_cast<std::uint32_t>(binary.size()));
+  return glb + std::string("BIN\0", 4) + binary;
+}
+
+TEST(Mesh, ObjIsReadWithPolygonsCutIntoTriangles) {
+  const TriangleMesh mesh =
+      parse_mesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "obj", "x");
+  EXPECT_EQ(mesh.vertices.rows(), 4);
+  EXPECT_EQ(mesh.triangles.rows(), 2);
+  EXPECT_EQ(mesh.colors.rows(), 0);
+}
+
+TEST(Mesh, TrianglesOfAnStlShareTheirVertices) {
+  const TriangleMesh mesh = parse_mesh(tetrahedron_stl(), "stl", "x");
+  EXPECT_EQ(mesh.vertices.rows(), 4);
+  EXPECT_EQ(mesh.triangles.rows(), 4);
+}
+
+TEST(Mesh, NodesOfAGlbPutTheirMeshesInPlace) {
+  const TriangleMesh mesh = parse_mesh(triangle_glb(), "glb", "x");
+  ASSERT_EQ(mesh.triangles.rows(), 1);
+  const Eigen::RowVector3f corner = mesh.vertices.row(mesh.triangles(0, 1));
+  EXPECT_EQ(corner, Eigen::RowVector3f(12.0F, 0.0F, 0.0F));
+  ASSERT_EQ(mesh.colors.rows(), 3);
+  EXPECT_EQ(mesh.colors.row(mesh.triangles(0, 1)).cast<int>(), Eigen::RowVector3i(0, 255, 0));
+}
+
+TEST(Mesh, AMirroringTransformKeepsTheOutsideOutside) {
+  const TriangleMesh mesh = parse_mesh(triangle_glb("-2"), "glb", "x");
+  ASSERT_EQ(mesh.triangles.rows(), 1);
+  const auto corner = [&](int k) -> Eigen::Vector3f {
+    return mesh.vertices.row(mesh.triangles(0, k)).transpose();
+  };
+  const Eigen::Vector3f normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  EXPECT_LT(normal.z(), 0.0F);
+}
+
+TEST(Mesh, EveryFormatIsToldByItsExtension) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.OBJ", tetrahedron_obj);
+  write_text(folder / "a.stl", tetrahedron_stl());
+  write_text(folder / "a.glb", triangle_glb());
+  write_ply(folder / "a.ply", tetrahedron());
+  for (const char* file : {"a.OBJ", "a.stl", "a.ply"}) {
+    EXPECT_EQ(read_mesh(folder / file).triangles.rows(), 4) << file;
+  }
+  EXPECT_EQ(read_mesh(folder / "a.glb").triangles.rows(), 1);
+}
+
+TEST(Mesh, WhatIsNoMeshIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(refusal([] { parse_mesh("", "blend", "a.blend"); }),
+            "a.blend: expected a mesh in PLY, OBJ, STL, GLB or glTF format, found .blend");
+  EXPECT_EQ(refusal([&] { read_mesh("/nowhere/a.obj"); }),
+            "/nowhere/a.obj: expected a file, found nothing of that name");
+  for (const char* extension : {"ply", "obj", "stl", "glb", "gltf"}) {
+    for (const char* garbage : {"", "garbage", "v 0 0 0\n", "solid\n", "{}", "glTF\2\0\0\0"}) {
+      EXPECT_THROW(parse_mesh(garbage, extension, "x"), InputError) << extension << garbage;
+    }
+  }
+}
+
+TEST(Mesh, DamagedFilesAreReadOrRefused) {
+  damage(
+      tetrahedron_obj, [](std::string_view b) { parse_mesh(b, "obj", "x"); }, 100, 300);
+  damage(
+      tetrahedron_stl(), [](std::string_view b) { parse_mesh(b, "stl", "x"); }, 100, 300);
+  damage(
+      triangle_glb(), [](std::string_view b) { parse_mesh(b, "glb", "x"); }, 100, 300);
+}
+
+}  // namespace
+}  // namespace symscene

@@ -1,0 +1,184 @@
+#include "symscene/io/result.hpp"
+
+#include <limits>
+
+#include "io/io_support.hpp"
+
+namespace symscene {
+namespace {
+
+using namespace io_test;
+namespace fs = std::filesystem;
+
+SegmentationResult small_result() {
+  SegmentationResult result;
+  result.cloud = random_cloud(40, 1);
+  SceneObject object;
+  object.points = {0, 5, 39};
+  object.score = 1.0 / 3.0;
+  object.rotational = {{{Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d(0.6, 0, 0.8)}, 0.01}};
+  object.reflectional = {{{Eigen::Vector3d(1e-20, 2, 3), Eigen::Vector3d(0, 1, 0)}, 0.02}};
+  object.centroid = {0.1, 0.7, -1e10};
+  SceneObject overlapping;
+  overlapping.points = {5, 6};
+  result.objects = {object, overlapping};
+  result.completed = {random_cloud(7, 2), PointCloud{}};
+  result.rejected = {{"rotational", "symmetry", 0.05, 0.03, 120},
+                     {"reflectional", "occlusion", 0.5, 0.1, 7}};
+  result.funnel = {{"candidates", 50}, {"filtered", 3}};
+  result.timings = {{"z first", 0.25}, {"a second", 0.5}};
+  return result;
+}
+
+TEST(Result, WhatIsWrittenIsReadBackBitForBit) {
+  const TemporaryFolder folder;
+  const SegmentationResult result = small_result();
+  write_result(folder / "out", result);
+  const SegmentationResult again = read_result(folder / "out");
+  expect_same(again.cloud, result.cloud);
+  ASSERT_EQ(again.objects.size(), 2U);
+  const SceneObject& object = again.objects[0];
+  EXPECT_EQ(object.points, result.objects[0].points);
+  EXPECT_EQ(object.score, result.objects[0].score);
+  EXPECT_EQ(object.rotational[0].axis.direction, result.objects[0].rotational[0].axis.direction);
+  EXPECT_EQ(object.reflectional[0].plane.point, result.objects[0].reflectional[0].plane.point);
+  EXPECT_EQ(object.centroid, result.objects[0].centroid);
+  expect_same(again.completed[0], result.completed[0]);
+  EXPECT_TRUE(again.completed[1].empty());
+  EXPECT_EQ(again.rejected[1].reason, "occlusion");
+  EXPECT_EQ(again.funnel[0].count, 50U);
+  EXPECT_EQ(again.timings[0].stage, "z first");
+  EXPECT_EQ(format_objects_json(again), format_objects_json(result));
+}
+
+TEST(Result, CompletedPointsNeedNeitherNormalsNorColors) {
+  const TemporaryFolder folder;
+  SegmentationResult result = small_result();
+  result.completed[0] = random_cloud(7, 2, false, false);
+  write_result(folder / "out", result);
+  expect_same(read_result(folder / "out").completed[0], result.completed[0]);
+}
+
+TEST(Result, TheTextIsTheSameForTheSameResult) {
+  const std::string text = format_objects_json(small_result());
+  EXPECT_EQ(text, format_objects_json(small_result()));
+  EXPECT_NE(text.find(R"("timings":{"z first":0.25,"a second":0.5})"), std::string::npos);
+  EXPECT_NE(text.find(R"("score":0.3333333333333333,)"), std::string::npos);
+  SegmentationResult slower = small_result();
+  slower.timings[0].seconds = 9.0;
+  EXPECT_EQ(format_objects_json(slower, false), format_objects_json(small_result(), false));
+}
+
+TEST(Result, TimesOfAStageThatRanTwiceAreAdded) {
+  SegmentationResult result = small_result();
+  result.timings.push_back({"z first", 1.0});
+  const auto again = parse_objects_json(format_objects_json(result), "x", 40);
+  ASSERT_EQ(again.timings.size(), 2U);
+  EXPECT_EQ(again.timings[0].seconds, 1.25);
+}
+
+TEST(Result, ARejectionMayHaveNoFiniteValue) {
+  SegmentationResult result = small_result();
+  result.rejected[0].value = std::numeric_limits<double>::infinity();
+  const auto again = parse_objects_json(format_objects_json(result), "x", 40);
+  EXPECT_TRUE(std::isnan(again.rejected[0].value));
+}
+
+TEST(Result, AnOlderResultIsReplacedWhole) {
+  const TemporaryFolder folder;
+  write_result(folder / "out", small_result());
+  SegmentationResult smaller = small_result();
+  smaller.objects.pop_back();
+  smaller.completed.clear();
+  write_result(folder / "out", smaller);
+  EXPECT_FALSE(fs::exists(folder / "out/objects/1.ply"));
+  EXPECT_EQ(read_result(folder / "out").objects.size(), 1U);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"out"});
+}
+
+TEST(Result, AFailedWriteLeavesTheOldResultAsItWas) {
+  const TemporaryFolder folder;
+  const SegmentationResult result = small_result();
+  write_result(folder / "out", result);
+  const auto refuse = [&](auto spoil) {
+    SegmentationResult wrong = small_result();
+    spoil(wrong);
+    EXPECT_THROW(write_result(folder / "out", wrong), InputError);
+  };
+  refuse([](SegmentationResult& r) { r.objects[0].points.back() = 40; });
+  refuse([](SegmentationResult& r) { r.objects[0].points = {5, 5}; });
+  refuse([](SegmentationResult& r) { r.objects[0].score = 1.5; });
+  refuse([](SegmentationResult& r) {
+    r.objects[0].centroid.x() = std::numeric_limits<double>::quiet_NaN();
+  });
+  refuse([](SegmentationResult& r) { r.completed.pop_back(); });
+  refuse([](SegmentationResult& r) { r.cloud.colors.conservativeResize(3, 3); });
+  refuse([](SegmentationResult& r) { r.rejected[0].kind = "\xFF"; });
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"out"});
+  EXPECT_EQ(format_objects_json(read_result(folder / "out")), format_objects_json(result));
+}
+
+TEST(Result, AFolderWithOtherFilesIsNotReplaced) {
+  const TemporaryFolder folder;
+  write_result(folder / "out", small_result());
+  for (const char* name : {"notes.txt", "objects/cup.ply", "objects/.ply", "occupancy.bt"}) {
+    write_text(folder / "out" / name, "mine");
+    EXPECT_THROW(write_result(folder / "out", small_result()), InputError) << name;
+    EXPECT_EQ(read_text(folder / "out" / name), "mine");
+    fs::remove(folder / "out" / name);
+  }
+  write_result(folder / "out", small_result());
+}
+
+TEST(Result, FilesThatContradictEachOtherAreRefused) {
+  const TemporaryFolder folder;
+  write_result(folder / "out", small_result());
+  fs::copy_file(folder / "out/objects/1.ply", folder / "out/objects/0.ply",
+                fs::copy_options::overwrite_existing);
+  EXPECT_EQ(refusal([&] { read_result(folder / "out"); }),
+            (folder / "out/objects/0.ply").string() + ": expected 3 observed points, found 2");
+  fs::copy_file(folder / "out/cloud.ply", folder / "out/objects/0.ply",
+                fs::copy_options::overwrite_existing);
+  EXPECT_THROW(read_result(folder / "out"), InputError);
+  EXPECT_EQ(refusal([&] { read_result(folder / "none"); }),
+            (folder / "none").string() +
+                ": expected a result folder, which holds cloud.ply and objects.json, found nothing "
+                "of that name");
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(Result, RefusalsNameThePlaceInTheFile) {
+  const std::string text = format_objects_json(small_result());
+  const auto message = [&](const std::string& from, const std::string& to) {
+    const std::string changed = replaced(text, from, to);
+    return refusal([&] { parse_objects_json(changed, "objects.json", 40); });
+  };
+  EXPECT_EQ(message("\"version\":1", "\"version\":2"),
+            "objects.json: version: expected 1, found 2");
+  EXPECT_EQ(message("[0,5,39]", "[0,5,40]"),
+            "objects.json: objects[0].points[2]: expected an index below 40, the size of the "
+            "cloud, found 40");
+  EXPECT_EQ(message("\"score\":0.3333333333333333", "\"score\":1.5"),
+            "objects.json: objects[0].score: expected a score in [0, 1], found 1.5");
+  EXPECT_EQ(message("\"id\":1", "\"id\":7"), "objects.json: objects[1].id: expected 1, found 7");
+  EXPECT_EQ(message("[0.6,0.0,0.8]", "[0,0,0]"),
+            "objects.json: objects[0].rotational[0].direction: expected a direction, found a "
+            "vector without length");
+  EXPECT_EQ(message("objects/0.ply", "../../etc/passwd"),
+            "objects.json: objects[0].mesh: expected objects/0.ply, found \"../../etc/passwd\"");
+  EXPECT_EQ(message("\"funnel\":[", "\"funnel\":[{},"),
+            "objects.json: funnel[0]: expected a member \"step\", found none");
+}
+
+TEST(Result, DamagedFilesAreReadOrRefused) {
+  const std::string text = format_objects_json(small_result());
+  EXPECT_EQ(damage(text, [](std::string_view b) { parse_objects_json(b, "x", 40); }), 1);
+}
+
+}  // namespace
+}  // namespace symscene

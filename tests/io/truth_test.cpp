@@ -1,0 +1,100 @@
+#include "symscene/io/truth.hpp"
+
+#include "io/io_support.hpp"
+
+namespace symscene {
+namespace {
+
+using namespace io_test;
+
+SceneTruth small_truth() {
+  SceneTruth truth;
+  truth.table = {Eigen::Vector3d(0.0, 0.6, 0.8), 0.1};
+  TrueObject object;
+  object.name = "can \"A\"";
+  object.points = {0, 3, 17};
+  object.rotational = {{{Eigen::Vector3d(0.1, 1.0 / 3.0, 3), Eigen::Vector3d(0, 0, 1)}, false}};
+  object.reflectional = {{{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(1, 0, 0)}, true}};
+  object.sphere = true;
+  object.centroid = {1e-9, 2.0 / 3.0, -5.0};
+  truth.objects = {object, TrueObject{}};
+  return truth;
+}
+
+TEST(Truth, WhatIsWrittenIsReadBackBitForBit) {
+  const SceneTruth truth = small_truth();
+  const std::string text = format_truth(truth);
+  const SceneTruth again = parse_truth(text, "x", 18);
+  ASSERT_EQ(again.objects.size(), 2U);
+  const TrueObject& object = again.objects[0];
+  EXPECT_EQ(again.table.normal, truth.table.normal);
+  EXPECT_EQ(object.name, truth.objects[0].name);
+  EXPECT_EQ(object.points, truth.objects[0].points);
+  EXPECT_EQ(object.rotational[0].axis.point, truth.objects[0].rotational[0].axis.point);
+  EXPECT_FALSE(object.rotational[0].strict);
+  EXPECT_TRUE(object.reflectional[0].strict);
+  EXPECT_TRUE(object.sphere);
+  EXPECT_EQ(object.centroid, truth.objects[0].centroid);
+  EXPECT_EQ(format_truth(again), text);
+}
+
+TEST(Truth, AMeshWithItsPoseStandsForPoints) {
+  const SceneTruth truth = parse_truth(
+      R"({"table": [0,0,2,-1], "objects": [{"mesh": "can.ply", "centroid": [0,0,0],
+          "pose": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "rot": [{"p":[0,0,0],"d":[0,0,5]}]}]})",
+      "x");
+  EXPECT_EQ(truth.table.offset, -0.5);
+  ASSERT_EQ(truth.objects.size(), 1U);
+  EXPECT_EQ(truth.objects[0].name, "can.ply");
+  EXPECT_TRUE(truth.objects[0].points.empty());
+  EXPECT_EQ(truth.objects[0].rotational[0].axis.direction, Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE(truth.objects[0].rotational[0].strict);
+}
+
+std::string with_object(const std::string& object) {
+  return R"({"table": [0,0,1,0], "objects": [{"centroid": [0,0,0], )" + object + "}]}";
+}
+
+TEST(Truth, RefusalsNameThePlaceInTheFile) {
+  const auto message = [](const std::string& text) {
+    return refusal([&] { parse_truth(text, "truth.json", 10); });
+  };
+  EXPECT_EQ(message("{"), "truth.json: expected JSON, found a mistake at byte 2");
+  EXPECT_EQ(message("[]"), "truth.json: expected an object, found an array of 0");
+  EXPECT_EQ(message(R"({"table": [0, 1, 2]})"),
+            "truth.json: table: expected an array of 4, found an array of 3");
+  EXPECT_EQ(message(R"({"table": [0, 0, 0, 1]})"),
+            "truth.json: table: expected a direction, found a vector without length");
+  EXPECT_EQ(message(with_object(R"("points": [3, 10])")),
+            "truth.json: objects[0].points[1]: expected an index below 10, the size of the cloud, "
+            "found 10");
+  EXPECT_EQ(message(with_object(R"("points": [3, 3])")),
+            "truth.json: objects[0].points[1]: expected ascending indices, found 3");
+  EXPECT_EQ(message(with_object(R"("points": [-1])")),
+            "truth.json: objects[0].points[0]: expected the index of a point, found -1");
+  EXPECT_EQ(message(with_object(R"("name": "x")")),
+            "truth.json: objects[0]: expected \"points\", or \"mesh\" and \"pose\", found an "
+            "object");
+  EXPECT_EQ(message(with_object(R"("points": [], "sphere": 1)")),
+            "truth.json: objects[0].sphere: expected true or false, found 1");
+}
+
+TEST(Truth, NumbersThatAreNotFiniteAreNotWritten) {
+  SceneTruth truth = small_truth();
+  truth.objects[0].centroid.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(format_truth(truth), InputError);
+}
+
+TEST(Truth, DamagedFilesAreReadOrRefused) {
+  const std::string text = format_truth(small_truth());
+  // Only the line's end can be missed.
+  EXPECT_EQ(damage(text, [](std::string_view b) { parse_truth(b, "x", 18); }), 1);
+}
+
+TEST(Truth, DeepNestingIsRefused) {
+  EXPECT_THROW(parse_truth(std::string(100000, '['), "x"), InputError);
+  EXPECT_THROW(parse_truth(std::string(100000, '[') + std::string(100000, ']'), "x"), InputError);
+}
+
+}  // namespace
+}  // namespace symscene
