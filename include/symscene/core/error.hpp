@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -10,11 +9,7 @@ namespace symscene {
 /// expected and what was found; the three are also there by themselves.
 class InputError : public std::runtime_error {
  public:
-  InputError(std::string where, std::string expected, std::string found)
-      : std::runtime_error(where + ": expected " + expected + ", found " + found),
-        where_(std::move(where)),
-        expected_(std::move(expected)),
-        found_(std::move(found)) {}
+  InputError(std::string where, std::string expected, std::string found);
 
   const std::string& where() const { return where_; }
   const std::string& expected() const { return expected_; }
@@ -27,8 +22,6 @@ class InputError : public std::runtime_error {
 };
 
 /// Throws InputError unless `holds`; for the validate() of options.
-inline void require_option(bool holds, const char* option, const char* expected, double found) {
-  if (!holds) throw InputError(option, expected, std::to_string(found));
-}
+void require_option(bool holds, const char* option, const char* expected, double found);
 
 }  // namespace symscene

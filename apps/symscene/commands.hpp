@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace symscene::app {
+
+// Each adds its subcommand, which runs as the command line is parsed.
+void add_simulate(CLI::App& app);
+void add_segment(CLI::App& app);
+void add_symmetry(CLI::App& app);
+void add_view(CLI::App& app);
+
+}  // namespace symscene::app

@@ -1,0 +1,194 @@
+#include "config.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "symscene/core/error.hpp"
+#include "symscene/io/atomic_file.hpp"
+
+namespace symscene::app {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+std::string describe(const json& value) {
+  if (value.is_object()) return "a group in braces";
+  if (value.is_array()) return "a list";
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+/// The number of letters to change, add or drop to turn one word into the other.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::vector<std::string> names_and_groups(const OptionFields& fields) {
+  std::vector<std::string> names;
+  for (const OptionField& field : fields) {
+    names.push_back(field.name);
+    for (std::size_t dot = field.name.find('.'); dot != std::string::npos;
+         dot = field.name.find('.', dot + 1)) {
+      names.push_back(field.name.substr(0, dot));
+    }
+  }
+  return names;
+}
+
+/// Reads values into fields; knows the file for its messages.
+class Assignment {
+ public:
+  Assignment(std::string file, const OptionFields& fields)
+      : file_(std::move(file)), fields_(fields) {}
+
+  void assign_group(const json& group, const std::string& prefix) const {
+    for (const auto& [key, value] : group.items()) assign(prefix + key, value);
+  }
+
+ private:
+  void assign(const std::string& name, const json& value) const {
+    const auto field = std::find_if(fields_.begin(), fields_.end(),
+                                    [&](const OptionField& f) { return f.name == name; });
+    if (field != fields_.end()) {
+      std::visit([&](auto* target) { set(*target, name, value); }, field->value);
+    } else if (!is_group(name)) {
+      throw InputError(file_, "only options that --dump-config lists", unknown(name));
+    } else if (!value.is_object()) {
+      refuse("a group of options in braces", name, value);
+    } else {
+      assign_group(value, name + ".");
+    }
+  }
+
+  bool is_group(const std::string& name) const {
+    return std::any_of(fields_.begin(), fields_.end(),
+                       [&](const OptionField& f) { return f.name.starts_with(name + "."); });
+  }
+
+  [[noreturn]] void refuse(const char* expected, const std::string& name, const json& value) const {
+    throw InputError(file_, fmt::format("{} for \"{}\"", expected, name), describe(value));
+  }
+
+  void set(double& target, const std::string& name, const json& value) const {
+    if (!value.is_number()) refuse("a number", name, value);
+    target = value.get<double>();
+  }
+  void set(bool& target, const std::string& name, const json& value) const {
+    if (!value.is_boolean()) refuse("true or false", name, value);
+    target = value.get<bool>();
+  }
+  void set(std::uint64_t& target, const std::string& name, const json& value) const {
+    if (!value.is_number_unsigned()) refuse("a whole number from 0", name, value);
+    target = value.get<std::uint64_t>();
+  }
+  void set(int& target, const std::string& name, const json& value) const {
+    constexpr double low = std::numeric_limits<int>::min();
+    constexpr double high = std::numeric_limits<int>::max();
+    if (!value.is_number_integer() || value.get<double>() < low || value.get<double>() > high)
+      refuse("a whole number", name, value);
+    target = value.get<int>();
+  }
+
+  /// The name, with the option or group most like it if one is.
+  std::string unknown(const std::string& name) const {
+    std::string best;
+    std::size_t least = name.size() / 2 + 1;
+    for (const std::string& candidate : names_and_groups(fields_)) {
+      const std::size_t distance = edit_distance(candidate, name);
+      if (distance >= least) continue;
+      best = candidate;
+      least = distance;
+    }
+    if (best.empty()) return fmt::format("\"{}\"", name);
+    return fmt::format("\"{}\" (did you mean \"{}\"?)", name, best);
+  }
+
+  std::string file_;
+  const OptionFields& fields_;
+};
+
+json parse_json(const std::string& text, const std::string& name) {
+  try {
+    return json::parse(text, nullptr, true, true);
+  } catch (const json::parse_error& error) {
+    const std::size_t at = std::min<std::size_t>(error.byte, text.size());
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
+    throw InputError(name, "JSON",
+                     fmt::format("a mistake on line {}", 1 + std::count(text.begin(), end, '\n')));
+  } catch (const json::exception&) {
+    throw InputError(name, "JSON", "a number out of range");
+  }
+}
+
+std::string comment(const OptionField& field) {
+  const auto* const* value = std::get_if<double*>(&field.value);
+  if (field.unit == "rad" && value != nullptr) {
+    return fmt::format("[rad, {:.4g} degrees] {}", **value * 180.0 / std::numbers::pi, field.help);
+  }
+  return field.unit.empty() ? field.help : fmt::format("[{}] {}", field.unit, field.help);
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines(1);
+  for (const char c : text) {
+    if (c == '\n') {
+      lines.emplace_back();
+    } else {
+      lines.back() += c;
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+void parse_config(const std::string& text, const std::string& name, const OptionFields& fields) {
+  const json values = parse_json(text, name);
+  if (!values.is_object()) throw InputError(name, "options in braces", describe(values));
+  Assignment(name, fields).assign_group(values, "");
+}
+
+void read_config(const std::filesystem::path& file, const OptionFields& fields) {
+  parse_config(read_file(file), file.string(), fields);
+}
+
+ordered_json config_values(const OptionFields& fields) {
+  ordered_json values = ordered_json::object();
+  for (const OptionField& field : fields) {
+    std::string pointer = "/" + field.name;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    std::visit([&](const auto* value) { values[ordered_json::json_pointer(pointer)] = *value; },
+               field.value);
+  }
+  return values;
+}
+
+std::string format_config(const OptionFields& fields) {
+  constexpr std::size_t column = 44;
+  std::string text;
+  auto field = fields.begin();
+  for (const std::string& line : split_lines(config_values(fields).dump(2))) {
+    const bool is_value = line.find_last_of("{}") == std::string::npos;
+    text +=
+        is_value ? fmt::format("{:<{}}  // {}\n", line, column, comment(*field++)) : line + "\n";
+  }
+  return text;
+}
+
+}  // namespace symscene::app

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace symscene::app {
+
+/// One option of a stage, by its path through the groups: "rotational.max_angle".
+struct OptionField {
+  std::string name;
+  std::variant<double*, int*, bool*, std::uint64_t*> value;
+  std::string unit;
+  std::string help;
+};
+using OptionFields = std::vector<OptionField>;
+
+/// Lists the fields of an options struct (core/options.hpp) and of the groups in it.
+class FieldCollector {
+ public:
+  FieldCollector(OptionFields& fields, std::string prefix)
+      : fields_(fields), prefix_(std::move(prefix)) {}
+
+  template <class Value>
+  void operator()(const std::string& name, Value& value, const char* unit, const char* help) {
+    fields_.push_back({prefix_ + name, &value, unit, help});
+  }
+  template <class Group>
+  void operator()(const std::string& name, Group& group) {
+    Group::visit_fields(group, FieldCollector(fields_, prefix_ + name + "."));
+  }
+
+ private:
+  OptionFields& fields_;
+  std::string prefix_;
+};
+
+template <class Options>
+OptionFields option_fields(Options& options) {
+  OptionFields fields;
+  Options::visit_fields(options, FieldCollector(fields, ""));
+  return fields;
+}
+
+/// Sets the fields that a JSON file names, nested by group; // comments are allowed.
+/// Throws InputError for a name that is none of the fields and for a value of another type.
+void read_config(const std::filesystem::path& file, const OptionFields& fields);
+
+/// The same from the text of a file; `name` stands for it in messages.
+void parse_config(const std::string& text, const std::string& name, const OptionFields& fields);
+
+/// The values of all fields, nested by group.
+nlohmann::ordered_json config_values(const OptionFields& fields);
+
+/// All fields as JSON, with unit and help in a comment behind each: what read_config reads back.
+std::string format_config(const OptionFields& fields);
+
+}  // namespace symscene::app

@@ -1,0 +1,95 @@
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "commands.hpp"
+#include "symscene/core/error.hpp"
+
+namespace {
+
+using symscene::InputError;
+
+enum ExitCode { ok = 0, bad_input = 1, bad_usage = 2, internal_error = 3 };
+
+/// "symscene" and the subcommand that was asked for.
+std::string name_of(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? "symscene" : "symscene " + commands.front()->get_name();
+}
+
+/// Says one sentence on standard error, whatever is in it.
+ExitCode fail(ExitCode code, const CLI::App& app, std::string sentence) {
+  for (char& c : sentence) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  fmt::print(stderr, "{}: {}\n", name_of(app), sentence);
+  return code;
+}
+
+ExitCode fail_usage(const CLI::App& app, const CLI::ParseError& error) {
+  return fail(bad_usage, app, fmt::format("{} (see {} --help)", error.what(), name_of(app)));
+}
+
+void add_commands(CLI::App& app) {
+  app.name("symscene");
+  app.set_version_flag("--version", "symscene " SYMSCENE_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Example:\n"
+      "  symscene simulate -o scene && symscene segment scene -o result &&\n"
+      "    symscene view result -o page.html");
+  symscene::app::add_simulate(app);
+  symscene::app::add_segment(app);
+  symscene::app::add_symmetry(app);
+  symscene::app::add_view(app);
+}
+
+/// What was printed has to arrive: a full disk is an error, not a short file.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw InputError("standard output", "room for the output", "that it cannot be written");
+}
+
+/// Help, version and --dump-config end the parsing too.
+void parse_and_work(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto commands = app.get_subcommands();
+    fmt::print("{}", commands.empty() ? app.help() : commands.front()->help("symscene"));
+  } catch (const CLI::CallForVersion& version) {
+    fmt::print("{}\n", version.what());
+  } catch (const CLI::Success&) {
+  }
+}
+
+ExitCode run(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    parse_and_work(app, argc, argv);
+    flush_output();
+    return ok;
+  } catch (const CLI::ParseError& error) {
+    return fail_usage(app, error);
+  } catch (const InputError& error) {
+    return fail(bad_input, app, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(bad_input, app,
+                fmt::format("{}: {}", error.path1().string(), error.code().message()));
+  } catch (const std::bad_alloc&) {
+    return fail(internal_error, app, "the memory that this input needs is not there");
+  } catch (const std::exception& error) {
+    return fail(internal_error, app, fmt::format("internal error: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Finds the objects on a cluttered table by their symmetries."};
+  add_commands(app);
+  return run(app, argc, argv);
+}

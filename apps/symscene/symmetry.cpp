@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "common.hpp"
+#include "symscene/core/surface_sampling.hpp"
+#include "symscene/io/atomic_file.hpp"
+#include "symscene/io/cloud.hpp"
+#include "symscene/io/mesh.hpp"
+#include "symscene/pipeline/object_symmetry.hpp"
+
+namespace symscene::app {
+namespace {
+
+constexpr std::size_t sampled_points = 8000;
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// Whether the header of a PLY file announces at least one face.
+bool ply_has_faces(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  const std::string header = bytes.substr(0, bytes.find("end_header"));
+  const std::string element = "element face ";
+  const std::size_t at = header.find(element);
+  return at != std::string::npos && header[at + element.size()] != '0';
+}
+
+nlohmann::ordered_json coordinates(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+nlohmann::ordered_json to_json(const ScoredAxis& found) {
+  return {{"point", coordinates(found.axis.point)},
+          {"direction", coordinates(found.axis.direction)},
+          {"score", found.score}};
+}
+
+nlohmann::ordered_json to_json(const ScoredPlane& found) {
+  return {{"point", coordinates(found.plane.point)},
+          {"normal", coordinates(found.plane.normal)},
+          {"score", found.score}};
+}
+
+template <class Symmetries>
+nlohmann::ordered_json list_json(const Symmetries& symmetries) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& found : symmetries) list.push_back(to_json(found));
+  return list;
+}
+
+/// A list with a line an entry.
+std::string format_list(const nlohmann::ordered_json& list) {
+  std::string text = "[";
+  const char* separator = "\n    ";
+  for (const auto& entry : list) text += std::exchange(separator, ",\n    ") + entry.dump();
+  return text + "]";
+}
+
+std::string format_symmetries(const ObjectSymmetries& found) {
+  return fmt::format("{{\n  \"version\": 1,\n  \"rotational\": {},\n  \"reflectional\": {}\n}}\n",
+                     format_list(list_json(found.rotational)),
+                     format_list(list_json(found.reflectional)));
+}
+
+struct Symmetry {
+  SharedOptions shared;
+  ObjectSymmetryOptions options;
+  std::filesystem::path model;
+
+  OptionFields configure() {
+    OptionFields fields = option_fields(options);
+    if (!shared.config.empty()) read_config(shared.config, fields);
+    options.validate();
+    return fields;
+  }
+
+  /// The points of a cloud, or points all over a mesh. A PLY file can be either.
+  PointCloud read_model() const {
+    const std::string extension = lower_extension(model);
+    if (extension == ".pcd") return read_cloud(model);
+    if (extension == ".ply" && !ply_has_faces(model)) return read_cloud(model);
+    return sample_surface(read_mesh(model), sampled_points);
+  }
+
+  void run() {
+    configure();
+    if (!shared.output.empty()) require_not_input(shared.output, model);
+    Session session("symmetry", shared);
+    StageTimer timer(session.on_begin());
+    const PointCloud cloud = timer.time("read", [&] { return read_model(); });
+    const ObjectSymmetries found =
+        timer.time("detect", [&] { return detect_object_symmetries(cloud, options); });
+    write(found, session);
+    session.finish({{"output", shared.output.string()},
+                    {"points", cloud.size()},
+                    {"rotational", list_json(found.rotational)},
+                    {"reflectional", list_json(found.reflectional)}},
+                   timer.stages());
+  }
+
+  /// To the file; without one to standard output, unless --json puts the same there.
+  void write(const ObjectSymmetries& found, Session& session) const {
+    if (!shared.output.empty()) {
+      write_file_atomically(shared.output, format_symmetries(found));
+      session.say(fmt::format("{}: {} axes, {} planes", shared.output.string(),
+                              found.rotational.size(), found.reflectional.size()));
+    } else if (!shared.json) {
+      session.print(format_symmetries(found));
+    }
+  }
+};
+
+}  // namespace
+
+void add_symmetry(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand(
+      "symmetry", "Find the symmetries of one object, a mesh or a cloud (PLY, OBJ, STL, PCD)");
+  const auto state = std::make_shared<Symmetry>();
+  add_input(command, state->model, "MODEL", "file with a mesh or a cloud of points");
+  add_output(command, state->shared, "JSON file to write (default: standard output)");
+  add_threads(command, state->shared);
+  add_reporting(command, state->shared);
+  add_config(command, state->shared, [state] { return state->configure(); });
+  set_example(command, "symscene symmetry mug.obj -o symmetries.json");
+  command.callback([state] { state->run(); });
+}
+
+}  // namespace symscene::app
