@@ -3,10 +3,9 @@
 import { encodeScene } from './payload.mjs';
 
 const CAMERA = [0.15, -1.15, 0.8];
-const STEP = 0.004;
 
 // mulberry32
-function randomNumbers(seed) {
+export function randomNumbers(seed) {
   let state = seed;
   return () => {
     state = (state + 0x6d2b79f5) | 0;
@@ -17,12 +16,12 @@ function randomNumbers(seed) {
 }
 
 /** A surface of revolution about the vertical: `profile` is a polyline of (radius, height). */
-function revolve({ at: [x, y], profile, paint }, random) {
+function revolve({ at: [x, y], profile, paint }, cell, random) {
   const samples = [];
   for (let k = 0; k + 1 < profile.length; ++k) {
     const [[r0, z0], [r1, z1]] = [profile[k], profile[k + 1]];
     const length = Math.hypot(r1 - r0, z1 - z0);
-    const count = Math.round((length * Math.PI * (r0 + r1)) / STEP ** 2);
+    const count = Math.round((length * Math.PI * (r0 + r1)) / (0.4 * cell) ** 2);
     for (let i = 0; i < count; ++i) {
       const t = random();
       const a = 2 * Math.PI * random();
@@ -35,14 +34,14 @@ function revolve({ at: [x, y], profile, paint }, random) {
   return samples;
 }
 
-function box({ at: [x, y], size, turn, base = 0, paint }, random) {
+function box({ at: [x, y], size, turn, paint }, cell, random) {
   const samples = [];
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
   const place = ([a, b, h]) => [c * a - s * b, s * a + c * b, h];
   for (let axis = 0; axis < 3; ++axis) {
     const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
     for (const side of [-1, 1]) {
-      const count = Math.round((size[u] * size[v]) / STEP ** 2);
+      const count = Math.round((size[u] * size[v]) / (0.4 * cell) ** 2);
       for (let i = 0; i < count; ++i) {
         const q = [0, 0, 0];
         const n = [0, 0, 0];
@@ -51,11 +50,21 @@ function box({ at: [x, y], size, turn, base = 0, paint }, random) {
         q[v] = (random() - 0.5) * size[v];
         n[axis] = side;
         const p = place(q);
-        samples.push({ p: [p[0] + x, p[1] + y, p[2] + base + size[2] / 2], n: place(n), c: paint(q, axis) });
+        samples.push({ p: [p[0] + x, p[1] + y, p[2] + size[2] / 2], n: place(n), c: paint(q, axis) });
       }
     }
   }
   return samples;
+}
+
+// One sample a cell, as the pipeline thins its clouds.
+function thin(samples, cell) {
+  const kept = new Map();
+  for (const sample of samples) {
+    const key = sample.p.map((value) => Math.round(value / cell)).join();
+    if (!kept.has(key)) kept.set(key, sample);
+  }
+  return [...kept.values()];
 }
 
 const stripes = (a, b, every) => (_, z) => (Math.floor(z / every) % 2 ? a : b);
@@ -88,7 +97,7 @@ function visibleSamples(samples) {
   return samples.map(({ n }, i) => {
     const { key, depth, d } = rays[i];
     const facing = -(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / depth;
-    return facing > 0.12 && depth < nearest.get(key) + 0.015;
+    return facing > 0.12 && depth < nearest.get(key) + 0.012 / Math.max(facing, 0.12);
   });
 }
 
@@ -121,10 +130,10 @@ function refusals(random) {
   });
 }
 
-/** The scene as a payload. `clutter` adds points that are in no mask. */
-export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true } = {}) {
+/** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain. */
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005 } = {}) {
   const random = randomNumbers(seed);
-  const parts = SOLIDS.map((solid) => solid.kind(solid, random));
+  const parts = SOLIDS.map((solid) => thin(solid.kind(solid, cell, random), cell));
   const seen = visibleSamples(parts.flat());
   const cloud = { positions: [], normals: [], colors: [] };
   const add = (target, { p, n, c }) => {

@@ -32,7 +32,7 @@ export function createLayout({ canvas, viewpoint, stage }) {
   function framed() {
     const area = free();
     const origin = canvas.getBoundingClientRect();
-    const top = localBox(parts.toolbar.firstElementChild, origin).bottom + 4;
+    const top = localBox(parts.toolbar, origin).bottom + 4;
     const bottom = Math.max(localBox(parts.views, origin).top - 4, top + 60);
     return { left: area.left, top, width: Math.max(60, area.right - area.left), height: bottom - top };
   }

@@ -20,7 +20,7 @@ export function createStore(initial) {
 
 export function initialState(objects) {
   return {
-    mode: 'blend',
+    mode: objects.length ? 'blend' : 'scan',
     visible: new Set(objects.map((object) => object.index)),
     completed: new Set(),
     selected: null,

@@ -66,10 +66,10 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
       h('h1', {}, scene.title || 'Segmentation'),
       h('p', { class: 'stats' }, stats(scene))),
     h('div', { class: 'scroll', tabindex: '-1' },
-      scene.note ? h('p', { class: 'note' }, scene.note) : '',
-      h('p', { class: 'lead' }, 'One colour per object, found by its symmetry alone: sheets are mirror planes, ' +
+      scene.note && h('p', { class: 'note' }, scene.note),
+      hasObjects && h('p', { class: 'lead' }, 'One colour per object, found by its symmetry alone: sheets are mirror planes, ' +
         'arrows are axes of rotation. Click an object for details.'),
       hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
-      ...[createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)].filter(Boolean)));
+      createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)));
   return panel;
 }

@@ -30,7 +30,7 @@ function createFunnel(funnel) {
   if (funnel.length === 0) return null;
   const most = Math.max(1, ...funnel.map(({ count }) => count));
   return h('div', { class: 'funnel' },
-    h('h3', {}, 'Candidates left after each step'),
+    h('h3', {}, 'Candidates left after each step (log scale)'),
     h('table', { class: 'bars' }, h('tbody', {}, funnel.map((step) => funnelRow(step, most)))));
 }
 

@@ -1,0 +1,74 @@
+// Properties of the viewer's modules that need no browser.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { overlaps, placeLabels } from '../../viewer/src/declutter.js';
+import { footprint } from '../../viewer/src/footprint.js';
+import { tableFrame } from '../../viewer/src/frame.js';
+import { HIDDEN, REST, pointOwners } from '../../viewer/src/ownership.js';
+import { inkOn, objectColor } from '../../viewer/src/palette.js';
+import { decodePayload } from '../../viewer/src/payload.js';
+import { dot, length } from '../../viewer/src/vector.js';
+import { randomNumbers, tabletop } from './fixture.mjs';
+
+test('labels never cover each other, the controls or the border', () => {
+  const random = randomNumbers(3);
+  const area = { left: 0, top: 0, right: 600, bottom: 400 };
+  const obstacles = [{ left: 0, top: 0, right: 300, bottom: 40 }];
+  for (let round = 0; round < 50; ++round) {
+    const labels = Array.from({ length: 25 }, () => ({ x: 600 * random(), y: 400 * random(), width: 26, height: 24 }));
+    const boxes = placeLabels(labels, area, obstacles).filter(Boolean)
+      .map(({ x, y }) => ({ left: x - 13, right: x + 13, top: y - 12, bottom: y + 12 }));
+    for (const [i, a] of boxes.entries()) {
+      assert.ok(a.left >= 0 && a.right <= 600 && a.top >= 0 && a.bottom <= 400);
+      for (const b of [...obstacles, ...boxes.slice(0, i)]) assert.ok(!overlaps(a, b));
+    }
+  }
+});
+
+test('the best object that is switched on owns a point of two masks', () => {
+  const objects = [{ index: 0, points: [0, 1] }, { index: 1, points: [1, 2] }];
+  const owners = (...on) => [...pointOwners(4, objects, (index) => on.includes(index))];
+  assert.deepEqual(owners(0, 1), [0, 0, 1, REST]);
+  assert.deepEqual(owners(1), [HIDDEN, 1, 1, REST]);
+  assert.deepEqual(owners(0), [0, 0, HIDDEN, REST]);
+  assert.deepEqual(owners(), [HIDDEN, HIDDEN, HIDDEN, REST]);
+});
+
+test('the display frame is rigid, keeps up up and puts the table at zero', () => {
+  const scene = decodePayload(tabletop());
+  const frame = tableFrame(scene);
+  const axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(frame.direction);
+  for (const [i, a] of axes.entries()) {
+    for (const [j, b] of axes.entries()) assert.ok(Math.abs(dot(a, b) - (i === j)) < 1e-12);
+  }
+  assert.ok(length(frame.direction([0, 0, 1]).map((v, i) => v - [0, 1, 0][i])) < 1e-12);
+  assert.ok(Math.abs(frame.point([0.3, 0.2, 0])[1]) < 1e-12);
+  assert.ok(frame.direction([0, -1, 0])[2] > 0.9, 'the camera stood at −y');
+});
+
+test('the footprint is the narrowest box about a turned rectangle', () => {
+  const random = randomNumbers(5);
+  const [c, s] = [Math.cos(0.5), Math.sin(0.5)];
+  const points = Array.from({ length: 3000 }, () => {
+    const [a, b] = [0.2 * random(), 0.1 * random()];
+    return [c * a - s * b, 0.3 * random(), s * a + c * b];
+  });
+  const expected = [0.2, 0.1, 0.3];
+  footprint(points).forEach((size, i) => assert.ok(Math.abs(size - expected[i]) < 0.015));
+});
+
+test('positions in steps of 16 bits decode to metres', () => {
+  const data = Buffer.from(Uint16Array.from([0, 65535, 32768]).buffer).toString('base64');
+  const empty = { positions: { encoding: 'f32', data: '' }, normals: '', colors: '' };
+  const positions = { encoding: 'u16', data, min: [1, 2, 3], step: [1 / 65535, 1 / 65535, 0] };
+  const { cloud } = decodePayload({ cloud: { ...empty, positions }, objects: [] });
+  assert.deepEqual([...cloud.positions], [1, 3, 3]);
+});
+
+test('neighbouring numbers have colours apart, with legible ink', () => {
+  for (let i = 0; i < 40; ++i) {
+    const [a, b] = [objectColor(i), objectColor(i + 1)];
+    assert.ok(Math.hypot(...a.map((value, k) => value - b[k])) > 60, `${i}`);
+    assert.match(inkOn(a), /^#/);
+  }
+});

@@ -1,0 +1,221 @@
+// The page in a browser: node --test run.mjs, after `npm ci && npm run build` in viewer/.
+// CHROMIUM names the browser; SYMSCENE_PAGE a page that C++ made (make_page), which is then tested too.
+import assert from 'node:assert/strict';
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { openPage, withBrowser } from './browser.mjs';
+import { emptyResult, noPoints, tabletop } from './fixture.mjs';
+import { writePage } from './payload.mjs';
+import './modules.mjs';
+
+const DESKTOP = { viewport: { width: 1280, height: 800 } };
+const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
+const HOSTILE = '</title></script><script>window.hacked=1</script><img src=x onerror="window.hacked=1">';
+
+let folder;
+const pages = {};
+
+before(async () => {
+  folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
+  const scenes = { tabletop: tabletop(), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
+  for (const [name, scene] of Object.entries(scenes)) {
+    pages[name] = join(folder, `${name}.html`);
+    await writePage(pages[name], scene);
+  }
+});
+
+after(() => rm(folder, { recursive: true, force: true }));
+
+function hostileScene() {
+  const scene = tabletop({ title: HOSTILE });
+  scene.note = HOSTILE;
+  scene.timings[0].stage = HOSTILE;
+  scene.funnel[0].step = HOSTILE;
+  Object.assign(scene.rejected[0], { reason: HOSTILE, kind: HOSTILE });
+  return scene;
+}
+
+/** A browser test: body gets the page and fails if the page complained or asked the network. */
+function pageTest(name, path, options, body, hash = '') {
+  test(name, { timeout: 120000 }, () => withBrowser(options, async (context) => {
+    const { page, trouble } = await openPage(context, path(), hash);
+    assert.deepEqual(trouble, []);
+    await body(page, context);
+    assert.deepEqual(trouble, []);
+  }));
+}
+
+const hook = (page, expression) => page.evaluate(`window.symscene.${expression}`);
+const pressed = (page, selector) => page.getAttribute(selector, 'aria-pressed');
+
+/** Boxes that must not meet: panel, groups of controls, labels. */
+function layoutProblems(page) {
+  return page.evaluate(() => {
+    const seen = (element) => getComputedStyle(element).visibility !== 'hidden';
+    const boxes = [...document.querySelectorAll('.panel, .group, .label')].filter(seen)
+      .map((element) => ({ name: `${element.className} ${element.textContent.slice(0, 12)}`, box: element.getBoundingClientRect() }));
+    const problems = [];
+    boxes.forEach(({ name, box: a }, i) => {
+      if (a.left < 0 || a.top < 0 || a.right > innerWidth + 0.5 || a.bottom > innerHeight + 0.5) problems.push(`${name} leaves the window`);
+      for (const { name: other, box: b } of boxes.slice(0, i)) {
+        if (a.left < b.right - 0.5 && b.left < a.right - 0.5 && a.top < b.bottom - 0.5 && b.top < a.bottom - 0.5) problems.push(`${name} meets ${other}`);
+      }
+    });
+    for (const element of document.querySelectorAll('.scroll, .object .row, .name, .group')) {
+      if (element.scrollWidth > element.clientWidth + 1) problems.push(`${element.className} overflows`);
+    }
+    return problems;
+  });
+}
+
+describe('a result with objects', () => {
+  const path = () => pages.tabletop;
+
+  pageTest('is drawn, listed and then left alone', path, DESKTOP, async (page) => {
+    assert.equal(await page.locator('.object').count(), 8);
+    assert.equal(await page.locator('.label').count(), 8);
+    assert.equal(await page.title(), 'Synthetic tabletop');
+    const { filled } = await hook(page, 'pixels()');
+    assert.ok(filled > 0.1 && filled < 0.9, `${filled} of the canvas is filled`);
+    await page.waitForTimeout(500);
+    const frames = await hook(page, 'frames');
+    await page.waitForTimeout(600);
+    assert.equal(await hook(page, 'frames'), frames, 'nothing is drawn while nothing changes');
+  });
+
+  pageTest('switches objects on and off', path, DESKTOP, async (page) => {
+    const everything = await hook(page, 'pixels()');
+    await page.click('.object:nth-child(3) .eye');
+    assert.deepEqual(await hook(page, 'visible'), [0, 1, 3, 4, 5, 6, 7]);
+    assert.notEqual((await hook(page, 'pixels()')).hash, everything.hash);
+    await page.click('.object:nth-child(5) [aria-label^="Show only"]');
+    assert.deepEqual(await hook(page, 'visible'), [4]);
+    await page.click('.chip >> text=None');
+    assert.deepEqual(await hook(page, 'visible'), []);
+    const nothing = await hook(page, 'pixels()');
+    assert.ok(nothing.filled < 0.5 * everything.filled);
+    await page.click('.chip >> text=All');
+    assert.equal((await hook(page, 'pixels()')).hash, everything.hash);
+  });
+
+  pageTest('draws every layer that is switched on', path, DESKTOP, async (page) => {
+    const hashes = [(await hook(page, 'pixels()')).hash];
+    for (const key of ['planes', 'axes', 'rest', 'completed']) {
+      const before = await pressed(page, `[data-toggle=${key}]`);
+      await page.click(`[data-toggle=${key}]`);
+      assert.notEqual(await pressed(page, `[data-toggle=${key}]`), before);
+      hashes.push((await hook(page, 'pixels()')).hash);
+    }
+    for (const mode of ['scan', 'objects']) {
+      await page.click(`[data-mode=${mode}]`);
+      hashes.push((await hook(page, 'pixels()')).hash);
+    }
+    assert.equal(new Set(hashes).size, hashes.length, 'every change is seen');
+  });
+
+  pageTest('selects what is clicked', path, DESKTOP, async (page) => {
+    for (const id of [0, 2, 5]) {
+      const { x, y } = await hook(page, `clickPoint(${id})`);
+      await page.mouse.click(x, y);
+      assert.equal(await hook(page, 'selected'), id);
+      assert.match(await page.textContent('.object.selected .details'), /Points seen.*Centroid/s);
+    }
+    await page.mouse.click(30, 400);
+    assert.equal(await hook(page, 'selected'), null);
+    await page.click('.object:nth-child(2) .pick');
+    assert.equal(await hook(page, 'selected'), 1);
+  });
+
+  pageTest('obeys the keyboard', path, DESKTOP, async (page) => {
+    await page.keyboard.press(']');
+    assert.equal(await hook(page, 'selected'), 0);
+    await page.keyboard.press('Escape');
+    assert.equal(await hook(page, 'selected'), null);
+    await page.keyboard.press('p');
+    assert.equal(await pressed(page, '[data-toggle=planes]'), 'false');
+    const before = (await hook(page, 'pixels()')).hash;
+    await page.focus('canvas');
+    await page.keyboard.press('ArrowLeft');
+    await page.waitForTimeout(300);
+    assert.notEqual((await hook(page, 'pixels()')).hash, before);
+    await page.keyboard.press('Tab');
+    assert.notEqual(await page.evaluate('document.activeElement.tagName'), 'CANVAS', 'the canvas is no trap');
+  });
+
+  pageTest('takes its view from the address', path, DESKTOP, async (page) => {
+    assert.equal(await hook(page, 'selected'), 3);
+    assert.equal(await hook(page, 'mode'), 'objects');
+    assert.deepEqual(await hook(page, 'visible'), [1, 3]);
+    assert.deepEqual(await hook(page, 'completed'), [3]);
+    assert.equal(await pressed(page, '[data-toggle=planes]'), 'false');
+  }, '#view=top&select=3&mode=objects&only=1,3&completed=3&planes=0');
+
+  for (const [size, options] of [['a desk', DESKTOP], ['a phone', PHONE], ['a small phone', { ...PHONE, viewport: { width: 340, height: 640 } }]]) {
+    pageTest(`has nothing that covers another thing on ${size}`, path, options, async (page) => {
+      for (const view of ['home', 'front', 'side', 'top']) {
+        await hook(page, `view('${view}')`);
+        await page.waitForTimeout(400);
+        assert.deepEqual(await layoutProblems(page), [], view);
+      }
+      await hook(page, 'select(4)');
+      await page.waitForTimeout(400);
+      assert.deepEqual(await layoutProblems(page), []);
+    });
+  }
+
+  pageTest('gives the scene most of a phone, whose sheet moves', path, PHONE, async (page) => {
+    const top = () => page.evaluate(() => document.querySelector('.panel').getBoundingClientRect().top);
+    const half = await top();
+    assert.ok(half > 0.55 * 844);
+    await page.click('.grip');
+    assert.ok((await top()) < half);
+    await page.click('.grip');
+    assert.ok((await top()) > half);
+    await page.waitForTimeout(300);
+    assert.deepEqual(await layoutProblems(page), []);
+    const { x, y } = await hook(page, 'clickPoint(5)');
+    await page.touchscreen.tap(x, y);
+    assert.equal(await hook(page, 'selected'), 5);
+  });
+
+  pageTest('has a dark scheme', path, { ...DESKTOP, colorScheme: 'dark' }, async (page) => {
+    const color = await page.evaluate(() => getComputedStyle(document.querySelector('.panel')).backgroundColor);
+    assert.ok(color.match(/\d+/g).slice(0, 3).every((value) => Number(value) < 80), color);
+  });
+});
+
+describe('other results', () => {
+  pageTest('hostile names are shown as text', () => pages.hostile, DESKTOP, async (page) => {
+    assert.equal(await page.textContent('h1'), HOSTILE);
+    assert.equal(await page.title(), HOSTILE);
+    assert.equal(await page.evaluate('window.hacked'), undefined);
+    assert.equal(await page.locator('img').count(), 0);
+    assert.equal(await page.locator('script').count(), 2);
+    assert.deepEqual(await layoutProblems(page), []);
+  });
+
+  pageTest('no object is said, with the reasons', () => pages.empty, DESKTOP, async (page) => {
+    assert.match(await page.textContent('.empty'), /No object was found/);
+    assert.ok(await page.isVisible('.funnel'));
+    assert.ok((await hook(page, 'pixels()')).filled > 0.05, 'the scan is still drawn');
+  });
+
+  pageTest('no point is no error', () => pages.noPoints, PHONE, async (page) => {
+    assert.match(await page.textContent('.empty'), /no points/);
+  });
+
+  test('a page that C++ made is drawn', { skip: !process.env.SYMSCENE_PAGE, timeout: 120000 }, () =>
+    withBrowser(DESKTOP, async (context) => {
+      const { page, trouble } = await openPage(context, process.env.SYMSCENE_PAGE);
+      assert.deepEqual(trouble, []);
+      const ids = await hook(page, 'visible');
+      assert.ok(ids.length > 0);
+      const { x, y } = await hook(page, `clickPoint(${ids[0]})`);
+      await page.mouse.click(x, y);
+      assert.equal(await hook(page, 'selected'), ids[0]);
+      assert.deepEqual(await layoutProblems(page), []);
+      assert.deepEqual(trouble, []);
+    }));
+});
