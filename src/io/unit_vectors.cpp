@@ -9,11 +9,12 @@
 namespace symscene {
 namespace {
 
-constexpr double rounding = 1e-12;  ///< how far the length of a unit vector may be from one
+constexpr double rounding = 1e-12;          ///< how far the length of a unit vector may be from one
+constexpr double shortest_vector = 1e-290;  ///< below it a quotient has no precision
 
 double length_of(const Eigen::Vector3d& vector, const std::string& where) {
   const double length = vector.stableNorm();
-  if (length > 0.0 && std::isfinite(length)) {
+  if (length > shortest_vector && std::isfinite(length)) {
     return std::abs(length - 1.0) <= rounding ? 1.0 : length;
   }
   throw InputError(where, "a direction", "a vector without length");
@@ -27,7 +28,9 @@ Eigen::Vector3d unit_vector(const Eigen::Vector3d& vector, const std::string& wh
 
 Plane normalized_plane(const Eigen::Vector4d& numbers, const std::string& where) {
   const double length = length_of(numbers.head<3>(), where);
-  return {numbers.head<3>() / length, numbers[3] / length};
+  const double offset = numbers[3] / length;
+  if (!std::isfinite(offset)) throw InputError(where, "a plane", "one at infinity");
+  return {numbers.head<3>() / length, offset};
 }
 
 }  // namespace symscene

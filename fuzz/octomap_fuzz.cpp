@@ -1,0 +1,16 @@
+#include <cstdlib>
+#include <string>
+
+#include "accepted.hpp"
+#include "symscene/io/octomap.hpp"
+
+/// Any bytes are a map that is written and read back with as many leaves, or refused.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace symscene;
+  const std::string_view bytes = fuzz::as_bytes(data, size);
+  const auto map = fuzz::accepted([&] { return parse_octomap(bytes, "fuzz"); });
+  if (!map) return 0;
+  const OccupancyMap again = parse_octomap(format_octomap(*map), "again");
+  if (again.leaves.size() != map->leaves.size()) std::abort();
+  return 0;
+}

@@ -1,0 +1,14 @@
+#include <cstdlib>
+#include <string>
+
+#include "accepted.hpp"
+#include "symscene/io/pcd.hpp"
+
+/// Any bytes are a point cloud that is written and read back with as many points, or refused.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace symscene;
+  const std::string_view bytes = fuzz::as_bytes(data, size);
+  const auto cloud = fuzz::accepted([&] { return parse_pcd(bytes, "fuzz"); });
+  if (cloud && parse_pcd(format_pcd(*cloud), "again").size() != cloud->size()) std::abort();
+  return 0;
+}
