@@ -47,7 +47,7 @@ function frame(points, direction, tx, ty) {
 export class Viewpoint {
   constructor(stageElement, points) {
     this.points = points;
-    this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
+    this.camera = new THREE.PerspectiveCamera(26, 1, 0.01, 100);
     this.controls = new OrbitControls(this.camera, stageElement);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.14;

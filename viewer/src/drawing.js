@@ -64,6 +64,7 @@ export class Drawing {
     const { paper } = SCHEMES[this.scheme];
     const selected = state.visible.has(state.selected) ? state.selected : null;
     for (const splats of [this.cloud, ...this.completed]) splats.emphasise(selected, state.hovered, paper);
+    this.stage.setOutlined(selected !== null || state.hovered !== null);
     this.scene.objects.forEach((object) => this.#updateObject(object, state, selected));
   }
 

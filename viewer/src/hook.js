@@ -20,7 +20,7 @@ function clickPoint(app, index) {
 
 // The share of the canvas' pixels that are not empty, and a hash of them all.
 function readPixels({ stage }) {
-  stage.draw();
+  stage.drawRested();
   const gl = stage.renderer.getContext();
   const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
   const bytes = new Uint8Array(4 * width * height);
@@ -40,7 +40,7 @@ export function createHook(app) {
   const ids = (set) => objects.filter(({ index }) => set.has(index)).map(({ id }) => id);
   window.symscene = {
     ready: new Promise((resolve) => {
-      const check = () => (stage.frames >= 2 ? resolve(true) : requestAnimationFrame(check));
+      const check = () => (stage.frames >= 3 ? resolve(true) : requestAnimationFrame(check));
       check();
     }),
     get selected() { return objects[store.get().selected]?.id ?? null; },

@@ -121,6 +121,7 @@ export const composeFragment = /* glsl */ `
   uniform float reach; // texels
   uniform float strength;
   uniform vec3 outline;
+  uniform bool outlined;
 
   const vec2 AROUND[8] = vec2[8](
     vec2(1.0, 0.0), vec2(0.707, 0.707), vec2(0.0, 1.0), vec2(-0.707, 0.707),
@@ -137,20 +138,25 @@ export const composeFragment = /* glsl */ `
     return mark > 0.25 && mark < 0.875;
   }
 
+  ivec2 neighbor(ivec2 texel, int i) { return inside(vec2(texel) + 0.5 + reach * AROUND[i]); }
+
+  bool onOutline(ivec2 texel) {
+    if (marked(texel)) return false;
+    for (int i = 0; i < 8; ++i) if (marked(neighbor(texel, i))) return true;
+    return false;
+  }
+
   vec4 shadeAt(ivec2 texel) {
+    if (outlined && onOutline(texel)) return vec4(outline, 1.0);
     vec4 color = texelFetch(colors, texel, 0);
-    bool covered = color.a > 0.0;
-    color.rgb /= max(color.a, 1e-6);
-    bool edge = false;
+    if (color.a <= 0.0) return vec4(0.0);
     float here = log2(distanceAt(texel));
     float occlusion = 0.0;
     for (int i = 0; i < 8; ++i) {
-      ivec2 neighbor = inside(vec2(texel) + 0.5 + reach * AROUND[i]);
-      if (covered) occlusion += min(max(0.0, here - log2(distanceAt(neighbor))), 0.05);
-      edge = edge || marked(neighbor);
+      float there = log2(distanceAt(neighbor(texel, i)));
+      occlusion += clamp(here - there, 0.0, 0.05);
     }
-    if (edge && !marked(texel)) return vec4(outline, 1.0);
-    return covered ? vec4(color.rgb * max(exp(-strength * occlusion), 0.25), 1.0) : vec4(0.0);
+    return vec4(color.rgb / color.a * max(exp(-strength * occlusion), 0.25), 1.0);
   }
 
   void main() {

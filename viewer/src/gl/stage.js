@@ -4,6 +4,7 @@ import { composeFragment, composeVertex } from './shaders.js';
 
 const MAX_PIXEL_RATIO = 2;
 const REST_DELAY = 140; // ms without movement, after which the fine picture is drawn
+const MOTION_COST = 40; // ms a frame may take while something moves
 
 function createTarget(type) {
   return new THREE.WebGLRenderTarget(2, 2, {
@@ -35,6 +36,7 @@ function createCompose({ surface, colors }) {
       reach: { value: 1 },
       strength: { value: 9 },
       outline: { value: new THREE.Color(0, 0, 0) },
+      outlined: { value: false },
     },
     depthFunc: THREE.AlwaysDepth,
     transparent: true,
@@ -73,13 +75,14 @@ export class Stage {
     this.compose = createCompose(this.targets);
     this.requested = 0;
     this.restTimer = 0;
+    this.motionScale = 1;
   }
 
   resize(width, height) {
     this.width = width;
     this.height = height;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, MAX_PIXEL_RATIO));
     this.renderer.setSize(width, height, false);
+    this.#setDetail(1);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.invalidate();
@@ -87,6 +90,10 @@ export class Stage {
 
   setOutline(color) {
     this.compose.uniforms.outline.value.setRGB(...color.map((value) => value / 255));
+  }
+
+  setOutlined(outlined) {
+    this.compose.uniforms.outlined.value = outlined;
   }
 
   /** Asks for a picture at the next frame of the screen. */
@@ -98,9 +105,32 @@ export class Stage {
     this.requested = 0;
     const moving = this.beforeDraw.map((step) => step()).some(Boolean);
     clearTimeout(this.restTimer);
+    this.#setDetail(this.motionScale);
+    if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
+    else this.draw(1);
+    if (moving || this.frames === 1) this.invalidate();
+    else this.restTimer = setTimeout(() => this.drawRested(), this.frames < 3 ? 0 : REST_DELAY);
+  }
+
+  /** Draws the fine picture at once. */
+  drawRested() {
+    this.#setDetail(1);
+    this.draw();
+  }
+
+  // Where there is no graphics card, movement is kept fluent with fewer pixels.
+  #measure() {
+    const begin = performance.now();
     this.draw(1);
-    if (moving) this.invalidate();
-    else this.restTimer = setTimeout(() => this.draw(this.#restSamples()), this.frames < 3 ? 0 : REST_DELAY);
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
+    const cost = performance.now() - begin;
+    this.motionScale = Math.min(1, Math.max(0.4, Math.sqrt(MOTION_COST / cost)));
+  }
+
+  #setDetail(scale) {
+    const ratio = scale * Math.min(devicePixelRatio || 1, MAX_PIXEL_RATIO);
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
   }
 
   // A still picture is worth four samples a pixel, where the screen does not have them itself.
