@@ -21,9 +21,11 @@ async function bundle(entry) {
 // Replacement functions, because "$&" in a bundle must stay what it is.
 const template = await readFile(here('template.html'), 'utf8');
 const [style, script] = await Promise.all([bundle('src/style.css'), bundle('src/main.js')]);
+// The licence of what is bundled goes where the bundle goes.
+const licence = (await readFile(here('node_modules/three/LICENSE'), 'utf8')).trim();
 const page = template
   .replace('/*@@STYLE@@*/', () => style)
-  .replace('/*@@SCRIPT@@*/', () => `/*! three.js, MIT licence, https://threejs.org */\n${script}`);
+  .replace('/*@@SCRIPT@@*/', () => `/*! three.js, https://threejs.org\n\n${licence}\n*/\n${script}`);
 
 for (const placeholder of ['@@SYMSCENE_TITLE@@', '"@@SYMSCENE_PAYLOAD@@"']) {
   if (page.split(placeholder).length !== 2) throw new Error(`${placeholder} must occur once`);

@@ -152,7 +152,15 @@ describe('a result with objects', () => {
     assert.equal(await pressed(page, '[data-toggle=planes]'), 'false');
   }, '#view=top&select=3&mode=objects&only=1,3&completed=3&planes=0');
 
-  for (const [size, options] of [['a desk', DESKTOP], ['a phone', PHONE], ['a small phone', { ...PHONE, viewport: { width: 340, height: 640 } }]]) {
+  const sizes = {
+    'a desk': DESKTOP,
+    'a phone': PHONE,
+    'a small phone': { ...PHONE, viewport: { width: 340, height: 640 } },
+    'a phone on its side': { ...PHONE, viewport: { width: 667, height: 375 } },
+    'a tablet': { viewport: { width: 768, height: 1024 } },
+    'a small window': { viewport: { width: 1100, height: 600 } },
+  };
+  for (const [size, options] of Object.entries(sizes)) {
     pageTest(`has nothing that covers another thing on ${size}`, path, options, async (page) => {
       for (const view of ['home', 'front', 'side', 'top']) {
         await hook(page, `view('${view}')`);

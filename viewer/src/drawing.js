@@ -47,12 +47,12 @@ export class Drawing {
 
   setScheme(scheme) {
     this.scheme = scheme;
-    const { ink, grid, shadow, outline } = SCHEMES[scheme];
+    const { ink, grid, shadow, outline, paper } = SCHEMES[scheme];
     this.table.uniforms.ink.value.setRGB(...ink.map((value) => value / 255));
     this.table.uniforms.gridOpacity.value = grid;
     this.table.uniforms.shadowOpacity.value = shadow;
     this.stage.setOutline(outline);
-    for (const symmetries of this.symmetries) symmetries.setScheme(scheme);
+    for (const symmetries of this.symmetries) symmetries.setScheme(scheme, paper);
     if (this.state) this.update(this.state, new Set(['mode', 'selected']));
   }
 

@@ -18,7 +18,7 @@ function createLabel(object, outline, actions) {
     class: 'label', type: 'button', tabindex: '-1', 'aria-label': `Object ${object.id}`,
     style: { '--color': css(color), '--on-color': inkOn(color) },
     onclick: () => actions.toggleSelect(object.index),
-    onpointerenter: () => actions.hover(object.index),
+    onpointerenter: (event) => actions.hoverWith(event, object.index),
     onpointerleave: () => actions.hover(null),
   }, String(object.id));
   const line = svg('line', { class: 'leader', stroke: css(color) });

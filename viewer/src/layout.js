@@ -1,7 +1,7 @@
 // Where the canvas is free of panels, and what labels must keep clear of.
 import { projector } from './projection.js';
 
-const NARROW = 720; // as in style.css
+const NARROW = '(max-width: 820px) and (orientation: portrait)'; // as in style.css
 
 const localBox = (element, origin) => {
   const box = element.getBoundingClientRect();
@@ -15,7 +15,7 @@ export function createLayout({ canvas, viewpoint, stage }) {
   function free() {
     const origin = canvas.getBoundingClientRect();
     const panel = localBox(parts.panel, origin);
-    const narrow = innerWidth <= NARROW;
+    const narrow = matchMedia(NARROW).matches;
     return {
       left: 8, top: 8,
       right: narrow ? size.width - 8 : panel.left - 8,

@@ -1,18 +1,23 @@
-// Which object lies under the pointer: the nearest disc to the viewer that covers it.
+// Which object lies under the pointer: the nearest point to the viewer that is close to it.
 import { HIDDEN } from './ownership.js';
 
-/** The owner under (x, y), or null. `layers` are {positions, owners} that are drawn. */
-export function pick(layers, project, x, y, radius) {
+/**
+ * The owner at (x, y) in normalised device coordinates, or null. `layers` are {positions, owners}
+ * that are drawn, `m` is the view-projection and `reach` the distance that counts, along x and y.
+ * Half a million points at every move of the pointer: nothing is allocated here.
+ */
+export function pick(layers, m, [x, y], [reachX, reachY]) {
   let best = null;
   let bestDepth = Infinity;
   for (const { positions, owners } of layers) {
-    for (let i = 0; i < owners.length; ++i) {
-      if (owners[i] === HIDDEN) continue;
-      const p = project(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
-      if (!p || p.depth >= bestDepth) continue;
-      if (Math.abs(p.x - x) > radius || Math.abs(p.y - y) > radius) continue;
+    for (let i = 0, k = 0; i < owners.length; ++i, k += 3) {
+      const [px, py, pz] = [positions[k], positions[k + 1], positions[k + 2]];
+      const w = m[3] * px + m[7] * py + m[11] * pz + m[15];
+      if (w <= 0 || w >= bestDepth || owners[i] === HIDDEN) continue;
+      if (Math.abs(m[0] * px + m[4] * py + m[8] * pz + m[12] - x * w) > reachX * w) continue;
+      if (Math.abs(m[1] * px + m[5] * py + m[9] * pz + m[13] - y * w) > reachY * w) continue;
       best = owners[i];
-      bestDepth = p.depth;
+      bestDepth = w;
     }
   }
   return best;

@@ -1,12 +1,16 @@
 // Hovering and clicking the scene.
 import { REST } from './ownership.js';
 import { pick } from './picking.js';
+import { viewProjection } from './projection.js';
 
 const CLICK_MOVE = 5; // pixels that a click may wander
 const REACH = 5; // pixels, where discs are smaller than a fingertip
 
 function ownerAt(app, x, y) {
-  const owner = pick(app.drawing.layers(), app.layout.project(), x, y, REACH);
+  const { clientWidth: width, clientHeight: height } = app.canvas;
+  const at = [(2 * x) / width - 1, 1 - (2 * y) / height];
+  const reach = [(2 * REACH) / width, (2 * REACH) / height];
+  const owner = pick(app.drawing.layers(), viewProjection(app.viewpoint.camera), at, reach);
   return owner === null || owner === REST ? null : owner;
 }
 

@@ -1,9 +1,14 @@
 // From the display frame to CSS pixels of the canvas.
 
 /** The camera's view-projection as sixteen numbers, column major. */
-export function projector(camera, width, height) {
+export function viewProjection(camera) {
   camera.updateMatrixWorld();
-  const m = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
+  return camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
+}
+
+/** Maps a point to {x, y, depth}, or to null behind the camera. */
+export function projector(camera, width, height) {
+  const m = viewProjection(camera);
   return (x, y, z) => {
     const w = m[3] * x + m[7] * y + m[11] * z + m[15];
     if (w <= 0) return null;

@@ -48,6 +48,8 @@ export function createActions(store, objects) {
     select: (index) => store.set({ selected: index }),
     toggleSelect: (index) => store.set({ selected: state().selected === index ? null : index }),
     hover: (index) => store.set({ hovered: index }),
+    // A finger does not hover: it would leave its mark behind.
+    hoverWith: (event, index) => { if (event.pointerType === 'mouse') store.set({ hovered: index }); },
     toggleVisible: (index) => store.set({ visible: toggled(state().visible, index) }),
     solo: (index) => store.set({ visible: isSolo(index) ? all() : new Set([index]) }),
     showAll: () => store.set({ visible: all() }),

@@ -88,13 +88,11 @@ function axisObject(axis, points, materials) {
   const radius = quantile(points.map((p) => Math.hypot(...cross(subtract(p, axis.point), direction))), 0.8);
   const margin = 0.14 * (t1 - t0) + 0.018;
   const size = Math.min(Math.max(0.3 * radius, 0.009), 0.03);
-  const pairs = [
-    [at(t0 - 0.6 * margin), at(t1 + margin)],
-    ...turn(at(t1 + 0.5 * margin), direction, Math.min(Math.max(0.42 * radius, 0.01), 0.035)),
-  ];
+  const line = [[at(t0 - 0.6 * margin), at(t1 + margin)]];
+  const circle = turn(at(t1 + 0.5 * margin), direction, Math.min(Math.max(0.42 * radius, 0.01), 0.035));
   return group(
-    segments(pairs, materials.axisBehind, 4),
-    segments(pairs, materials.axis, 5),
+    segments(line, materials.axisBehind, 4),
+    segments([...line, ...circle], materials.axis, 5),
     cone(at(t1 + margin + size), direction, size, materials.cap),
   );
 }
@@ -118,6 +116,7 @@ export class Symmetries {
   constructor(object, outline, color) {
     this.color = color;
     this.materials = createMaterials(color);
+    this.setScheme('light', [255, 255, 255]);
     this.planes = new THREE.Group();
     this.axes = new THREE.Group();
     for (const plane of object.planes) this.planes.add(planeObject(plane, outline, this.materials));
@@ -125,20 +124,24 @@ export class Symmetries {
   }
 
   /** Lines must stand out from the background: lighter on a dark one, darker on a light one. */
-  setScheme(scheme) {
+  setScheme(scheme, paper) {
     const target = scheme === 'dark' ? [255, 255, 255] : [0, 0, 0];
-    const rgb = mix(this.color, target, scheme === 'dark' ? 0.3 : 0.12);
-    for (const material of Object.values(this.materials)) material.color.set(css(rgb));
+    this.lineColor = mix(this.color, target, scheme === 'dark' ? 0.3 : 0.12);
+    this.paper = paper;
+    for (const material of Object.values(this.materials)) material.color.set(css(this.lineColor));
   }
 
   show(planes, axes, emphasis) {
     this.planes.visible = planes;
     this.axes.visible = axes;
     const strength = { normal: 1, strong: 1.7, faint: 0.35 }[emphasis];
-    this.materials.sheet.opacity = 0.13 * strength;
-    this.materials.border.opacity = Math.min(1, 0.75 * strength);
-    this.materials.borderBehind.opacity = Math.min(0.5, 0.2 * strength);
-    this.materials.axis.opacity = Math.min(1, strength);
-    this.materials.axisBehind.opacity = Math.min(0.7, 0.4 * strength);
+    const { sheet, border, borderBehind, axis, axisBehind, cap } = this.materials;
+    sheet.opacity = 0.13 * strength;
+    border.opacity = Math.min(1, 0.75 * strength);
+    borderBehind.opacity = Math.min(0.5, 0.2 * strength);
+    axisBehind.opacity = Math.min(0.7, 0.4 * strength);
+    // Paler, not transparent: the short pieces of the turn would show where they overlap.
+    const pale = mix(this.lineColor, this.paper, emphasis === 'faint' ? 0.6 : 0);
+    for (const material of [axis, cap]) material.color.set(css(pale));
   }
 }

@@ -37,7 +37,7 @@ function createRow(object, scene, actions, extent) {
   const color = objectColor(index);
   const row = h('li', {
     class: 'object', style: { '--color': css(color), '--on-color': inkOn(color) },
-    onpointerenter: () => actions.hover(index), onpointerleave: () => actions.hover(null),
+    onpointerenter: (event) => actions.hoverWith(event, index), onpointerleave: () => actions.hover(null),
   }, h('div', { class: 'row' }, eye, select, completed, solo), details);
   const open = (isOpen) => {
     if (isOpen && !details.firstChild) details.append(objectDetails(object, scene, extent));
