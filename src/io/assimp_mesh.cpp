@@ -10,6 +10,7 @@
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 
 #include "io/color.hpp"
@@ -22,6 +23,15 @@ namespace symscene {
 namespace {
 
 constexpr unsigned post_processing = aiProcess_Triangulate;
+
+/// Finds no file: what is parsed from memory stands for itself.
+class NoFiles : public Assimp::IOSystem {
+ public:
+  bool Exists(const char* /*path*/) const override { return false; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* /*path*/, const char* /*mode*/) override { return nullptr; }
+  void Close(Assimp::IOStream* /*stream*/) override {}
+};
 
 /// Leaves only the formats that we ask for, so that no other importer guesses at a file.
 void keep_known_formats(Assimp::Importer& importer) {
@@ -145,6 +155,7 @@ TriangleMesh load_with_assimp(const std::filesystem::path& path) {
 TriangleMesh parse_with_assimp(std::string_view bytes, const std::string& extension,
                                const std::string& name) {
   return guarded(name, [&](Assimp::Importer& importer) {
+    importer.SetIOHandler(std::make_unique<NoFiles>().release());  // the importer owns it
     return importer.ReadFileFromMemory(bytes.data(), bytes.size(), post_processing,
                                        extension.c_str());
   });

@@ -110,8 +110,9 @@ void AtomicDirectory::commit() {
   try {
     require_replaceable(target_, layout_);
     if (fs::exists(target_)) {
-      swap_folders(staging_, target_);
-      fs::remove_all(staging_);
+      swap_folders(staging_, target_);  // the old one goes with the destructor, at the latest
+      std::error_code ignored;
+      fs::remove_all(staging_, ignored);
     } else {
       fs::rename(staging_, target_);
     }

@@ -20,11 +20,32 @@ std::string describe(const Json& value) {
   return value.dump();
 }
 
+/// Refuses objects with absurdly many members as they are read: an ordered object compares every
+/// new key with all before it.
+class MemberLimit {
+ public:
+  explicit MemberLimit(std::string name) : name_(std::move(name)) {}
+
+  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& /*parsed*/) {
+    if (event == Json::parse_event_t::object_start) members_.push_back(0);
+    if (event == Json::parse_event_t::object_end) members_.pop_back();
+    if (event == Json::parse_event_t::key && ++members_.back() > limit) {
+      throw InputError(name_, fmt::format("JSON objects of at most {} members", limit), "more");
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t limit = 1000;
+  std::string name_;
+  std::vector<std::size_t> members_;  ///< of the objects that are open
+};
+
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& name) {
   try {
-    return Json::parse(text);
+    return Json::parse(text, MemberLimit(name));
   } catch (const Json::parse_error& error) {
     throw InputError(name, "JSON", fmt::format("a mistake at byte {}", error.byte));
   } catch (const Json::exception&) {

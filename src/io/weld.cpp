@@ -1,16 +1,21 @@
 #include "io/weld.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <numeric>
-#include <tuple>
 
 namespace symscene {
 namespace {
 
 /// For every vertex the first one at its place.
 std::vector<Index> first_at_place(const Points& vertices) {
+  // Bits are in order where floats are not: NaN. Adding zero makes −0 the same place as 0.
   const auto place = [&](Index v) {
-    return std::make_tuple(vertices(v, 0), vertices(v, 1), vertices(v, 2));
+    const auto bits = [&](Eigen::Index k) {
+      return std::bit_cast<std::uint32_t>(vertices(v, k) + 0.0F);
+    };
+    return std::array{bits(0), bits(1), bits(2)};
   };
   std::vector<Index> order(static_cast<std::size_t>(vertices.rows()));
   std::iota(order.begin(), order.end(), Index{0});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "io/io_support.hpp"
 #include "symscene/io/ply.hpp"
@@ -76,6 +77,22 @@ TEST(Mesh, TrianglesOfAnStlShareTheirVertices) {
   const TriangleMesh mesh = parse_mesh(tetrahedron_stl(), "stl", "x");
   EXPECT_EQ(mesh.vertices.rows(), 4);
   EXPECT_EQ(mesh.triangles.rows(), 4);
+}
+
+TEST(Mesh, AVertexThatIsNotANumberIsKept) {
+  std::string stl = tetrahedron_stl();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(stl.data() + 84 + 12, &nan, sizeof(nan));
+  const TriangleMesh mesh = parse_mesh(stl, "stl", "x");
+  EXPECT_EQ(mesh.vertices.rows(), 5);
+  EXPECT_EQ(mesh.vertices.rowwise().sum().array().isNaN().count(), 1);
+}
+
+TEST(Mesh, FilesThatBytesReferToAreNotOpened) {
+  const std::string gltf =
+      R"({"asset":{"version":"2.0"},"buffers":[{"uri":"/dev/zero","byteLength":4}]})";
+  EXPECT_THROW(parse_mesh(gltf, "gltf", "x"), InputError);
+  EXPECT_EQ(parse_mesh("mtllib /dev/zero\n" + tetrahedron_obj, "obj", "x").triangles.rows(), 4);
 }
 
 TEST(Mesh, NodesOfAGlbPutTheirMeshesInPlace) {

@@ -91,6 +91,13 @@ TEST(Truth, DamagedFilesAreReadOrRefused) {
   EXPECT_EQ(damage(text, [](std::string_view b) { parse_truth(b, "x", 18); }), 1);
 }
 
+TEST(Truth, ObjectsOfTooManyMembersAreRefusedAtOnce) {
+  std::string text = "{";
+  for (int i = 0; i < 200000; ++i) text += "\"" + std::to_string(i) + "\":0,";
+  EXPECT_EQ(refusal([&] { parse_truth(text + "\"a\":0}", "truth.json"); }),
+            "truth.json: expected JSON objects of at most 1000 members, found more");
+}
+
 TEST(Truth, DeepNestingIsRefused) {
   EXPECT_THROW(parse_truth(std::string(100000, '['), "x"), InputError);
   EXPECT_THROW(parse_truth(std::string(100000, '[') + std::string(100000, ']'), "x"), InputError);
