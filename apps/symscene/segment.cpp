@@ -45,6 +45,13 @@ struct Segment {
     return result;
   }
 
+  PageOptions page_options(const Scene& input) const {
+    PageOptions page_options;
+    page_options.title = std::filesystem::absolute(scene).lexically_normal().filename().string();
+    page_options.table = input.table;
+    return page_options;
+  }
+
   void run() {
     configure();
     check_outputs();
@@ -53,7 +60,7 @@ struct Segment {
     const Scene input = read_scene(scene);
     const SegmentationResult result = segment(input, session);
     write_result(shared.output, result);
-    if (!page.empty()) write_file_atomically(page, render_page(result, PageOptions{}));
+    if (!page.empty()) write_file_atomically(page, render_page(result, page_options(input)));
     session.say(format_objects(result));
     session.finish({{"output", shared.output.string()},
                     {"objects", result.objects.size()},

@@ -63,7 +63,9 @@ void add_simulate(CLI::App& app) {
       ->type_name("N");
   command.add_option("--seed", state->seed, "seed of everything random (default 1)")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber.description(""));
+      ->check([](const std::string& text) {
+        return text.starts_with('-') ? "expected a whole number from 0, found " + text : "";
+      });
   add_threads(command, state->shared);
   add_reporting(command, state->shared);
   add_config(command, state->shared, [state] { return state->configure(); });
