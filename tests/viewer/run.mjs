@@ -10,6 +10,8 @@ import { emptyResult, noPoints, tabletop } from './fixture.mjs';
 import { writePage } from './payload.mjs';
 import './modules.mjs';
 
+// Drawn without a graphics card: what is not about layout is tested in a small window.
+const WINDOW = { viewport: { width: 960, height: 600 } };
 const DESKTOP = { viewport: { width: 1280, height: 800 } };
 const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
 const HOSTILE = '</title></script><script>window.hacked=1</script><img src=x onerror="window.hacked=1">';
@@ -73,7 +75,7 @@ function layoutProblems(page) {
 describe('a result with objects', () => {
   const path = () => pages.tabletop;
 
-  pageTest('is drawn, listed and then left alone', path, DESKTOP, async (page) => {
+  pageTest('is drawn, listed and then left alone', path, WINDOW, async (page) => {
     assert.equal(await page.locator('.object').count(), 8);
     assert.equal(await page.locator('.label').count(), 8);
     assert.equal(await page.title(), 'Synthetic tabletop');
@@ -85,7 +87,7 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'frames'), frames, 'nothing is drawn while nothing changes');
   });
 
-  pageTest('switches objects on and off', path, DESKTOP, async (page) => {
+  pageTest('switches objects on and off', path, WINDOW, async (page) => {
     const everything = await hook(page, 'pixels()');
     await page.click('.object:nth-child(3) .eye');
     assert.deepEqual(await hook(page, 'visible'), [0, 1, 3, 4, 5, 6, 7]);
@@ -100,7 +102,7 @@ describe('a result with objects', () => {
     assert.equal((await hook(page, 'pixels()')).hash, everything.hash);
   });
 
-  pageTest('draws every layer that is switched on', path, DESKTOP, async (page) => {
+  pageTest('draws every layer that is switched on', path, WINDOW, async (page) => {
     const hashes = [(await hook(page, 'pixels()')).hash];
     for (const key of ['planes', 'axes', 'rest', 'completed']) {
       const before = await pressed(page, `[data-toggle=${key}]`);
@@ -115,7 +117,7 @@ describe('a result with objects', () => {
     assert.equal(new Set(hashes).size, hashes.length, 'every change is seen');
   });
 
-  pageTest('selects what is clicked', path, DESKTOP, async (page) => {
+  pageTest('selects what is clicked', path, WINDOW, async (page) => {
     for (const id of [0, 2, 5]) {
       const { x, y } = await hook(page, `clickPoint(${id})`);
       await page.mouse.click(x, y);
@@ -128,7 +130,7 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'selected'), 1);
   });
 
-  pageTest('obeys the keyboard', path, DESKTOP, async (page) => {
+  pageTest('obeys the keyboard', path, WINDOW, async (page) => {
     await page.keyboard.press(']');
     assert.equal(await hook(page, 'selected'), 0);
     await page.keyboard.press('Escape');
@@ -144,7 +146,7 @@ describe('a result with objects', () => {
     assert.notEqual(await page.evaluate('document.activeElement.tagName'), 'CANVAS', 'the canvas is no trap');
   });
 
-  pageTest('takes its view from the address', path, DESKTOP, async (page) => {
+  pageTest('takes its view from the address', path, WINDOW, async (page) => {
     assert.equal(await hook(page, 'selected'), 3);
     assert.equal(await hook(page, 'mode'), 'objects');
     assert.deepEqual(await hook(page, 'visible'), [1, 3]);
@@ -188,7 +190,7 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'selected'), 5);
   });
 
-  pageTest('has a dark scheme', path, { ...DESKTOP, colorScheme: 'dark' }, async (page) => {
+  pageTest('has a dark scheme', path, { ...WINDOW, colorScheme: 'dark' }, async (page) => {
     const color = await page.evaluate(() => getComputedStyle(document.querySelector('.panel')).backgroundColor);
     assert.ok(color.match(/\d+/g).slice(0, 3).every((value) => Number(value) < 80), color);
   });
@@ -204,7 +206,7 @@ describe('other results', () => {
     assert.deepEqual(await layoutProblems(page), []);
   });
 
-  pageTest('no object is said, with the reasons', () => pages.empty, DESKTOP, async (page) => {
+  pageTest('no object is said, with the reasons', () => pages.empty, WINDOW, async (page) => {
     assert.match(await page.textContent('.empty'), /No object was found/);
     assert.ok(await page.isVisible('.funnel'));
     assert.ok((await hook(page, 'pixels()')).filled > 0.05, 'the scan is still drawn');

@@ -20,7 +20,7 @@ function clickPoint(app, index) {
 
 // The share of the canvas' pixels that are not empty, and a hash of them all.
 function readPixels({ stage }) {
-  stage.drawRested();
+  stage.drawRested(1);
   const gl = stage.renderer.getContext();
   const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
   const bytes = new Uint8Array(4 * width * height);

@@ -112,10 +112,10 @@ export class Stage {
     else this.restTimer = setTimeout(() => this.drawRested(), this.frames < 3 ? 0 : REST_DELAY);
   }
 
-  /** Draws the fine picture at once. */
-  drawRested() {
+  /** Draws at once with all pixels of the screen. */
+  drawRested(samples) {
     this.#setDetail(1);
-    this.draw();
+    this.draw(samples);
   }
 
   // Where there is no graphics card, movement is kept fluent with fewer pixels.
