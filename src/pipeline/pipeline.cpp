@@ -41,7 +41,7 @@ DistanceField space_around(const Scene& scene, const PointCloud& cloud,
 
 /// Outwards is where space is free; where that is not known, away from the table.
 OutwardVote outward_vote(const DistanceField& field, const std::optional<Plane>& table) {
-  constexpr float step = 0.02F;
+  static constexpr float step = 0.02F;
   const Eigen::Vector3f up =
       table ? Eigen::Vector3f(table->normal.cast<float>()) : Eigen::Vector3f::UnitZ();
   return [&field, up](const Eigen::Vector3f& p, const Eigen::Vector3f& n) {

@@ -22,8 +22,9 @@ class DisjointSets {
   }
 
   void join(Index a, Index b) {
-    const auto [low, high] = std::minmax(leader(a), leader(b));
-    leader_[high] = low;
+    const Index of_a = leader(a);
+    const Index of_b = leader(b);
+    leader_[std::max(of_a, of_b)] = std::min(of_a, of_b);
   }
 
  private:
