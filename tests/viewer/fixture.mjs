@@ -115,9 +115,9 @@ const REPORT = {
     { stage: 'reflectional', seconds: 0.312 }, { stage: 'merge', seconds: 0.0011 }, { stage: 'completion', seconds: 0.046 },
   ],
   funnel: [
-    { step: 'smooth segments', count: 40 }, { step: 'axis fits', count: 120 }, { step: 'axes', count: 4 },
-    { step: 'plane candidates', count: 600 }, { step: 'planes with correspondences', count: 261 },
-    { step: 'planes that pass', count: 85 }, { step: 'planes after merging', count: 46 }, { step: 'objects', count: 8 },
+    { step: 'smooth segments', count: 40 }, { step: 'rotational: axis fits', count: 120 }, { step: 'rotational: distinct axes', count: 4 },
+    { step: 'reflectional: planes tried', count: 600 }, { step: 'reflectional: with correspondences', count: 261 },
+    { step: 'reflectional: that pass', count: 85 }, { step: 'reflectional: after merging', count: 46 }, { step: 'objects', count: 8 },
   ],
 };
 

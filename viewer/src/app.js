@@ -5,6 +5,7 @@ import { applyHash } from './hash.js';
 import { listenToKeys } from './keyboard.js';
 import { Labels } from './labels.js';
 import { createHook } from './hook.js';
+import { framePoints } from './framing.js';
 import { createLayout } from './layout.js';
 import { createPanel } from './panel/panel.js';
 import { listenToPointer } from './pointer.js';
@@ -14,15 +15,6 @@ import { createActions, createStore, initialState } from './store.js';
 import { createToolbar, createViews } from './toolbar.js';
 import { outlinePoints } from './gl/symmetries.js';
 import { Stage } from './gl/stage.js';
-
-// What the first view must show: the objects; all of the cloud where there are none.
-function framePoints(scene, outlines) {
-  const points = outlines.flat();
-  if (points.length) return points;
-  const everything = Uint32Array.from({ length: scene.cloud.count }, (_, i) => i);
-  const all = outlinePoints(scene.cloud, { points: everything, completed: { positions: [], count: 0 } }, 4000);
-  return all.length ? all : [[-0.3, 0, -0.3], [0.3, 0.2, 0.3]];
-}
 
 function drawOnChange(app) {
   const { store, stage, drawing, labels } = app;

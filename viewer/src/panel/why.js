@@ -17,11 +17,17 @@ const MEANINGS = {
 };
 const MOST_ROWS = 60;
 
+// "rotational: distinct axes" is a step of a stream; the stream gets a line of its own.
+function splitStep(step) {
+  const [, stream, rest] = /^([^:]+): (.+)$/s.exec(step) ?? [null, '', step];
+  return { stream, name: rest };
+}
+
 function funnelRow({ step, count }, most) {
   // Counts fall by orders of magnitude: the bars are logarithmic.
   const share = Math.log1p(count) / Math.log1p(most);
   return h('tr', {},
-    h('th', { scope: 'row' }, format.words(step)),
+    h('th', { scope: 'row' }, format.words(splitStep(step).name)),
     h('td', { class: 'bar' }, h('span', { style: { width: `${100 * share}%` } })),
     h('td', { class: 'number' }, format.count(count)));
 }
@@ -29,9 +35,15 @@ function funnelRow({ step, count }, most) {
 function createFunnel(funnel) {
   if (funnel.length === 0) return null;
   const most = Math.max(1, ...funnel.map(({ count }) => count));
+  const rows = funnel.flatMap((entry, i) => {
+    const { stream } = splitStep(entry.step);
+    const isNew = stream !== (i ? splitStep(funnel[i - 1].step).stream : '');
+    const head = isNew && h('tr', { class: 'stream' }, h('th', { colspan: '3', scope: 'colgroup' }, format.words(stream)));
+    return [head, funnelRow(entry, most)];
+  });
   return h('div', { class: 'funnel' },
     h('h3', {}, 'Candidates left after each step (log scale)'),
-    h('table', { class: 'bars' }, h('tbody', {}, funnel.map((step) => funnelRow(step, most)))));
+    h('table', { class: 'bars' }, h('tbody', {}, rows)));
 }
 
 function byReason(rejected) {
