@@ -1,6 +1,10 @@
 #include "symscene/simulation/depth_renderer.hpp"
 
+#if __has_include(<embree4/rtcore.h>)  // Ubuntu 24.04; Debian 12 has Embree 3
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -42,9 +46,6 @@ struct DepthRenderer::Implementation {
   }
 
   RTCHit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     RTCRayHit query{};
     query.ray.org_x = static_cast<float>(origin.x());
     query.ray.org_y = static_cast<float>(origin.y());
@@ -55,7 +56,14 @@ struct DepthRenderer::Implementation {
     query.ray.tfar = std::numeric_limits<float>::infinity();
     query.ray.mask = ~0U;  // builds that honour masks never hit with 0
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(scene, &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect1(scene, &context, &query);
+#endif
     return query.hit;
   }
 };

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "symscene/simulation/simulation.hpp"
+
+namespace symscene::bench {
+
+struct TrueScene {
+  Scene scene;
+  SceneTruth truth;
+};
+
+/// Simulates a scene, or reads it from `cache` if it was simulated with the same options before; an
+/// empty path caches nothing.
+TrueScene simulated_scene(const SimulationOptions& options, const std::filesystem::path& cache);
+
+}  // namespace symscene::bench

@@ -1,0 +1,65 @@
+#include "tables.hpp"
+
+#include <fmt/format.h>
+
+namespace symscene::bench {
+namespace {
+
+double percent(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 100.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// Precision and recall in percent; a dash where there is nothing to find or nothing was found.
+std::string rates(const Score& score) {
+  const auto rate = [](std::size_t part, std::size_t whole) {
+    return whole == 0 ? std::string("-") : fmt::format("{:.0f}", percent(part, whole));
+  };
+  return fmt::format("{:>4} {:>4}", rate(score.correct, score.found),
+                     rate(score.correct, score.truth));
+}
+
+}  // namespace
+
+std::string scene_header() {
+  return fmt::format("{:<16} {:>7} {:>5} {:>8} | {:^9} | {:^9} | {:>5} | {:^9} | {:^9} | {:>7}\n",
+                     "", "", "", "", "IoU>0.9", "IoU>0.75", "mean", "axes", "planes", "") +
+         fmt::format(
+             "{:<16} {:>7} {:>5} {:>8} | {:>4} {:>4} | {:>4} {:>4} | {:>5} | {:>4} {:>4} "
+             "| {:>4} {:>4} | {:>7}\n",
+             "scene", "objects", "found", "returned", "P%", "R%", "P%", "R%", "IoU", "P%", "R%",
+             "P%", "R%", "time s");
+}
+
+std::string scene_row(const std::string& name, const SceneScore& score) {
+  return fmt::format("{:<16} {:>7} {:>5} {:>8} | {} | {} | {:>5.2f} | {} | {} | {:>7.2f}\n", name,
+                     score.over_90.truth, score.over_90.correct, score.over_90.found,
+                     rates(score.over_90), rates(score.over_75), score.mean_overlap(),
+                     rates(score.axes), rates(score.planes), score.seconds);
+}
+
+std::string kind_table(const SceneScore& total) {
+  std::string text = fmt::format("{:<16} {:>7} {:>10} {:>11} {:>9} {:>13}\n", "kind", "objects",
+                                 "R% at 0.9", "R% at 0.75", "mean IoU", "symmetries R%");
+  for (const auto& [name, kind] : total.kinds) {
+    text += fmt::format("{:<16} {:>7} {:>10.0f} {:>11.0f} {:>9.2f} {:>13.0f}\n", name, kind.objects,
+                        percent(kind.over_90, kind.objects), percent(kind.over_75, kind.objects),
+                        kind.overlap_sum / static_cast<double>(kind.objects),
+                        percent(kind.symmetries_met, kind.symmetries));
+  }
+  return text;
+}
+
+std::string json_line(std::uint64_t seed, std::size_t scenes, const SceneScore& total) {
+  const auto score = [](const char* name, const Score& s) {
+    return fmt::format(R"("{}": {{"precision": {:.4f}, "recall": {:.4f}, "f": {:.4f}}}, )", name,
+                       s.precision(), s.recall(), s.f_measure());
+  };
+  return fmt::format(
+             R"({{"seed": {}, "scenes": {}, {}{}{}{}"mean_iou": {:.4f}, "seconds": {:.3f}}})", seed,
+             scenes, score("iou_90", total.over_90), score("iou_75", total.over_75),
+             score("axes", total.axes), score("planes", total.planes), total.mean_overlap(),
+             total.seconds) +
+         "\n";
+}
+
+}  // namespace symscene::bench
