@@ -92,7 +92,8 @@ std::vector<Correspondence> reflect_onto(const PointCloud& cloud, const CellList
     if (std::abs(reflector.signed_distance(p)) < min_plane_distance) continue;
     const auto [to, squared_distance] = cells.nearest(reflector.point(p), radius);
     if (to == CellList::none) continue;
-    const float angle = folded_angle(reflector.direction(cloud.normal(from)).dot(cloud.normal(to)));
+    const float cosine = reflector.direction(cloud.normal(from)).dot(cloud.normal(to));
+    const float angle = options.fold_thin_walls ? folded_angle(cosine) : safe_acos(cosine);
     if (angle <= max_angle) correspondences.push_back({from, to, squared_distance, angle});
   }
   return correspondences;

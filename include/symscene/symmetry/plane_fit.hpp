@@ -16,6 +16,8 @@ struct CorrespondenceOptions {
   double max_angle = radians(45.0);  ///< between their normals [rad]
   double min_plane_distance =
       0.01;  ///< a point nearer to the plane matches itself and proves nothing [m]
+  bool fold_thin_walls =
+      true;  ///< opposite normals match: both faces of a wall thinner than a voxel
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -24,6 +26,8 @@ struct CorrespondenceOptions {
     visit("max_angle", self.max_angle, "rad", "greatest angle between their normals");
     visit("min_plane_distance", self.min_plane_distance, "m",
           "points nearer to the plane prove nothing");
+    visit("fold_thin_walls", self.fold_thin_walls, "",
+          "opposite normals match, as on the faces of a thin wall");
   }
   /// Throws InputError on a distance that is negative or an angle outside (0, π].
   void validate() const;
@@ -48,7 +52,7 @@ std::vector<Correspondence> reflect_onto(const PointCloud& cloud, const CellList
 std::vector<Correspondence> one_to_one(std::vector<Correspondence> correspondences);
 
 struct PlaneFitOptions {
-  CorrespondenceOptions matching{0.008, radians(45.0), 0.01};
+  CorrespondenceOptions matching{0.008, radians(45.0), 0.01, true};
   int max_iterations = 20;                 ///< section 3.5.3
   double angle_tolerance = radians(0.05);  ///< a step below this [rad]
   double distance_tolerance = 1e-4;        ///< and this ends the fit [m]
