@@ -31,7 +31,7 @@ void grow(std::mt19937& random, const OccupancyLeaf& cube, OccupancyMap& map) {
       }
       grow(random, part, map);
     }
-  } else if (const unsigned state = random() % 3; state != 0) {
+  } else if (const auto state = random() % 3; state != 0) {
     map.leaves.push_back({cube.key, cube.level, static_cast<VoxelState>(state)});
   }
 }
