@@ -13,6 +13,7 @@ endif()
 
 add_library(symscene_flags INTERFACE)
 target_compile_features(symscene_flags INTERFACE cxx_std_20)
+target_compile_definitions(symscene_flags INTERFACE EIGEN_MPL2_ONLY)
 target_compile_options(symscene_flags INTERFACE
   -Wall -Wextra -Wconversion $<$<AND:$<BOOL:${SYMSCENE_WERROR}>,$<BOOL:${tested_compiler}>>:-Werror>
   # GCC 12 invents these in its own std::string (its bugs 105329, 105651); the sanitizers see true ones.
@@ -47,9 +48,6 @@ endif()
 function(symscene_library name)
   cmake_parse_arguments(arg "" "" "LINK;PRIVATE_LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
-  if(NOT sources)
-    return()
-  endif()
   add_library(symscene_${name} STATIC ${sources})
   add_library(symscene::${name} ALIAS symscene_${name})
   set_target_properties(symscene_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
@@ -57,30 +55,15 @@ function(symscene_library name)
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_compile_features(symscene_${name} PUBLIC cxx_std_20)
-  foreach(library IN LISTS arg_LINK)
-    if(NOT library MATCHES "^symscene::" OR TARGET ${library})
-      target_link_libraries(symscene_${name} PUBLIC ${library})
-    endif()
-  endforeach()
-  target_link_libraries(symscene_${name} PRIVATE $<BUILD_INTERFACE:symscene_flags> ${arg_PRIVATE_LINK})
+  target_link_libraries(symscene_${name}
+    PUBLIC ${arg_LINK} PRIVATE $<BUILD_INTERFACE:symscene_flags> ${arg_PRIVATE_LINK})
   # Core precompiles what all libraries read; the others take it from there.
   if(name STREQUAL "core")
     target_precompile_headers(symscene_core PRIVATE
       <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <functional> <optional> <span> <string> <vector>
       <fmt/format.h> <tbb/blocked_range.h> <tbb/global_control.h> <tbb/parallel_for.h>)
   else()
-    target_link_libraries(symscene_${name} PUBLIC symscene::core)
     target_precompile_headers(symscene_${name} REUSE_FROM symscene_core)
   endif()
   set_property(GLOBAL APPEND PROPERTY SYMSCENE_LIBRARIES symscene_${name})
-endfunction()
-
-# symscene_link_existing(TARGET NAME...)
-# Links those of the named libraries of the project that exist.
-function(symscene_link_existing target)
-  foreach(name IN LISTS ARGN)
-    if(TARGET symscene_${name})
-      target_link_libraries(${target} PRIVATE symscene::${name})
-    endif()
-  endforeach()
 endfunction()

@@ -10,6 +10,13 @@
 namespace symscene::app {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Whether it arrived shows when the stream is flushed at the end.
+void put(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+}  // namespace
+
 CLI::Option* add_input(CLI::App& command, fs::path& input, const char* name, const char* help) {
   return command.add_option(name, input, help)->required()->type_name("");
 }
@@ -38,7 +45,7 @@ void add_config(CLI::App& command, SharedOptions& shared, std::function<OptionFi
   command.add_flag_callback(
       "--dump-config",
       [configure = std::move(configure)] {
-        fmt::print("{}", format_config(configure()));
+        put(format_config(configure()));
         throw CLI::Success();
       },
       "print all options of the stages in the form of that file");
@@ -49,8 +56,8 @@ void set_example(CLI::App& command, const char* example) {
 }
 
 void require_not_input(const fs::path& output, const fs::path& input) {
-  const fs::path in = fs::weakly_canonical(input);
-  const fs::path out = fs::weakly_canonical(output);
+  const fs::path in = fs::weakly_canonical(fs::absolute(input));
+  const fs::path out = fs::weakly_canonical(fs::absolute(output));
   const auto [end_of_in, position] = std::mismatch(in.begin(), in.end(), out.begin(), out.end());
   if (end_of_in == in.end())
     throw InputError(output.string(), "a place outside the input", "a part of it");
@@ -75,7 +82,7 @@ StageTimer::OnBegin Session::on_begin() {
 
 void Session::print(const std::string& text) {
   progress_.stop();
-  fmt::print("{}", text);
+  put(text);
 }
 
 void Session::say(const std::string& line) {

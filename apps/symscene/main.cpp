@@ -44,9 +44,7 @@ void add_commands(CLI::App& app) {
       "    symscene view result -o page.html");
   symscene::app::add_simulate(app);
   symscene::app::add_segment(app);
-#if __has_include("symscene/pipeline/object_symmetry.hpp")
   symscene::app::add_symmetry(app);
-#endif
   symscene::app::add_view(app);
 }
 

@@ -59,7 +59,7 @@ struct Segment {
     session.on_begin()("read");
     const Scene input = read_scene(scene);
     const SegmentationResult result = segment(input, session);
-    write_result(shared.output, result);
+    write_result(absolute(shared.output), result);
     if (!page.empty()) write_file_atomically(page, render_page(result, page_options(input)));
     session.say(format_objects(result));
     session.finish({{"output", shared.output.string()},

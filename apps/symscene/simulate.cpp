@@ -42,7 +42,7 @@ struct Simulate {
     const SimulatedScene simulated =
         timer.time("simulate", [&] { return simulate_tabletop(options); });
     timer.time("write", [&] {
-      write_scene(shared.output, simulated.scene, scene_json(fields), &simulated.truth);
+      write_scene(absolute(shared.output), simulated.scene, scene_json(fields), &simulated.truth);
     });
     const Index points = simulated.scene.cloud.size();
     const std::size_t count = simulated.truth.objects.size();

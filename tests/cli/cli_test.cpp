@@ -1,0 +1,232 @@
+// The symscene command from outside: what it prints, leaves on disk and returns.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+
+namespace symscene::testing {
+namespace {
+
+/// One small scene and its result, made once for all tests.
+class Command : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    workspace_ = std::make_unique<Workspace>();
+    write(*workspace_ / "small.json", R"({
+      "tabletop": {"objects": 2},
+      "camera": {"frames": 8}  // few
+    })");
+    ASSERT_EQ(run("simulate -o scene --config small.json").err, "");
+    ASSERT_EQ(run("segment scene -o result").err, "");
+    ASSERT_FALSE(objects_without_times("result").at("objects").empty());
+  }
+  static void TearDownTestSuite() { workspace_.reset(); }
+
+  static Outcome run(const std::string& arguments, const fs::path& output = {}) {
+    return workspace_->run(arguments, output);
+  }
+  static fs::path file(const std::string& name) { return *workspace_ / name; }
+
+  /// Every file under the workspace and its bytes.
+  static std::map<std::string, std::string> snapshot() {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(workspace_->folder())) {
+      files[entry.path().string()] = entry.is_regular_file() ? contents(entry.path()) : "";
+    }
+    return files;
+  }
+
+  /// One sentence on standard error, nothing on standard output, nothing changed on disk.
+  static void expect_refusal(const std::string& arguments, int code, const std::string& sentence) {
+    const auto before = snapshot();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("symscene")) << outcome.err;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(snapshot(), before) << arguments;
+  }
+
+  /// The last line of what was printed, as JSON.
+  static nlohmann::json last_line(const std::string& out) {
+    const std::size_t end = out.find_last_not_of('\n');
+    const std::size_t newline = out.rfind('\n', end);
+    return nlohmann::json::parse(out.substr(newline == std::string::npos ? 0 : newline + 1));
+  }
+
+  /// objects.json without what varies from run to run.
+  static nlohmann::json objects_without_times(const std::string& result) {
+    nlohmann::json objects = nlohmann::json::parse(contents(file(result) / "objects.json"));
+    objects.erase("timings");
+    return objects;
+  }
+
+ private:
+  static std::unique_ptr<Workspace> workspace_;
+};
+
+std::unique_ptr<Workspace> Command::workspace_;
+
+TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
+  EXPECT_NE(run("--help").out.find("segment"), std::string::npos);
+  for (const char* command : {"simulate", "segment", "symmetry", "view"}) {
+    const Outcome help = run(std::string(command) + " --help");
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_EQ(help.err, "") << command;
+    EXPECT_NE(help.out.find(std::string("Usage: symscene ") + command), std::string::npos);
+    EXPECT_NE(help.out.find(std::string("Example:\n  symscene ") + command), std::string::npos);
+  }
+}
+
+TEST_F(Command, TellsItsVersion) {
+  EXPECT_EQ(run("--version").out, "symscene " SYMSCENE_VERSION "\n");
+}
+
+TEST_F(Command, RefusesAWrongCommandLineInOneSentence) {
+  expect_refusal("", 2, "subcommand");
+  expect_refusal("frobnicate", 2, "--help");
+  expect_refusal("segment", 2, "symscene segment --help");
+  expect_refusal("segment scene", 2, "--output");
+  expect_refusal("segment scene -o new --seed 1", 2, "--seed");
+  expect_refusal("segment scene -o new --repeat 0", 2, "--repeat");
+  expect_refusal("segment scene -o new --threads -1", 2, "--threads");
+  expect_refusal("view result -o page.html --threads 2", 2, "--threads");
+  expect_refusal("simulate -o new --objects many", 2, "--objects");
+  expect_refusal("simulate -o new --seed -4", 2, "--seed");
+}
+
+TEST_F(Command, RefusesBadInputInOneSentence) {
+  write(file("empty.ply"), "");
+  write(file("text.ply"), "not a\nply file\n");
+  fs::create_directories(file("folder"));
+  expect_refusal("segment nowhere -o new", 1, "symscene segment: nowhere: expected");
+  expect_refusal("segment folder -o new", 1, "symscene segment: folder");
+  expect_refusal("segment text.ply -o new", 1, "symscene segment: text.ply");
+  expect_refusal("view scene -o page.html", 1, "symscene view: scene");
+  expect_refusal("view result -o nowhere/page.html", 1, "nowhere");
+  expect_refusal("symmetry empty.ply", 1, "symscene symmetry: empty.ply");
+  expect_refusal("symmetry text.ply", 1, "symscene symmetry: text.ply");
+  expect_refusal("symmetry nowhere.obj", 1, "symscene symmetry: nowhere.obj");
+  expect_refusal("simulate -o new --objects 1000", 1, "found 1000");
+}
+
+TEST_F(Command, RefusesBadOptionsOfStagesInOneSentence) {
+  const std::vector<std::pair<const char*, const char*>> cases = {
+      {"", "expected JSON"},
+      {"{\n\"voxel_size\" 1}", "line 2"},
+      {"[]", "expected options in braces"},
+      {R"({"voxel_sise": 0.01})", "did you mean \"voxel_size\"?"},
+      {R"({"completely different": 1})", "completely different"},
+      {R"({"voxel_size": "5 mm"})", "expected a number for \"voxel_size\", found \"5 mm\""},
+      {R"({"voxel_size": -1})", "voxel_size"},
+      {R"({"normals": 3})", "expected a group of options in braces for \"normals\", found 3"},
+      {R"({"voxel_size": 1e999})", "out of range"},
+  };
+  for (const auto& [config, sentence] : cases) {
+    write(file("bad.json"), config);
+    expect_refusal("segment scene -o new --config bad.json", 1, sentence);
+  }
+  expect_refusal("segment scene -o new --config nowhere.json", 1, "nowhere.json");
+}
+
+TEST_F(Command, NeverWritesOverItsInput) {
+  expect_refusal("segment scene -o scene", 1, "outside the input");
+  expect_refusal("segment scene -o scene/../scene/result", 1, "outside the input");
+  expect_refusal("view result -o result/objects.json", 1, "outside the input");
+  expect_refusal("symmetry scene/cloud.ply -o ./scene/cloud.ply", 1, "outside the input");
+  expect_refusal("segment scene -o new --page new/page.html", 1, "outside the input");
+}
+
+TEST_F(Command, NeverWritesOverOtherPeoplesFiles) {
+  fs::create_directories(file("mine"));
+  write(file("mine") / "thesis.txt", "years of work");
+  expect_refusal("segment scene -o mine", 1, "mine");
+  expect_refusal("simulate -o mine --config small.json", 1, "mine");
+}
+
+TEST_F(Command, PrintsOneMachineReadableLineAtTheEnd) {
+  const auto simulated = last_line(run("simulate -o again --config small.json --json").out);
+  EXPECT_EQ(simulated.at("command"), "simulate");
+  const auto segmented = last_line(run("segment scene -o again2 --json -v --repeat 2").out);
+  EXPECT_EQ(segmented.at("command"), "segment");
+  EXPECT_EQ(segmented.at("objects"), objects_without_times("again2").at("objects").size());
+  EXPECT_FALSE(segmented.at("timings").empty());
+  const auto viewed = last_line(run("view result -o json.html --json").out);
+  EXPECT_EQ(viewed.at("bytes"), fs::file_size(file("json.html")));
+}
+
+TEST_F(Command, PrintsNothingWhenQuiet) {
+  for (const char* line :
+       {"simulate -o quiet --config small.json --quiet", "segment scene -o quiet2 --quiet",
+        "view result -o quiet.html --quiet"}) {
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.code, 0) << line;
+    EXPECT_EQ(outcome.out + outcome.err, "") << line;
+  }
+}
+
+TEST_F(Command, ReadsBackTheOptionsThatItPrints) {
+  for (const char* command : {"simulate", "segment", "symmetry"}) {
+    const std::string dump = std::string(command) + " --dump-config";
+    const Outcome printed = run(dump);
+    ASSERT_EQ(printed.code, 0) << printed.err;
+    EXPECT_GT(printed.out.size(), 100U);
+    write(file("dump.json"), printed.out);
+    EXPECT_EQ(run(dump + " --config dump.json").out, printed.out);
+  }
+}
+
+TEST_F(Command, LetsFlagsWinOverTheFile) {
+  const Outcome printed = run("simulate --config small.json --objects 5 --seed 9 --dump-config");
+  const auto values = nlohmann::json::parse(printed.out, nullptr, true, true);
+  EXPECT_EQ(values.at("tabletop").at("objects"), 5);
+  EXPECT_EQ(values.at("tabletop").at("seed"), 9);
+  EXPECT_EQ(values.at("camera").at("frames"), 8);
+}
+
+TEST_F(Command, SimulatesTheSameBytesFromTheSameSeed) {
+  ASSERT_EQ(run("simulate -o twin --config small.json --threads 1").code, 0);
+  ASSERT_EQ(run("simulate -o other --config small.json --seed 2").code, 0);
+  for (const char* name : {"cloud.ply", "occupancy.bt", "table_plane.txt", "truth.json"}) {
+    EXPECT_EQ(contents(file("twin") / name), contents(file("scene") / name)) << name;
+  }
+  EXPECT_NE(contents(file("other") / "cloud.ply"), contents(file("scene") / "cloud.ply"));
+}
+
+TEST_F(Command, SegmentsToTheSameBytesWithAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2", "8"}) {
+    const std::string result = std::string("result") + threads;
+    ASSERT_EQ(run("segment scene -o " + result + " --threads " + threads).code, 0);
+    EXPECT_EQ(objects_without_times(result), objects_without_times("result"));
+    EXPECT_EQ(contents(file(result) / "cloud.ply"), contents(file("result") / "cloud.ply"));
+  }
+}
+
+TEST_F(Command, ReplacesAnOlderResult) {
+  ASSERT_EQ(run("segment scene -o replaced").code, 0);
+  ASSERT_EQ(run("segment scene -o replaced").code, 0);
+  EXPECT_EQ(objects_without_times("replaced"), objects_without_times("result"));
+}
+
+TEST_F(Command, WritesAPageThatStandsAlone) {
+  ASSERT_EQ(run("view result -o page.html --title 'Mugs & bowls'").code, 0);
+  const std::string page = contents(file("page.html"));
+  EXPECT_NE(page.find("Mugs &amp; bowls"), std::string::npos);
+  EXPECT_EQ(page.find("<script src="), std::string::npos);
+  ASSERT_EQ(run("segment scene -o paged --page beside.html").code, 0);
+  EXPECT_GT(fs::file_size(file("beside.html")), 1000U);
+}
+
+TEST_F(Command, SaysSoWhenTheOutputIsFull) {
+  const Outcome outcome = run("segment --dump-config", "/dev/full");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("standard output"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace symscene::testing
