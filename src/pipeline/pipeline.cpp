@@ -201,6 +201,7 @@ void PipelineOptions::validate() const {
   reflectional_detection.validate();
   reflectional_segmentation.validate();
   merge.validate();
+  selection.validate();
   completion.validate();
 }
 
@@ -222,16 +223,19 @@ SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& opti
   HypothesisSet reflectional =
       reflectional_stream(rest, space.field, options, timer, result.funnel);
 
+  result.rejected = std::move(rotational.rejected);
+  result.rejected.insert(result.rejected.end(), reflectional.rejected.begin(),
+                         reflectional.rejected.end());
   timer.time("merge", [&] {
     std::vector<RatedHypothesis> rated;
     append_rated(std::move(rotational.accepted), options.rotational_segmentation.bounds, rated);
     append_rated(std::move(reflectional.accepted), options.reflectional_segmentation.bounds, rated);
     result.objects = merge_hypotheses(std::move(rated), space.cloud, options.merge);
+    result.funnel.push_back({"distinct segments", result.objects.size()});
+    result.objects =
+        select_consistent(std::move(result.objects), options.selection, result.rejected);
   });
   result.funnel.push_back({"objects", result.objects.size()});
-  result.rejected = std::move(rotational.rejected);
-  result.rejected.insert(result.rejected.end(), reflectional.rejected.begin(),
-                         reflectional.rejected.end());
   result.cloud = std::move(space.cloud);
   timer.time("completion", [&] { complete_objects(space.field, options.completion, result); });
   result.timings = timer.stages();

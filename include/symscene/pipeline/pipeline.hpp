@@ -5,6 +5,7 @@
 #include "symscene/core/scene.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/pipeline/merge.hpp"
+#include "symscene/pipeline/selection.hpp"
 #include "symscene/segmentation/oversegmentation.hpp"
 #include "symscene/segmentation/reflectional_segmentation.hpp"
 #include "symscene/segmentation/rotational_segmentation.hpp"
@@ -27,6 +28,7 @@ struct PipelineOptions {
   ReflectionalDetectionOptions reflectional_detection;
   ReflectionalSegmentationOptions reflectional_segmentation;
   MergeOptions merge;
+  SelectionOptions selection;
   CompletionOptions completion;
 
   template <class Self, class Visit>
@@ -42,6 +44,7 @@ struct PipelineOptions {
     visit("reflectional_detection", self.reflectional_detection);
     visit("reflectional_segmentation", self.reflectional_segmentation);
     visit("merge", self.merge);
+    visit("selection", self.selection);
     visit("completion", self.completion);
   }
   /// Throws InputError if a field of any stage is out of its range.

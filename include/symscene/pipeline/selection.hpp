@@ -1,0 +1,35 @@
+#pragma once
+
+#include "symscene/core/options.hpp"
+#include "symscene/core/scene.hpp"
+
+namespace symscene {
+
+struct SelectionOptions {
+  double max_overlap = 0.5;      ///< of two objects that share more of the smaller one, one goes
+  double min_parts_cover = 0.9;  ///< an object is a composite if smaller ones hold this share of it
+  double score_exponent = 1.0;   ///< an object is worth its size times this power of its score
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("max_overlap", self.max_overlap, "",
+          "of two objects that share more of the smaller one, one goes");
+    visit("min_parts_cover", self.min_parts_cover, "",
+          "an object goes if others inside it hold this share of it");
+    visit("score_exponent", self.score_exponent, "",
+          "an object is worth its size times this power of its score");
+  }
+  /// Throws InputError on an overlap outside [0, 1] or a negative exponent.
+  void validate() const;
+};
+
+/// The objects of a scene that explain most of it without explaining the same points twice. An
+/// object that others inside it make up (two boxes side by side mirror one another and pass as one)
+/// goes with reason "composite". Of all sets of the rest without two that overlap too much, the one
+/// of the greatest worth stays (a maximum-weight independent set, exact for up to 24 rivals and
+/// greedy beyond); what goes does so with reason "overlap". Keeps the order.
+std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
+                                           const SelectionOptions& options,
+                                           std::vector<Rejection>& rejected);
+
+}  // namespace symscene

@@ -1,0 +1,207 @@
+#include "symscene/pipeline/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr std::size_t max_exact_rivals = 24;
+
+/// Which objects exclude one another, and what each is worth.
+struct Rivalry {
+  std::vector<double> worth;
+  std::vector<std::vector<std::size_t>> rivals;  ///< ascending
+};
+
+double shared_part(const SceneObject& a, const SceneObject& b) {
+  const std::size_t smaller = std::min(a.points.size(), b.points.size());
+  return smaller == 0 ? 0.0
+                      : static_cast<double>(intersection_size(a.points, b.points)) /
+                            static_cast<double>(smaller);
+}
+
+Rivalry rivalry_of(const std::vector<SceneObject>& objects, const SelectionOptions& options) {
+  Rivalry rivalry;
+  rivalry.rivals.resize(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    rivalry.worth.push_back(static_cast<double>(objects[i].points.size()) *
+                            std::pow(objects[i].score, options.score_exponent));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (shared_part(objects[i], objects[j]) <= options.max_overlap) continue;
+      rivalry.rivals[i].push_back(j);
+      rivalry.rivals[j].push_back(i);
+    }
+  }
+  return rivalry;
+}
+
+/// Objects that exclude one another directly or through others.
+std::vector<std::vector<std::size_t>> groups_of(const Rivalry& rivalry) {
+  std::vector<bool> visited(rivalry.worth.size(), false);
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t start = 0; start < visited.size(); ++start) {
+    if (visited[start]) continue;
+    std::vector<std::size_t> group{start};
+    visited[start] = true;
+    for (std::size_t next = 0; next < group.size(); ++next) {
+      for (const std::size_t rival : rivalry.rivals[group[next]]) {
+        if (visited[rival]) continue;
+        visited[rival] = true;
+        group.push_back(rival);
+      }
+    }
+    std::sort(group.begin(), group.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Tries with and without each member in turn, as long as what is left could still win.
+class ExactSearch {
+ public:
+  ExactSearch(const Rivalry& rivalry, const std::vector<std::size_t>& group)
+      : rivalry_(rivalry), group_(group) {}
+
+  std::vector<std::size_t> run() {
+    double left = 0.0;
+    for (const std::size_t member : group_) left += rivalry_.worth[member];
+    extend(0, 0.0, left);
+    return best_;
+  }
+
+ private:
+  void extend(std::size_t next, double worth, double left) {
+    if (worth > best_worth_) {
+      best_worth_ = worth;
+      best_ = chosen_;
+    }
+    if (next == group_.size() || worth + left <= best_worth_) return;
+    const std::size_t member = group_[next];
+    const double member_worth = rivalry_.worth[member];
+    const auto& rivals = rivalry_.rivals[member];
+    const bool admissible = std::none_of(chosen_.begin(), chosen_.end(), [&](std::size_t other) {
+      return std::binary_search(rivals.begin(), rivals.end(), other);
+    });
+    if (admissible) {
+      chosen_.push_back(member);
+      extend(next + 1, worth + member_worth, left - member_worth);
+      chosen_.pop_back();
+    }
+    extend(next + 1, worth, left - member_worth);
+  }
+
+  const Rivalry& rivalry_;
+  const std::vector<std::size_t>& group_;
+  std::vector<std::size_t> chosen_;
+  std::vector<std::size_t> best_;
+  double best_worth_ = -1.0;
+};
+
+std::vector<std::size_t> greedy(const Rivalry& rivalry, std::vector<std::size_t> group) {
+  std::stable_sort(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
+    return rivalry.worth[a] > rivalry.worth[b];
+  });
+  std::vector<std::size_t> chosen;
+  for (const std::size_t member : group) {
+    const auto& rivals = rivalry.rivals[member];
+    const bool admissible = std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
+      return std::find(rivals.begin(), rivals.end(), other) != rivals.end();
+    });
+    if (admissible) chosen.push_back(member);
+  }
+  return chosen;
+}
+
+/// The share of an object that smaller ones inside it hold together.
+double share_held_by_parts(const std::vector<SceneObject>& objects, std::size_t whole) {
+  constexpr double inside = 0.8;
+  constexpr double largest_part = 0.85;
+  const PointIndices& points = objects[whole].points;
+  PointIndices held;
+  for (const SceneObject& part : objects) {
+    const std::size_t common = intersection_size(part.points, points);
+    const bool is_part =
+        static_cast<double>(common) > inside * static_cast<double>(part.points.size()) &&
+        static_cast<double>(part.points.size()) < largest_part * static_cast<double>(points.size());
+    if (!is_part) continue;
+    PointIndices joined;
+    std::set_union(held.begin(), held.end(), part.points.begin(), part.points.end(),
+                   std::back_inserter(joined));
+    held = std::move(joined);
+  }
+  return static_cast<double>(intersection_size(held, points)) / static_cast<double>(points.size());
+}
+
+Rejection overlap_rejection(const SceneObject& object, const char* reason, double value,
+                            double bound) {
+  return {object.rotational.empty() ? "reflectional" : "rotational", reason, value, bound,
+          object.points.size()};
+}
+
+std::vector<SceneObject> without_composites(std::vector<SceneObject> objects,
+                                            const SelectionOptions& options,
+                                            std::vector<Rejection>& rejected) {
+  std::vector<double> held(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) held[i] = share_held_by_parts(objects, i);
+  std::vector<SceneObject> kept;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (held[i] > options.min_parts_cover) {
+      rejected.push_back(
+          overlap_rejection(objects[i], "composite", held[i], options.min_parts_cover));
+    } else {
+      kept.push_back(std::move(objects[i]));
+    }
+  }
+  return kept;
+}
+
+/// The greatest share of an object that a chosen one holds.
+double greatest_overlap(const std::vector<SceneObject>& objects, std::size_t loser,
+                        const std::vector<bool>& chosen) {
+  double greatest = 0.0;
+  for (std::size_t j = 0; j < objects.size(); ++j) {
+    if (chosen[j]) greatest = std::max(greatest, shared_part(objects[loser], objects[j]));
+  }
+  return greatest;
+}
+
+}  // namespace
+
+void SelectionOptions::validate() const {
+  require_option(max_overlap >= 0.0 && max_overlap <= 1.0, "max_overlap", "a share in [0, 1]",
+                 max_overlap);
+  require_option(min_parts_cover >= 0.0 && min_parts_cover <= 1.0, "min_parts_cover",
+                 "a share in [0, 1]", min_parts_cover);
+  require_option(score_exponent >= 0.0, "score_exponent", "a number of at least 0", score_exponent);
+}
+
+std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
+                                           const SelectionOptions& options,
+                                           std::vector<Rejection>& rejected) {
+  objects = without_composites(std::move(objects), options, rejected);
+  const Rivalry rivalry = rivalry_of(objects, options);
+  std::vector<bool> chosen(objects.size(), false);
+  for (const std::vector<std::size_t>& group : groups_of(rivalry)) {
+    const std::vector<std::size_t> winners = group.size() <= max_exact_rivals
+                                                 ? ExactSearch(rivalry, group).run()
+                                                 : greedy(rivalry, group);
+    for (const std::size_t winner : winners) chosen[winner] = true;
+  }
+  std::vector<SceneObject> selected;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (chosen[i]) continue;
+    rejected.push_back(overlap_rejection(
+        objects[i], "overlap", greatest_overlap(objects, i, chosen), options.max_overlap));
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (chosen[i]) selected.push_back(std::move(objects[i]));
+  }
+  return selected;
+}
+
+}  // namespace symscene
