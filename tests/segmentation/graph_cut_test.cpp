@@ -33,7 +33,8 @@ Problem random_problem(std::uint32_t seed, Index nodes, std::size_t edges) {
 double energy_of_labels(const Problem& problem, std::uint32_t labels) {
   double energy = 0.0;
   for (std::size_t i = 0; i < problem.nodes.size(); ++i) {
-    energy += double{(labels >> i & 1U) != 0 ? problem.nodes[i].background : problem.nodes[i].object};
+    energy +=
+        double{(labels >> i & 1U) != 0 ? problem.nodes[i].background : problem.nodes[i].object};
   }
   for (const WeightedEdge& edge : problem.edges) {
     if ((labels >> edge.a & 1U) != (labels >> edge.b & 1U)) energy += double{edge.weight};

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+#include "core/random_clouds.hpp"
+#include "symscene/core/surface_sampling.hpp"
+#include "symscene/core/voxel_sampling.hpp"
+#include "symscene/simulation/shapes.hpp"
+
+/// Known surfaces for tests of the stages that work on oriented points.
+namespace symscene::testing {
+
+/// A mesh as a cloud at a spacing of 5 mm. [m]
+inline PointCloud as_cloud(const TriangleMesh& mesh) {
+  return voxel_downsample(sample_surface(mesh, 40000), 0.005);
+}
+
+/// A vase 20 cm high about the z axis.
+inline PointCloud vase() {
+  const std::array<ProfilePoint, 6> profile{ProfilePoint{0.0, 0.0}, {0.04, 0.0}, {0.07, 0.06},
+                                            {0.05, 0.13},           {0.03, 0.2}, {0.0, 0.2}};
+  return as_cloud(make_revolution(profile, 96, 0.005));
+}
+
+/// A closed box that stands on z = 0 about the z axis.
+inline PointCloud box(const Eigen::Vector3d& size) { return as_cloud(make_box(size, 0.005)); }
+
+inline PointCloud moved(PointCloud cloud, const Eigen::Isometry3d& motion) {
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d position = motion * cloud.position(i).cast<double>();
+    const Eigen::Vector3d normal = motion.linear() * cloud.normal(i).cast<double>();
+    cloud.positions.row(i) = position.cast<float>().transpose();
+    cloud.normals.row(i) = normal.cast<float>().transpose();
+  }
+  return cloud;
+}
+
+/// The points whose normal faces `viewpoint`: what one camera sees of a convex object.
+inline PointCloud seen_from(const PointCloud& cloud, const Eigen::Vector3f& viewpoint) {
+  PointIndices seen;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    if (cloud.normal(i).dot(viewpoint - cloud.position(i)) > 0.0F) seen.push_back(i);
+  }
+  return select(cloud, seen);
+}
+
+inline PointIndices all_of(const PointCloud& cloud) {
+  PointIndices indices(cloud.size());
+  for (Index i = 0; i < cloud.size(); ++i) indices[i] = i;
+  return indices;
+}
+
+}  // namespace symscene::testing
