@@ -69,6 +69,16 @@ std::optional<JsonCursor> JsonCursor::find(const char* key) const {
   return JsonCursor(*found, *name_, path_.empty() ? key : path_ + "." + key);
 }
 
+JsonCursor JsonCursor::at(std::size_t i) const {
+  if (i < size()) return item(i);
+  fail(fmt::format("an array of more than {}", i));
+}
+
+std::size_t JsonCursor::size() const {
+  if (!value_->is_array()) fail("an array");
+  return value_->size();
+}
+
 JsonCursor JsonCursor::item(std::size_t i) const {
   return JsonCursor((*value_)[i], *name_, fmt::format("{}[{}]", path_, i));
 }

@@ -27,6 +27,10 @@ class JsonCursor {
   JsonCursor at(const char* key) const;
   std::optional<JsonCursor> find(const char* key) const;
 
+  /// An item of an array that must be there.
+  JsonCursor at(std::size_t i) const;
+  std::size_t size() const;  ///< of an array
+
   /// The items of an array, `count` of them if given.
   std::vector<JsonCursor> items(std::optional<std::size_t> count = std::nullopt) const;
   /// The names and values of an object, in the file's order.

@@ -1,9 +1,8 @@
 #include "symscene/io/mesh.hpp"
 
 #include <algorithm>
-#include <cctype>
 
-#include "io/assimp_mesh.hpp"
+#include "io/mesh_formats.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/ply.hpp"
@@ -20,10 +19,12 @@ std::string lower_case_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-void require_known(const std::string& extension, const std::string& name) {
-  for (const char* known : {"ply", "obj", "stl", "glb", "gltf"}) {
-    if (extension == known) return;
-  }
+TriangleMesh parse(std::string_view bytes, const std::string& extension, const std::string& name,
+                   const ReadBeside& read_beside) {
+  if (extension == "ply") return parse_ply_mesh(bytes, name);
+  if (extension == "obj") return parse_obj(bytes, name);
+  if (extension == "stl") return parse_stl(bytes, name);
+  if (extension == "glb" || extension == "gltf") return parse_gltf(bytes, name, read_beside);
   throw InputError(name, "a mesh in PLY, OBJ, STL, GLB or glTF format",
                    extension.empty() ? "no extension" : "." + extension);
 }
@@ -31,17 +32,18 @@ void require_known(const std::string& extension, const std::string& name) {
 }  // namespace
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
-  const std::string extension = lower_case_extension(path);
-  require_known(extension, path.string());
-  if (extension == "ply") return read_ply_mesh(path);
-  return load_with_assimp(path);
+  const ReadBeside read_beside = [&](const std::string& relative) {
+    return read_file(path.parent_path() / relative);
+  };
+  return parse(read_file(path), lower_case_extension(path), path.string(), read_beside);
 }
 
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& extension,
                         const std::string& name) {
-  require_known(extension, name);
-  if (extension == "ply") return parse_ply_mesh(bytes, name);
-  return parse_with_assimp(bytes, extension, name);
+  const ReadBeside read_nothing = [&](const std::string& relative) -> std::string {
+    throw InputError(name, "a file that stands for itself", "one that refers to " + relative);
+  };
+  return parse(bytes, extension, name, read_nothing);
 }
 
 }  // namespace symscene

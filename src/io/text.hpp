@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace symscene {
@@ -30,6 +31,12 @@ inline std::optional<std::string_view> next_line(std::string_view& text) {
   text.remove_prefix(end + 1);
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
+}
+
+/// Takes the next line off the front of `text`, the last one even if nothing ends it.
+inline std::string_view take_line(std::string_view& text) {
+  if (const auto line = next_line(text)) return *line;
+  return std::exchange(text, {});
 }
 
 inline std::vector<std::string_view> words_of(std::string_view line) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/json_cursor.hpp"
+#include "io/mesh_formats.hpp"
+#include "io/scalar.hpp"
+
+namespace symscene {
+
+/// Values in a buffer: `count` elements of `components` numbers, inside the buffer.
+struct GltfAccessor {
+  const char* first;
+  std::size_t stride;
+  std::size_t count;
+  std::size_t components;
+  ScalarType type;
+
+  double value(std::size_t element, std::size_t component) const;
+  /// Integers mean fractions of their largest value.
+  double fraction(std::size_t element, std::size_t component) const;
+};
+
+/// A glTF 2.0 file: its JSON and the bytes of its buffers.
+class GltfDocument {
+ public:
+  /// Throws InputError if `bytes` are no such file or need an extension that changes the shape.
+  GltfDocument(std::string_view bytes, std::string name, const ReadBeside& read_beside);
+
+  JsonCursor root() const { return JsonCursor(json_, name_); }
+
+  /// The accessor that a value of the JSON names. Throws InputError if it leaves its buffer.
+  GltfAccessor accessor(const JsonCursor& index) const;
+
+ private:
+  void require_known_extensions() const;
+  std::string_view view(const JsonCursor& accessor, std::size_t& stride) const;
+
+  std::string name_;
+  Json json_;
+  std::vector<std::string> buffers_;
+};
+
+}  // namespace symscene
