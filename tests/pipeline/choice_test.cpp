@@ -1,0 +1,174 @@
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "surfaces.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/pipeline/merge.hpp"
+#include "symscene/pipeline/object_symmetry.hpp"
+#include "symscene/pipeline/selection.hpp"
+#include "symscene/simulation/random.hpp"
+
+namespace symscene {
+namespace {
+
+PointIndices range(Index begin, Index end) {
+  PointIndices indices(end - begin);
+  std::iota(indices.begin(), indices.end(), begin);
+  return indices;
+}
+
+SceneObject object(PointIndices points, double score) {
+  SceneObject object;
+  object.points = std::move(points);
+  object.score = score;
+  return object;
+}
+
+PointCloud hundred_points() {
+  PointCloud cloud;
+  cloud.positions = Points::Zero(200, 3);
+  for (Index i = 0; i < 200; ++i) cloud.positions(i, 0) = 0.001F * static_cast<float>(i);
+  return cloud;
+}
+
+TEST(Merge, JoinsEqualMasksWithAllTheirSymmetries) {
+  const ReflectionPlane x{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
+  const ReflectionPlane y{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()};
+  std::vector<RatedHypothesis> rated(3);
+  rated[0] = {{range(0, 100), {}, {}, {{x, 0.1}}}, 0.5};
+  rated[1] = {{range(0, 99), {}, {}, {{y, 0.2}}}, 0.9};
+  rated[2] = {{range(0, 60), {}, {}, {{x, 0.0}}}, 0.4};
+  const std::vector<SceneObject> objects = merge_hypotheses(rated, hundred_points());
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].points, range(0, 99));
+  EXPECT_EQ(objects[0].score, 0.9);
+  EXPECT_EQ(objects[0].reflectional.size(), 2U);
+  EXPECT_EQ(objects[1].reflectional.size(), 1U);
+}
+
+TEST(Merge, KeepsASymmetryOnce) {
+  const ReflectionPlane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()};
+  const ReflectionPlane nearly{{0.0, 0.002, 0.0}, -Eigen::Vector3d(0.02, 1.0, 0.0).normalized()};
+  std::vector<RatedHypothesis> rated(2);
+  rated[0] = {{range(0, 100), {}, {}, {{plane, 0.1}}}, 0.5};
+  rated[1] = {{range(0, 100), {}, {}, {{nearly, 0.1}}}, 0.4};
+  const std::vector<SceneObject> objects = merge_hypotheses(rated, hundred_points());
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects[0].reflectional.size(), 1U);
+}
+
+TEST(Selection, LetsACompositeGiveWayToItsParts) {
+  std::vector<Rejection> rejected;
+  const auto selected = select_consistent(
+      {object(range(0, 100), 0.9), object(range(0, 50), 0.5), object(range(50, 98), 0.4)}, {},
+      rejected);
+  ASSERT_EQ(selected.size(), 2U);
+  EXPECT_EQ(selected[0].points, range(0, 50));
+  ASSERT_EQ(rejected.size(), 1U);
+  EXPECT_EQ(rejected[0].reason, "composite");
+}
+
+TEST(Selection, LetsAPieceGiveWayToTheWhole) {
+  std::vector<Rejection> rejected;
+  const auto selected =
+      select_consistent({object(range(0, 100), 0.8), object(range(10, 40), 0.9)}, {}, rejected);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_EQ(selected[0].points.size(), 100U);
+  EXPECT_EQ(rejected.at(0).reason, "overlap");
+}
+
+TEST(Selection, IsTheWorthiestSetOfRandomRivals) {
+  for (const std::uint32_t seed : testing::seeds) {
+    Random random(seed);
+    std::vector<SceneObject> objects;
+    for (int k = 0; k < 9; ++k) {
+      const Index begin = random.below(60);
+      objects.push_back(
+          object(range(begin, begin + 10 + random.below(30)), random.uniform(0.1, 1.0)));
+    }
+    SelectionOptions options;
+    options.min_parts_cover = 1.0;  // composites stay: the choice alone
+    std::vector<Rejection> rejected;
+    double worth = 0.0;
+    for (const SceneObject& chosen : select_consistent(objects, options, rejected)) {
+      worth += static_cast<double>(chosen.points.size()) * chosen.score;
+    }
+    double best = 0.0;
+    for (unsigned set = 0; set < 1U << objects.size(); ++set) {
+      double sum = 0.0;
+      bool admissible = true;
+      for (std::size_t i = 0; i < objects.size(); ++i) {
+        if ((set >> i & 1U) == 0) continue;
+        sum += static_cast<double>(objects[i].points.size()) * objects[i].score;
+        for (std::size_t j = 0; j < i; ++j) {
+          if ((set >> j & 1U) == 0) continue;
+          const auto smaller = std::min(objects[i].points.size(), objects[j].points.size());
+          const auto common = intersection_size(objects[i].points, objects[j].points);
+          admissible &= 2 * common <= smaller;
+        }
+      }
+      if (admissible) best = std::max(best, sum);
+    }
+    EXPECT_NEAR(worth, best, 1e-9) << "seed " << seed;
+  }
+}
+
+TEST(Selection, OfManyRivalsEndsAndIsConsistent) {
+  std::vector<SceneObject> objects;
+  for (Index k = 0; k < 80; ++k) objects.push_back(object(range(k, k + 40), 0.5));
+  std::vector<Rejection> rejected;
+  const std::size_t count = objects.size();
+  const auto selected = select_consistent(std::move(objects), {}, rejected);
+  EXPECT_EQ(selected.size() + rejected.size(), count);
+  for (std::size_t i = 0; i < selected.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_LE(intersection_size(selected[i].points, selected[j].points), 20U);
+    }
+  }
+}
+
+TEST(ObjectSymmetry, OfAVaseIsItsAxisAtAnyScaleAndPlace) {
+  for (const double scale : {0.001, 1.0, 800.0}) {
+    std::mt19937 generator(9);
+    const Eigen::Isometry3d motion = testing::random_motion(generator);
+    PointCloud cloud = testing::moved(testing::vase(), motion);
+    cloud.positions *= static_cast<float>(scale);
+    const ObjectSymmetries found = detect_object_symmetries(cloud);
+    ASSERT_EQ(found.rotational.size(), 1U) << "scale " << scale;
+    const RotationAxis truth{scale * motion.translation(),
+                             motion.linear() * Eigen::Vector3d::UnitZ()};
+    const SymmetryDifference apart = difference(found.rotational[0].axis, truth, found.centroid);
+    EXPECT_LT(apart.angle, radians(1.0));
+    EXPECT_LT(apart.distance, 0.003 * scale);
+    EXPECT_TRUE(found.reflectional.empty());
+    EXPECT_FALSE(found.sphere);
+  }
+}
+
+TEST(ObjectSymmetry, OfABoxIsItsThreePlanesWithAndWithoutNormals) {
+  PointCloud cloud = testing::box({0.1, 0.16, 0.23});
+  for (const bool with_normals : {true, false}) {
+    if (!with_normals) cloud.normals.resize(0, 3);
+    const ObjectSymmetries found = detect_object_symmetries(cloud);
+    EXPECT_EQ(found.reflectional.size(), 3U) << with_normals;
+    EXPECT_TRUE(found.rotational.empty());
+  }
+}
+
+TEST(ObjectSymmetry, OfABallIsSaidToBeASphere) {
+  const std::vector<Ellipsoid> ball{{{0.0, 0.0, 0.1}, {0.05, 0.05, 0.05}}};
+  const ObjectSymmetries found =
+      detect_object_symmetries(testing::as_cloud(make_mirrored_body(ball, 0.001, 0.005)));
+  EXPECT_TRUE(found.sphere);
+  EXPECT_LT((found.centroid - Eigen::Vector3d(0.0, 0.0, 0.1)).norm(), 0.002);
+}
+
+TEST(ObjectSymmetry, OfOnePointIsRefused) {
+  PointCloud cloud = select(testing::vase(), PointIndices{0});
+  EXPECT_THROW(detect_object_symmetries(cloud), InputError);
+  EXPECT_THROW(detect_object_symmetries(PointCloud{}), InputError);
+}
+
+}  // namespace
+}  // namespace symscene

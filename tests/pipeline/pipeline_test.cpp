@@ -1,0 +1,192 @@
+#include "symscene/pipeline/pipeline.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/log.hpp"
+#include "symscene/core/parallel.hpp"
+#include "symscene/evaluation/mask_measures.hpp"
+#include "symscene/io/result.hpp"
+#include "symscene/io/scene.hpp"
+#include "symscene/simulation/simulation.hpp"
+
+namespace symscene {
+namespace {
+
+const SimulatedScene& table_of_four() {
+  static const SimulatedScene scene = [] {
+    SimulationOptions options;
+    options.tabletop.objects = 4;
+    options.tabletop.seed = 44;
+    options.tabletop.random_frame = true;
+    return simulate_tabletop(options);
+  }();
+  return scene;
+}
+
+std::vector<PointIndices> masks_of(const SegmentationResult& result) {
+  std::vector<PointIndices> masks;
+  for (const SceneObject& object : result.objects) masks.push_back(object.points);
+  return masks;
+}
+
+/// A cloud and its normals without order, space or table: a small valid scene to spoil.
+Scene plain_scene() {
+  Scene scene = table_of_four().scene;
+  scene.occupancy.reset();
+  scene.table.reset();
+  return scene;
+}
+
+TEST(Pipeline, FindsTheObjectsOfASimulatedTable) {
+  const SimulatedScene& simulated = table_of_four();
+  const SegmentationResult result = segment_scene(simulated.scene);
+  const auto truth = transfer_masks(simulated.scene.cloud, simulated.truth, result.cloud);
+  const Score score = mask_score(overlap_matrix(truth, masks_of(result)), 0.9);
+  EXPECT_EQ(score.correct, simulated.truth.objects.size());
+  EXPECT_LE(result.objects.size(), simulated.truth.objects.size() + 1);
+}
+
+TEST(Pipeline, GivesTheSameBytesForAnyNumberOfThreads) {
+  std::vector<std::string> texts;
+  for (const std::size_t threads : {1U, 2U, 8U}) {
+    const ThreadLimit limit(threads);
+    texts.push_back(format_objects_json(segment_scene(table_of_four().scene), false));
+  }
+  EXPECT_EQ(texts[0], texts[1]);
+  EXPECT_EQ(texts[0], texts[2]);
+}
+
+TEST(Pipeline, ReturnsWellFormedObjects) {
+  const SegmentationResult result = segment_scene(table_of_four().scene);
+  ASSERT_EQ(result.completed.size(), result.objects.size());
+  double last_score = 1.0;
+  for (const SceneObject& object : result.objects) {
+    EXPECT_LE(object.score, last_score);
+    EXPECT_GE(object.score, 0.0);
+    last_score = object.score;
+    EXPECT_TRUE(std::is_sorted(object.points.begin(), object.points.end()));
+    EXPECT_LT(object.points.back(), result.cloud.size());
+    EXPECT_FALSE(object.rotational.empty() && object.reflectional.empty());
+    for (const ScoredAxis& axis : object.rotational)
+      EXPECT_LT(axis.axis.distance(object.centroid), 1e-6);
+    EXPECT_TRUE(object.centroid.allFinite());
+  }
+  EXPECT_FALSE(result.timings.empty());
+  EXPECT_EQ(result.funnel.back().count, result.objects.size());
+}
+
+TEST(Pipeline, WithoutOccupancySaysSoAndGoesOn) {
+  std::string said;
+  const LogSink before = set_log_sink([&](LogLevel, std::string_view message) { said += message; });
+  const SegmentationResult result = segment_scene(plain_scene());
+  set_log_sink(before);
+  EXPECT_NE(said.find("never seen"), std::string::npos);
+  EXPECT_FALSE(result.objects.empty());
+}
+
+TEST(Pipeline, EstimatesMissingNormals) {
+  const SimulatedScene& simulated = table_of_four();
+  Scene scene = simulated.scene;
+  scene.cloud.normals.resize(0, 3);
+  const SegmentationResult result = segment_scene(scene);
+  ASSERT_TRUE(result.cloud.has_normals());
+  const auto truth = transfer_masks(simulated.scene.cloud, simulated.truth, result.cloud);
+  EXPECT_GE(mask_score(overlap_matrix(truth, masks_of(result)), 0.75).correct + 1,
+            simulated.truth.objects.size());
+}
+
+TEST(Pipeline, LeavesOutPointsAndNormalsThatAreNotFinite) {
+  Scene scene = table_of_four().scene;
+  scene.cloud.positions.row(10).setConstant(std::nanf(""));
+  scene.cloud.positions(20, 1) = std::numeric_limits<float>::infinity();
+  scene.cloud.normals.row(30).setConstant(std::nanf(""));
+  scene.cloud.normals.row(40).setZero();
+  const SegmentationResult result = segment_scene(scene);
+  EXPECT_TRUE(result.cloud.positions.allFinite());
+  EXPECT_TRUE(result.cloud.normals.allFinite());
+  EXPECT_FALSE(result.objects.empty());
+}
+
+TEST(Pipeline, RefusesCloudsWithoutAPoint) {
+  Scene scene = plain_scene();
+  scene.cloud = PointCloud{};
+  EXPECT_THROW(segment_scene(scene), InputError);
+  scene = plain_scene();
+  scene.cloud.positions.setConstant(std::nanf(""));
+  EXPECT_THROW(segment_scene(scene), InputError);
+}
+
+TEST(Pipeline, RefusesACloudInMillimetresBySayingSo) {
+  Scene scene = plain_scene();
+  scene.cloud.positions *= 1000.0F;
+  try {
+    segment_scene(scene);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("metres"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Pipeline, OfAFewPointsFindsNothing) {
+  Scene scene = plain_scene();
+  for (const Index count : {1U, 2U, 5U, 50U}) {
+    Scene few = scene;
+    PointIndices indices;
+    for (Index i = 0; i < count; ++i) indices.push_back(i);
+    few.cloud = select(scene.cloud, indices);
+    EXPECT_TRUE(segment_scene(few).objects.empty());
+    few.cloud.normals.resize(0, 3);
+    if (count == 50) {
+      EXPECT_TRUE(segment_scene(few).objects.empty());
+    }
+  }
+}
+
+TEST(Pipeline, RefusesOptionsWithoutMeaning) {
+  PipelineOptions options;
+  options.voxel_size = 0.0;
+  EXPECT_THROW(segment_scene(plain_scene(), options), InputError);
+  options = {};
+  options.selection.max_overlap = 2.0;
+  EXPECT_THROW(segment_scene(plain_scene(), options), InputError);
+}
+
+std::filesystem::path real_scene() {
+  const char* folder = std::getenv("SYMSCENE_DATA");
+  const std::filesystem::path data =
+      folder != nullptr ? std::filesystem::path(folder)
+                        : std::filesystem::path(SYMSCENE_SOURCE_DIR) / "../shared/data";
+  return data / "ctd_sample";
+}
+
+/// Where the centre of mass of an object of the real scene is. [m]
+struct Expected {
+  const char* name;
+  Eigen::Vector3d place;
+};
+
+TEST(Pipeline, FindsTheTenObjectsOfTheRealScene) {
+  if (!std::filesystem::exists(real_scene())) GTEST_SKIP() << "skipped: no data";
+  const SegmentationResult result = segment_scene(read_scene(real_scene()));
+  EXPECT_LE(result.objects.size(), 14U);
+  const std::vector<Expected> objects{
+      {"jug", {0.266, -0.262, 1.194}},  {"bottle", {0.165, 0.013, 0.884}},
+      {"bear", {0.042, 0.058, 0.747}},  {"carton", {0.164, 0.087, 0.826}},
+      {"can", {0.197, -0.081, 0.969}},  {"noodle cup", {0.312, -0.129, 1.131}},
+      {"bowl", {0.123, 0.083, 0.881}},  {"iron", {0.313, -0.013, 0.997}},
+      {"pear", {0.212, -0.185, 1.103}}, {"box", {0.081, -0.156, 1.002}}};
+  for (const Expected& expected : objects) {
+    const auto near =
+        std::count_if(result.objects.begin(), result.objects.end(), [&](const SceneObject& object) {
+          return (object.centroid - expected.place).norm() < 0.03;
+        });
+    EXPECT_EQ(near, 1) << expected.name;
+  }
+}
+
+}  // namespace
+}  // namespace symscene
