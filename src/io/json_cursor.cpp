@@ -165,6 +165,12 @@ Json to_json(const Eigen::Vector3d& vector, const char* what) {
       {to_json(vector.x(), what), to_json(vector.y(), what), to_json(vector.z(), what)});
 }
 
+Json to_json(const Plane& plane, const char* what) {
+  Json json = to_json(plane.normal, what);
+  json.push_back(to_json(plane.offset, what));
+  return json;
+}
+
 std::string format_json(const Json& document) {
   try {
     return document.dump() + "\n";

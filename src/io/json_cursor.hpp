@@ -63,6 +63,7 @@ class JsonCursor {
 /// A number or vector as JSON. Throws InputError, `what` standing for the file, if not finite.
 Json to_json(double value, const char* what);
 Json to_json(const Eigen::Vector3d& vector, const char* what);
+Json to_json(const Plane& plane, const char* what);  ///< [a, b, c, d]
 
 /// The text of a file on one line. Throws InputError if a string is not UTF-8.
 std::string format_json(const Json& document);

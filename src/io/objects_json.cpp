@@ -109,6 +109,7 @@ void parse_records(const JsonCursor& root, SegmentationResult& result) {
 
 std::string format_objects_json(const SegmentationResult& result, bool with_timings) {
   Json document = {{"version", version}, {"cloud", "cloud.ply"}};
+  if (result.table) document["table"] = to_json(*result.table, what);
   document["objects"] = Json::array();
   for (const SceneObject& object : result.objects) {
     document["objects"].push_back(format_object(object, document["objects"].size()));
@@ -132,6 +133,7 @@ SegmentationResult parse_objects_json(std::string_view text, const std::string& 
   if (root.at("version").count() != version) root.at("version").fail(std::to_string(version));
   if (root.at("cloud").string() != "cloud.ply") root.at("cloud").fail("\"cloud.ply\"");
   SegmentationResult result;
+  if (const auto table = root.find("table")) result.table = table->plane();
   for (const JsonCursor& object : root.at("objects").items()) {
     result.objects.push_back(parse_object(object, result.objects.size(), cloud_size));
   }

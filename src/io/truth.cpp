@@ -91,8 +91,7 @@ SceneTruth read_truth(const std::filesystem::path& path, std::optional<Index> cl
 
 std::string format_truth(const SceneTruth& truth) {
   Json document;
-  document["table"] = to_json(truth.table.normal, what);
-  document["table"].push_back(to_json(truth.table.offset, what));
+  document["table"] = to_json(truth.table, what);
   document["objects"] = Json::array();
   for (const TrueObject& object : truth.objects) {
     document["objects"].push_back(format_object(object));

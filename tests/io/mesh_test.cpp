@@ -105,6 +105,87 @@ TEST(Mesh, NodesOfAGlbPutTheirMeshesInPlace) {
   EXPECT_EQ(mesh.colors.row(mesh.triangles(0, 1)).cast<int>(), Eigen::RowVector3i(0, 255, 0));
 }
 
+/// Four corners of a square as a strip, in text, `nodes` around it.
+std::string strip_gltf(const std::string& nodes, const std::string& count = "4") {
+  return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[)" + nodes +
+         R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5}]}],"accessors":)"
+         R"([{"bufferView":0,"componentType":5126,"count":)" +
+         count +
+         R"(,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":48}],"buffers":[{)"
+         R"("byteLength":48,"uri":"data:application/octet-stream;base64,)"
+         R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAA"}]})";
+}
+
+TEST(Mesh, StripsAndDataInTextAreRead) {
+  const TriangleMesh mesh = parse_mesh(strip_gltf(R"({"mesh":0})"), "gltf", "x");
+  decltype(mesh.triangles) expected(2, 3);
+  expected << 0, 1, 2, 1, 3, 2;
+  EXPECT_EQ(mesh.triangles, expected);
+  EXPECT_EQ(mesh.vertices.row(3), Eigen::RowVector3f(1.0F, 1.0F, 0.0F));
+}
+
+TEST(Mesh, NodesThatAreNoTreeAndDataOutsideTheirBufferAreRefused) {
+  const auto message = [](const std::string& gltf) {
+    return refusal([&] { parse_mesh(gltf, "gltf", "a.gltf"); });
+  };
+  EXPECT_EQ(message(strip_gltf(R"({"mesh":0,"children":[0]})")),
+            "a.gltf: nodes[0].children[0]: expected a tree of nodes, found 0");
+  EXPECT_EQ(message(strip_gltf(R"({"mesh":0})", "5")),
+            "a.gltf: accessors[0]: expected elements inside the 48 bytes of its view, found an "
+            "object");
+  EXPECT_EQ(message(strip_gltf(R"({"mesh":0})", "18446744073709551615")),
+            "a.gltf: accessors[0]: expected elements inside the 48 bytes of its view, found an "
+            "object");
+  EXPECT_EQ(message(strip_gltf(R"({"mesh":1})")),
+            "a.gltf: meshes: expected an array of more than 1, found an array of 1");
+}
+
+TEST(Mesh, DataBesideAGltfIsReadFromItsFolder) {
+  const TemporaryFolder folder;
+  std::string gltf = strip_gltf(R"({"mesh":0})");
+  const std::size_t begin = gltf.find("data:");
+  gltf.replace(begin, gltf.find('"', begin) - begin, "a.bin");
+  const float corners[] = {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 1.F, 1.F, 0.F};
+  write_text(folder / "a.gltf", gltf);
+  EXPECT_THROW(read_mesh(folder / "a.gltf"), InputError);
+  write_text(folder / "a.bin", std::string(reinterpret_cast<const char*>(corners), 48));
+  EXPECT_EQ(read_mesh(folder / "a.gltf").triangles.rows(), 2);
+}
+
+TEST(Mesh, TextStlAndBinaryStlSayTheSame) {
+  const TriangleMesh binary = parse_mesh(tetrahedron_stl(), "stl", "x");
+  const TriangleMesh mesh = tetrahedron();
+  std::string text = "solid a thing\r\n";
+  for (Eigen::Index t = 0; t < 4; ++t) {
+    text += "facet normal 0 0 0\n  outer loop\n";
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::RowVector3f v = mesh.vertices.row(mesh.triangles(t, k));
+      text += fmt::format("    vertex {} {:e} {}\n", v.x(), v.y(), v.z());
+    }
+    text += "  endloop\nendfacet\n";
+  }
+  const TriangleMesh again = parse_mesh(text + "endsolid a thing", "stl", "x");
+  EXPECT_EQ(again.vertices, binary.vertices);
+  EXPECT_EQ(again.triangles, binary.triangles);
+  EXPECT_EQ(refusal([&] { parse_mesh(text, "stl", "a.stl"); }),
+            "a.stl: expected endsolid, found the end of the file");
+}
+
+TEST(Mesh, ObjCornersMayHaveNormalsCountBackwardsAndHaveColors) {
+  const TriangleMesh mesh = parse_mesh(
+      "# a comment\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nvt 0 0\n"
+      "f 1//1 2/1 3/1/1\nf -1 -2 -3",
+      "obj", "x");
+  decltype(mesh.triangles) expected(2, 3);
+  expected << 0, 1, 2, 2, 1, 0;
+  EXPECT_EQ(mesh.triangles, expected);
+  EXPECT_EQ(mesh.colors.row(1).cast<int>(), Eigen::RowVector3i(0, 255, 0));
+  for (const char* face : {"f 1 2 4", "f 0 1 2", "f -4 1 2", "f a b c"}) {
+    const std::string text = std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n") + face;
+    EXPECT_THROW(parse_mesh(text, "obj", "x"), InputError) << face;
+  }
+}
+
 TEST(Mesh, AMirroringTransformKeepsTheOutsideOutside) {
   const TriangleMesh mesh = parse_mesh(triangle_glb("-2"), "glb", "x");
   ASSERT_EQ(mesh.triangles.rows(), 1);
@@ -141,12 +222,9 @@ TEST(Mesh, WhatIsNoMeshIsRefused) {
 }
 
 TEST(Mesh, DamagedFilesAreReadOrRefused) {
-  damage(
-      tetrahedron_obj, [](std::string_view b) { parse_mesh(b, "obj", "x"); }, 100, 300);
-  damage(
-      tetrahedron_stl(), [](std::string_view b) { parse_mesh(b, "stl", "x"); }, 100, 300);
-  damage(
-      triangle_glb(), [](std::string_view b) { parse_mesh(b, "glb", "x"); }, 100, 300);
+  damage(tetrahedron_obj, [](std::string_view b) { parse_mesh(b, "obj", "x"); });
+  damage(tetrahedron_stl(), [](std::string_view b) { parse_mesh(b, "stl", "x"); });
+  damage(triangle_glb(), [](std::string_view b) { parse_mesh(b, "glb", "x"); });
 }
 
 }  // namespace

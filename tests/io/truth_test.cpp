@@ -41,7 +41,8 @@ TEST(Truth, WhatIsWrittenIsReadBackBitForBit) {
 TEST(Truth, AMeshWithItsPoseStandsForPoints) {
   const SceneTruth truth = parse_truth(
       R"({"table": [0,0,2,-1], "objects": [{"mesh": "can.ply", "centroid": [0,0,0],
-          "pose": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "rot": [{"p":[0,0,0],"d":[0,0,5]}]}]})",
+          "pose": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+          "rot": [{"p":[0,0,0],"d":[0,0,5]}]}]})",
       "x");
   EXPECT_EQ(truth.table.offset, -0.5);
   ASSERT_EQ(truth.objects.size(), 1U);
