@@ -55,6 +55,11 @@ void set_example(CLI::App& command, const char* example) {
   command.footer(fmt::format("Example:\n  {}", example));
 }
 
+std::string folder_name(const std::filesystem::path& folder) {
+  const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 void require_not_input(const fs::path& output, const fs::path& input) {
   const fs::path in = fs::weakly_canonical(fs::absolute(input));
   const fs::path out = fs::weakly_canonical(fs::absolute(output));

@@ -40,6 +40,9 @@ void set_example(CLI::App& command, const char* example);
 /// Throws InputError if writing `output` would change the file or folder `input`, or what is in it.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
+/// The last part of a folder's path, whether or not it ends in a slash or is a dot.
+std::string folder_name(const std::filesystem::path& folder);
+
 /// A subcommand at work: bounds its threads, shows its progress and its warnings, and prints its
 /// report at the end.
 class Session {

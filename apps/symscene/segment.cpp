@@ -45,10 +45,10 @@ struct Segment {
     return result;
   }
 
-  PageOptions page_options(const Scene& input) const {
+  PageOptions page_options(const SegmentationResult& result) const {
     PageOptions page_options;
-    page_options.title = std::filesystem::absolute(scene).lexically_normal().filename().string();
-    page_options.table = input.table;
+    page_options.title = folder_name(scene);
+    page_options.table = result.table;
     return page_options;
   }
 
@@ -60,7 +60,7 @@ struct Segment {
     const Scene input = read_scene(scene);
     const SegmentationResult result = segment(input, session);
     write_result(absolute(shared.output), result);
-    if (!page.empty()) write_file_atomically(page, render_page(result, page_options(input)));
+    if (!page.empty()) write_file_atomically(page, render_page(result, page_options(result)));
     session.say(format_objects(result));
     session.finish({{"output", shared.output.string()},
                     {"objects", result.objects.size()},

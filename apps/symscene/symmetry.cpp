@@ -64,9 +64,11 @@ std::string format_list(const nlohmann::ordered_json& list) {
 }
 
 std::string format_symmetries(const ObjectSymmetries& found) {
-  return fmt::format("{{\n  \"version\": 1,\n  \"rotational\": {},\n  \"reflectional\": {}\n}}\n",
-                     format_list(list_json(found.rotational)),
-                     format_list(list_json(found.reflectional)));
+  return fmt::format(
+      "{{\n  \"version\": 1,\n  \"sphere\": {},\n  \"centroid\": {},\n  \"rotational\": {},\n"
+      "  \"reflectional\": {}\n}}\n",
+      found.sphere, coordinates(found.centroid).dump(), format_list(list_json(found.rotational)),
+      format_list(list_json(found.reflectional)));
 }
 
 struct Symmetry {
@@ -100,6 +102,8 @@ struct Symmetry {
     write(found, session);
     session.finish({{"output", shared.output.string()},
                     {"points", cloud.size()},
+                    {"sphere", found.sphere},
+                    {"centroid", coordinates(found.centroid)},
                     {"rotational", list_json(found.rotational)},
                     {"reflectional", list_json(found.reflectional)}},
                    timer.stages());

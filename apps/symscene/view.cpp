@@ -13,15 +13,23 @@ namespace {
 
 struct View {
   SharedOptions shared;
-  PageOptions options;
+  std::string title;
   std::filesystem::path result;
+
+  PageOptions page_options(const SegmentationResult& input) const {
+    PageOptions options;
+    options.title = title.empty() ? folder_name(result) : title;
+    options.table = input.table;
+    return options;
+  }
 
   void run() const {
     require_not_input(shared.output, result);
     Session session("view", shared);
     StageTimer timer(session.on_begin());
     const SegmentationResult input = timer.time("read", [&] { return read_result(result); });
-    const std::string page = timer.time("render", [&] { return render_page(input, options); });
+    const std::string page =
+        timer.time("render", [&] { return render_page(input, page_options(input)); });
     timer.time("write", [&] { write_file_atomically(shared.output, page); });
     session.say(fmt::format("{}: {} objects, {:.1f} MB", shared.output.string(),
                             input.objects.size(), 1e-6 * static_cast<double>(page.size())));
@@ -40,7 +48,9 @@ void add_view(CLI::App& app) {
   const auto state = std::make_shared<View>();
   add_input(command, state->result, "RESULT", "result folder");
   add_output(command, state->shared, "page to write")->required();
-  command.add_option("--title", state->options.title, "title of the page")->type_name("T");
+  command
+      .add_option("--title", state->title, "title of the page (default: the name of the folder)")
+      ->type_name("T");
   add_reporting(command, state->shared);
   set_example(command, "symscene view result -o page.html --title \"My table\"");
   command.callback([state] { state->run(); });

@@ -210,6 +210,7 @@ SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& opti
   options.validate();
   StageTimer timer(on_begin);
   SegmentationResult result;
+  result.table = scene.table;
   Workspace space = build_workspace(scene, options, timer);
   result.funnel = {{"points", scene.cloud.size()},
                    {"points at the working spacing", space.cloud.size()},

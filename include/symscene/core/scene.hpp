@@ -57,6 +57,7 @@ struct FunnelStep {
 /// What segmentation returns.
 struct SegmentationResult {
   PointCloud cloud;                   ///< the 5 mm cloud that the indices count in
+  std::optional<Plane> table;         ///< of the scene, where it is known
   std::vector<SceneObject> objects;   ///< by falling score
   std::vector<PointCloud> completed;  ///< one an object: the points that its symmetries add
   std::vector<Rejection> rejected;    ///< hypotheses that were cut out and then refused
