@@ -77,7 +77,7 @@ CellList::CellList(const Points& points, float cell_size) {
         fmt::format("{:.4g} x {:.4g} x {:.4g} m", box.extent().x(), box.extent().y(),
                     box.extent().z()));
   }
-  origin_ = box.min;
+  box_ = box;
   inverse_cell_size_ = 1.0F / cell_size;
   cells_ = cells.cast<int>().matrix();
 
@@ -104,17 +104,22 @@ CellList::CellList(const Points& points, float cell_size) {
 }
 
 int CellList::clamped_cell(float coordinate, int axis) const {
-  const float cell = (coordinate - origin_[axis]) * inverse_cell_size_;
+  const float cell = (coordinate - box_.min[axis]) * inverse_cell_size_;
   return static_cast<int>(std::clamp(cell, 0.0F, static_cast<float>(cells_[axis] - 1)));
 }
 
 std::pair<Index, float> CellList::nearest(const Eigen::Vector3f& query, float radius) const {
   std::pair<Index, float> best{none, std::numeric_limits<float>::infinity()};
-  for_each_within(query, radius, [&](Index i, float squared_distance) {
-    if (squared_distance < best.second || (squared_distance == best.second && i < best.first)) {
-      best = {i, squared_distance};
-    }
-  });
+  const auto search = [&](float reach) {
+    for_each_within(query, reach, [&](Index i, float squared_distance) {
+      if (squared_distance < best.second || (squared_distance == best.second && i < best.first)) {
+        best = {i, squared_distance};
+      }
+    });
+  };
+  // Half the radius needs a fraction of the cells, and what it finds is the nearest.
+  search(0.5F * radius);
+  if (best.first == none) search(radius);
   return best;
 }
 

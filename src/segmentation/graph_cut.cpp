@@ -1,7 +1,6 @@
 #include "symscene/segmentation/graph_cut.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "symscene/core/error.hpp"
@@ -11,7 +10,7 @@ namespace {
 
 using Capacity = std::int32_t;
 
-constexpr double fixed_point = 65536.0;
+constexpr float fixed_point = 65536.0F;
 constexpr float max_weight = 8192.0F;
 constexpr Index no_arc = std::numeric_limits<Index>::max();
 constexpr Index root_arc = no_arc - 1;    ///< the parent of a node that has evidence itself
@@ -21,7 +20,7 @@ Capacity to_capacity(float weight) {
   if (!(weight >= 0.0F && weight < max_weight)) {
     throw InputError("graph cut", "a weight in [0, 8192)", std::to_string(weight));
   }
-  return static_cast<Capacity>(std::lround(double{weight} * fixed_point));
+  return static_cast<Capacity>(weight * fixed_point + 0.5F);
 }
 
 /// Directed arcs by the node that they leave; an arc and its sister have the residual capacities of
@@ -258,19 +257,6 @@ class MaxFlow {
   std::uint32_t time_ = 1;
 };
 
-/// Eq. 4.1 in fixed point.
-std::int64_t energy_of(std::span<const Affinity> nodes, std::span<const WeightedEdge> edges,
-                       const std::vector<std::uint8_t>& is_object) {
-  std::int64_t energy = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    energy += to_capacity(is_object[i] != 0 ? nodes[i].background : nodes[i].object);
-  }
-  for (const WeightedEdge& edge : edges) {
-    if (is_object[edge.a] != is_object[edge.b]) energy += to_capacity(edge.weight);
-  }
-  return energy;
-}
-
 }  // namespace
 
 GraphCut cut_graph(std::span<const Affinity> nodes, std::span<const WeightedEdge> edges) {
@@ -283,9 +269,20 @@ GraphCut cut_graph(std::span<const Affinity> nodes, std::span<const WeightedEdge
   GraphCut cut;
   cut.is_object.resize(nodes.size());
   for (Index i = 0; i < nodes.size(); ++i) cut.is_object[i] = max_flow.in_tree(i) ? 1 : 0;
-  cut.flow = static_cast<double>(flow) / fixed_point;
-  cut.energy = static_cast<double>(energy_of(nodes, edges, cut.is_object)) / fixed_point;
+  cut.flow = static_cast<double>(flow) / double{fixed_point};
   return cut;
+}
+
+double labeling_energy(std::span<const Affinity> nodes, std::span<const WeightedEdge> edges,
+                       std::span<const std::uint8_t> is_object) {
+  std::int64_t energy = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    energy += to_capacity(is_object[i] != 0 ? nodes[i].background : nodes[i].object);
+  }
+  for (const WeightedEdge& edge : edges) {
+    if (is_object[edge.a] != is_object[edge.b]) energy += to_capacity(edge.weight);
+  }
+  return static_cast<double>(energy) / double{fixed_point};
 }
 
 }  // namespace symscene

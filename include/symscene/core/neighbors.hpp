@@ -47,7 +47,7 @@ class CellList {
 
   int clamped_cell(float coordinate, int axis) const;
 
-  Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();
+  Box box_;
   float inverse_cell_size_ = 1.0F;
   Eigen::Vector3i cells_ = Eigen::Vector3i::Zero();
   std::vector<Index> cell_begin_;
@@ -70,6 +70,7 @@ void CellList::for_each_within(const Eigen::Vector3f& query, float radius, Visit
   Eigen::Vector3i low;
   Eigen::Vector3i high;
   for (int axis = 0; axis < 3; ++axis) {
+    if (query[axis] + reach < box_.min[axis] || query[axis] - reach > box_.max[axis]) return;
     low[axis] = clamped_cell(query[axis] - reach, axis);
     high[axis] = clamped_cell(query[axis] + reach, axis);
   }

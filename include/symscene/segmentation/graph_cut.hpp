@@ -24,8 +24,7 @@ struct Affinity {
 
 struct GraphCut {
   std::vector<std::uint8_t> is_object;  ///< one a node
-  double energy = 0.0;                  ///< Eq. 4.1 at its minimum
-  double flow = 0.0;                    ///< the maximum flow; equals the energy
+  double flow = 0.0;                    ///< the maximum flow: Eq. 4.1 at its minimum
 };
 
 /// The labelling that minimises Eq. 4.1: a minimum cut, found as a maximum flow. Of all minimal
@@ -39,5 +38,9 @@ struct GraphCut {
 /// below 2^13. Throws InputError if an edge names a node that is not there or a weight is out of
 /// range.
 GraphCut cut_graph(std::span<const Affinity> nodes, std::span<const WeightedEdge> edges);
+
+/// Eq. 4.1 of any labelling, to the precision of cut_graph.
+double labeling_energy(std::span<const Affinity> nodes, std::span<const WeightedEdge> edges,
+                       std::span<const std::uint8_t> is_object);
 
 }  // namespace symscene
