@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "symscene/core/dispatch.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
 
@@ -20,6 +21,7 @@ struct RowNeighbourhood {
 };
 
 /// Marks the obstacles of a row: 0 where there is one, `far` elsewhere.
+SYMSCENE_MULTIVERSION
 void mark_obstacles(const RowNeighbourhood& row, std::size_t length, bool grow, Byte far,
                     Byte* marks) {
   for (std::size_t x = 0; x < length; ++x) {
@@ -68,8 +70,8 @@ void write_table_depth(const RowHeight& height, std::size_t length, float clamp,
 }
 
 /// target[i] = min(target[i], source[i] + squared_step)
-void lower_by_step(const Byte* __restrict source, std::size_t length, int squared_step,
-                   Byte* __restrict target) {
+inline void lower_by_step(const Byte* __restrict source, std::size_t length, int squared_step,
+                          Byte* __restrict target) {
   const auto step = static_cast<Byte>(squared_step);
   for (std::size_t i = 0; i < length; ++i) {
     const auto candidate = static_cast<Byte>(source[i] + step);
@@ -79,6 +81,7 @@ void lower_by_step(const Byte* __restrict source, std::size_t length, int square
 
 /// One dimension of the transform over `count` lines of `length` bytes, a line's neighbours being
 /// the lines before and after it.
+SYMSCENE_MULTIVERSION
 void transform_across_lines(const Byte* source, std::size_t stride, std::size_t count,
                             std::size_t length, int clamp, std::size_t line, Byte* target) {
   std::copy_n(source + line * stride, length, target);
@@ -92,6 +95,7 @@ void transform_across_lines(const Byte* source, std::size_t stride, std::size_t 
 }
 
 /// The same along a line.
+SYMSCENE_MULTIVERSION
 void transform_along_line(const Byte* source, std::size_t length, int clamp, Byte* target) {
   std::copy_n(source, length, target);
   for (int step = 1; step < clamp; ++step) {
