@@ -136,6 +136,17 @@ json parse_json(const std::string& text, const std::string& name) {
   }
 }
 
+ordered_json config_values(const OptionFields& fields) {
+  ordered_json values = ordered_json::object();
+  for (const OptionField& field : fields) {
+    std::string pointer = "/" + field.name;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    std::visit([&](const auto* value) { values[ordered_json::json_pointer(pointer)] = *value; },
+               field.value);
+  }
+  return values;
+}
+
 std::string comment(const OptionField& field) {
   const auto* const* value = std::get_if<double*>(&field.value);
   if (field.unit == "rad" && value != nullptr) {
@@ -168,17 +179,6 @@ void read_config(const std::filesystem::path& file, const OptionFields& fields) 
   parse_config(read_file(file), file.string(), fields);
 }
 
-ordered_json config_values(const OptionFields& fields) {
-  ordered_json values = ordered_json::object();
-  for (const OptionField& field : fields) {
-    std::string pointer = "/" + field.name;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    std::visit([&](const auto* value) { values[ordered_json::json_pointer(pointer)] = *value; },
-               field.value);
-  }
-  return values;
-}
-
 std::string format_config(const OptionFields& fields) {
   constexpr std::size_t column = 44;
   std::string text;
@@ -189,6 +189,14 @@ std::string format_config(const OptionFields& fields) {
         is_value ? fmt::format("{:<{}}  // {}\n", line, column, comment(*field++)) : line + "\n";
   }
   return text;
+}
+
+std::string describe_run(const std::string& command, const OptionFields& fields) {
+  const ordered_json run = {{"version", 1},
+                            {"symscene", SYMSCENE_VERSION},
+                            {"command", command},
+                            {"options", config_values(fields)}};
+  return run.dump(2) + "\n";
 }
 
 }  // namespace symscene::app

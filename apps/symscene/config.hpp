@@ -6,8 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace symscene::app {
 
 /// One option of a stage, by its path through the groups: "rotational.max_angle".
@@ -53,10 +51,10 @@ void read_config(const std::filesystem::path& file, const OptionFields& fields);
 /// The same from the text of a file; `name` stands for it in messages.
 void parse_config(const std::string& text, const std::string& name, const OptionFields& fields);
 
-/// The values of all fields, nested by group.
-nlohmann::ordered_json config_values(const OptionFields& fields);
-
 /// All fields as JSON, with unit and help in a comment behind each: what read_config reads back.
 std::string format_config(const OptionFields& fields);
+
+/// What made an output, as JSON: version, command and all options.
+std::string describe_run(const std::string& command, const OptionFields& fields);
 
 }  // namespace symscene::app

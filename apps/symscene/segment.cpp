@@ -1,10 +1,11 @@
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "common.hpp"
 #include "results.hpp"
+#include "session.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
@@ -19,7 +20,7 @@ struct Segment {
   PipelineOptions options;
   std::filesystem::path scene;
   std::filesystem::path page;
-  int repeat = 0;
+  std::optional<int> repeat;
 
   OptionFields configure() {
     OptionFields fields = option_fields(options);
@@ -39,7 +40,7 @@ struct Segment {
   SegmentationResult segment(const Scene& input, Session& session) const {
     SegmentationResult result = segment_scene(input, options, session.on_begin());
     std::vector<std::vector<StageTime>> runs;
-    for (int run = 1; run <= repeat; ++run)
+    for (int run = 1; run <= repeat.value_or(0); ++run)
       runs.push_back(segment_scene(input, options, session.on_begin()).timings);
     if (!runs.empty()) result.timings = median_times(runs);
     return result;
@@ -62,7 +63,7 @@ struct Segment {
     write_result(absolute(shared.output), result);
     if (!page.empty()) write_file_atomically(page, render_page(result, page_options(result)));
     session.say(format_objects(result));
-    session.finish({{"output", shared.output.string()},
+    session.finish({{"output", shared.output},
                     {"objects", result.objects.size()},
                     {"points", result.cloud.size()}},
                    result.timings);
@@ -72,23 +73,18 @@ struct Segment {
 }  // namespace
 
 void add_segment(CLI::App& app) {
-  CLI::App& command =
-      *app.add_subcommand("segment", "Find the objects of a scene and their symmetries");
   const auto state = std::make_shared<Segment>();
-  add_input(command, state->scene, "SCENE", "scene folder");
-  add_output(command, state->shared, "result folder to write")->required();
-  command.add_option("--page", state->page, "also write the page that shows the result")
-      ->type_name("FILE");
-  command
-      .add_option("--repeat", state->repeat,
-                  "run this many times more and report the median time of every stage")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000).description(""));
-  add_threads(command, state->shared);
-  add_reporting(command, state->shared);
-  add_config(command, state->shared, [state] { return state->configure(); });
-  set_example(command, "symscene segment scene -o result --page page.html");
-  command.callback([state] { state->run(); });
+  Arguments arguments(app, "segment", "Find the objects of a scene and their symmetries",
+                      "symscene segment scene -o result --page page.html");
+  arguments.input(state->scene, "SCENE", "scene folder");
+  arguments.required_output(state->shared, "result folder to write");
+  arguments.file("--page", state->page, "also write the page that shows the result");
+  arguments.count("--repeat", state->repeat,
+                  "run this many times more and report the median time of every stage");
+  arguments.threads(state->shared);
+  arguments.reporting(state->shared);
+  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run([state] { state->run(); });
 }
 
 }  // namespace symscene::app

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "common.hpp"
+#include "session.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/simulation/simulation.hpp"
 
@@ -26,15 +26,6 @@ struct Simulate {
     return fields;
   }
 
-  /// The text of scene.json: what made the scene.
-  static std::string scene_json(const OptionFields& fields) {
-    const nlohmann::ordered_json json = {{"version", 1},
-                                         {"symscene", SYMSCENE_VERSION},
-                                         {"command", "simulate"},
-                                         {"options", config_values(fields)}};
-    return json.dump(2) + "\n";
-  }
-
   void run() {
     const OptionFields fields = configure();
     Session session("simulate", shared);
@@ -42,12 +33,13 @@ struct Simulate {
     const SimulatedScene simulated =
         timer.time("simulate", [&] { return simulate_tabletop(options); });
     timer.time("write", [&] {
-      write_scene(absolute(shared.output), simulated.scene, scene_json(fields), &simulated.truth);
+      write_scene(absolute(shared.output), simulated.scene, describe_run("simulate", fields),
+                  &simulated.truth);
     });
     const Index points = simulated.scene.cloud.size();
     const std::size_t count = simulated.truth.objects.size();
     session.say(fmt::format("{}: {} objects, {} points", shared.output.string(), count, points));
-    session.finish({{"output", shared.output.string()}, {"objects", count}, {"points", points}},
+    session.finish({{"output", shared.output}, {"objects", count}, {"points", points}},
                    timer.stages());
   }
 };
@@ -55,22 +47,16 @@ struct Simulate {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-  CLI::App& command =
-      *app.add_subcommand("simulate", "Scan a simulated table with objects, with the truth beside");
   const auto state = std::make_shared<Simulate>();
-  add_output(command, state->shared, "scene folder to write")->required();
-  command.add_option("--objects", state->objects, "objects on the table (default 6)")
-      ->type_name("N");
-  command.add_option("--seed", state->seed, "seed of everything random (default 1)")
-      ->type_name("S")
-      ->check([](const std::string& text) {
-        return text.starts_with('-') ? "expected a whole number from 0, found " + text : "";
-      });
-  add_threads(command, state->shared);
-  add_reporting(command, state->shared);
-  add_config(command, state->shared, [state] { return state->configure(); });
-  set_example(command, "symscene simulate -o scene --objects 6 --seed 1");
-  command.callback([state] { state->run(); });
+  Arguments arguments(app, "simulate", "Scan a simulated table with objects, with the truth beside",
+                      "symscene simulate -o scene --objects 6 --seed 1");
+  arguments.required_output(state->shared, "scene folder to write");
+  arguments.count("--objects", state->objects, "objects on the table (default 6)");
+  arguments.seed(state->seed);
+  arguments.threads(state->shared);
+  arguments.reporting(state->shared);
+  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run([state] { state->run(); });
 }
 
 }  // namespace symscene::app

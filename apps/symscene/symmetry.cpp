@@ -4,9 +4,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "common.hpp"
+#include "session.hpp"
 #include "symscene/core/surface_sampling.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/cloud.hpp"
@@ -100,12 +101,12 @@ struct Symmetry {
     const ObjectSymmetries found =
         timer.time("detect", [&] { return detect_object_symmetries(cloud, options); });
     write(found, session);
-    session.finish({{"output", shared.output.string()},
+    session.finish({{"output", shared.output},
                     {"points", cloud.size()},
-                    {"sphere", found.sphere},
-                    {"centroid", coordinates(found.centroid)},
-                    {"rotational", list_json(found.rotational)},
-                    {"reflectional", list_json(found.reflectional)}},
+                    ReportMember::raw("sphere", found.sphere ? "true" : "false"),
+                    ReportMember::raw("centroid", coordinates(found.centroid).dump()),
+                    ReportMember::raw("rotational", list_json(found.rotational).dump()),
+                    ReportMember::raw("reflectional", list_json(found.reflectional).dump())},
                    timer.stages());
   }
 
@@ -124,16 +125,17 @@ struct Symmetry {
 }  // namespace
 
 void add_symmetry(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand(
-      "symmetry", "Find the symmetries of one object, a mesh or a cloud (PLY, OBJ, STL, PCD)");
   const auto state = std::make_shared<Symmetry>();
-  add_input(command, state->model, "MODEL", "file with a mesh or a cloud of points");
-  add_output(command, state->shared, "JSON file to write (default: standard output)");
-  add_threads(command, state->shared);
-  add_reporting(command, state->shared);
-  add_config(command, state->shared, [state] { return state->configure(); });
-  set_example(command, "symscene symmetry mug.obj -o symmetries.json");
-  command.callback([state] { state->run(); });
+  Arguments arguments(
+      app, "symmetry",
+      "Find the symmetries of one object, a mesh or a cloud (PLY, OBJ, STL, GLB, PCD)",
+      "symscene symmetry mug.obj -o symmetries.json");
+  arguments.input(state->model, "MODEL", "file with a mesh or a cloud of points");
+  arguments.optional_output(state->shared, "JSON file to write (default: standard output)");
+  arguments.threads(state->shared);
+  arguments.reporting(state->shared);
+  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run([state] { state->run(); });
 }
 
 }  // namespace symscene::app

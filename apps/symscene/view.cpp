@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "common.hpp"
+#include "session.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/viewer/page.hpp"
@@ -33,27 +33,23 @@ struct View {
     timer.time("write", [&] { write_file_atomically(shared.output, page); });
     session.say(fmt::format("{}: {} objects, {:.1f} MB", shared.output.string(),
                             input.objects.size(), 1e-6 * static_cast<double>(page.size())));
-    session.finish({{"output", shared.output.string()},
-                    {"objects", input.objects.size()},
-                    {"bytes", page.size()}},
-                   timer.stages());
+    session.finish(
+        {{"output", shared.output}, {"objects", input.objects.size()}, {"bytes", page.size()}},
+        timer.stages());
   }
 };
 
 }  // namespace
 
 void add_view(CLI::App& app) {
-  CLI::App& command =
-      *app.add_subcommand("view", "Write a result as one web page that opens anywhere");
   const auto state = std::make_shared<View>();
-  add_input(command, state->result, "RESULT", "result folder");
-  add_output(command, state->shared, "page to write")->required();
-  command
-      .add_option("--title", state->title, "title of the page (default: the name of the folder)")
-      ->type_name("T");
-  add_reporting(command, state->shared);
-  set_example(command, "symscene view result -o page.html --title \"My table\"");
-  command.callback([state] { state->run(); });
+  Arguments arguments(app, "view", "Write a result as one web page that opens anywhere",
+                      "symscene view result -o page.html --title \"My table\"");
+  arguments.input(state->result, "RESULT", "result folder");
+  arguments.required_output(state->shared, "page to write");
+  arguments.text("--title", state->title, "title of the page (default: the name of the folder)");
+  arguments.reporting(state->shared);
+  arguments.run([state] { state->run(); });
 }
 
 }  // namespace symscene::app

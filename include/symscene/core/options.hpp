@@ -1,6 +1,7 @@
 #pragma once
 
-/// Every options struct lists its fields once, for configuration files, `--dump-config` and bindings:
+/// Every options struct lists its fields once, for configuration files, `--dump-config` and
+/// bindings:
 ///
 ///   struct SamplingOptions {
 ///     double voxel_size = 0.005;  ///< [m]
@@ -12,8 +13,9 @@
 ///     void validate() const;  // throws InputError
 ///   };
 ///
-/// A visitor is called as visit(name, value, unit, help) for a field, value being double, int, bool or std::uint64_t,
-/// and as visit(name, group) for a nested options struct. `Self` is const or not, as the caller needs.
+/// A visitor is called as visit(name, value, unit, help) for a field, value being double, int, bool
+/// or std::uint64_t, and as visit(name, group) for a nested options struct. `Self` is const or not,
+/// as the caller needs.
 namespace symscene {
 
 /// Calls `visit` for every field of `options`.

@@ -1,0 +1,101 @@
+#include "arguments.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "print.hpp"
+#include "symscene/core/error.hpp"
+
+namespace symscene::app {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Refuses what does not begin with a digit, above all negative numbers.
+std::string check_whole(const std::string& text) {
+  const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return whole ? "" : "expected a whole number from 0, found " + text;
+}
+
+}  // namespace
+
+Arguments::Arguments(CLI::App& app, const char* name, const char* summary, const char* example)
+    : command_(*app.add_subcommand(name, summary)) {
+  command_.footer(fmt::format("Example:\n  {}", example));
+}
+
+void Arguments::input(fs::path& value, const char* name, const char* help) {
+  command_.add_option(name, value, help)->required()->type_name("");
+}
+
+void Arguments::required_output(SharedOptions& shared, const char* help) {
+  command_.add_option("-o,--output", shared.output, help)->required()->type_name("OUT");
+}
+
+void Arguments::optional_output(SharedOptions& shared, const char* help) {
+  command_.add_option("-o,--output", shared.output, help)->type_name("OUT");
+}
+
+void Arguments::file(const char* flag, fs::path& value, const char* help) {
+  command_.add_option(flag, value, help)->type_name("FILE");
+}
+
+void Arguments::text(const char* flag, std::string& value, const char* help) {
+  command_.add_option(flag, value, help)->type_name("TEXT");
+}
+
+void Arguments::count(const char* flag, std::optional<int>& value, const char* help) {
+  command_.add_option(flag, value, help)
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000).description(""));
+}
+
+void Arguments::seed(std::optional<std::uint64_t>& value) {
+  command_.add_option("--seed", value, "seed of everything random (default 1)")
+      ->type_name("S")
+      ->check(check_whole);
+}
+
+void Arguments::threads(SharedOptions& shared) {
+  command_
+      .add_option("--threads", shared.threads,
+                  "threads to use at most, 0 for all cores; results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(0, 4096).description(""));
+}
+
+void Arguments::reporting(SharedOptions& shared) {
+  command_.add_flag("-v,--verbose", shared.verbose, "print the time of every stage");
+  command_.add_flag("--quiet", shared.quiet, "print no text for people but warnings");
+  command_.add_flag("--json", shared.json, "print one machine-readable line at the end");
+}
+
+void Arguments::config(SharedOptions& shared, std::function<OptionFields()> configure) {
+  file("--config", shared.config, "JSON file with options of the stages, by name");
+  command_.add_flag_callback(
+      "--dump-config",
+      [configure = std::move(configure)] {
+        print_output(format_config(configure()));
+        throw CLI::Success();
+      },
+      "print all options of the stages in the form of that file");
+}
+
+void Arguments::run(std::function<void()> body) { command_.callback(std::move(body)); }
+
+std::string folder_name(const fs::path& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+void require_not_input(const fs::path& output, const fs::path& input) {
+  const fs::path in = fs::weakly_canonical(fs::absolute(input));
+  const fs::path out = fs::weakly_canonical(fs::absolute(output));
+  const auto [end_of_in, position] = std::mismatch(in.begin(), in.end(), out.begin(), out.end());
+  if (end_of_in == in.end())
+    throw InputError(output.string(), "a place outside the input", "a part of it");
+}
+
+}  // namespace symscene::app
