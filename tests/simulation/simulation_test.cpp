@@ -12,7 +12,8 @@
 namespace symscene {
 namespace {
 
-/// Smaller images than a real sensor's keep the tests short.
+/// Smaller images than a real sensor's keep the tests short, and fewer where sanitizers make each
+/// ten times slower.
 SimulationOptions small_scan(std::uint64_t seed, int objects) {
   SimulationOptions options;
   options.tabletop.seed = seed;
@@ -21,6 +22,11 @@ SimulationOptions small_scan(std::uint64_t seed, int objects) {
   options.camera.width = 480;
   options.camera.height = 360;
   options.camera.focal_length = 394.0;
+#ifdef SYMSCENE_SANITIZED
+  options.tabletop.objects = std::min(objects, 3);
+  options.camera.frames = 5;
+  options.margin = 0.1;
+#endif
   return options;
 }
 
