@@ -102,12 +102,16 @@ std::vector<Index> renumbered(std::size_t count, const PointIndices& kept) {
   return place;
 }
 
-/// Removes the points of rotational objects (section 4.4); segments are thinned, small leftovers
-/// dropped.
+/// Removes the points of rotational objects (section 4.4) that are certain enough: the limb of a
+/// toy passes for a body of revolution now and then, and the toy needs it. Segments are thinned,
+/// small leftovers dropped.
 Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>& objects,
-                          std::size_t min_segment) {
+                          const PipelineOptions& options) {
   std::vector<bool> covered(space.cloud.size(), false);
   for (const Hypothesis& object : objects) {
+    if (confidence(object.scores, options.rotational_segmentation.bounds) <
+        options.min_removal_score)
+      continue;
     for (const Index i : object.points) covered[i] = true;
   }
   Remainder rest;
@@ -127,7 +131,8 @@ Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>&
     for (const Index i : segment) {
       if (place[i] != removed) thinned.push_back(place[i]);
     }
-    if (thinned.size() >= min_segment) rest.space.segments.push_back(std::move(thinned));
+    if (thinned.size() >= static_cast<std::size_t>(options.oversegmentation.min_size))
+      rest.space.segments.push_back(std::move(thinned));
   }
   return rest;
 }
@@ -192,6 +197,8 @@ void complete_objects(const DistanceField& field, const CompletionOptions& optio
 void PipelineOptions::validate() const {
   require_option(voxel_size > 0.0, "voxel_size", "a length above 0 m", voxel_size);
   require_option(space_margin >= 0.0, "space_margin", "a length of at least 0 m", space_margin);
+  require_option(min_removal_score >= 0.0 && min_removal_score <= 1.0, "min_removal_score",
+                 "a score in [0, 1]", min_removal_score);
   normals.validate();
   distance_field.validate();
   oversegmentation.validate();
@@ -218,8 +225,7 @@ SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& opti
 
   HypothesisSet rotational = rotational_stream(space, options, timer, result.funnel);
   const Remainder rest = timer.time("removal of rotational objects", [&] {
-    return without_objects(space, rotational.accepted,
-                           static_cast<std::size_t>(options.oversegmentation.min_size));
+    return without_objects(space, rotational.accepted, options);
   });
   HypothesisSet reflectional =
       reflectional_stream(rest, space.field, options, timer, result.funnel);

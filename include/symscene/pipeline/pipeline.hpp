@@ -19,6 +19,8 @@ namespace symscene {
 struct PipelineOptions {
   double voxel_size = 0.005;  ///< spacing of the cloud that everything works on (section 2.1.1) [m]
   double space_margin = 0.15;  ///< of known space around the cloud [m]
+  double min_removal_score =
+      0.6;  ///< a less certain rotational object leaves its points to the planes
   NormalEstimationOptions normals;
   DistanceFieldOptions distance_field;
   OversegmentationOptions oversegmentation;
@@ -35,6 +37,8 @@ struct PipelineOptions {
   static void visit_fields(Self& self, Visit&& visit) {
     visit("voxel_size", self.voxel_size, "m", "spacing of the cloud that everything works on");
     visit("space_margin", self.space_margin, "m", "known space that is looked at around the cloud");
+    visit("min_removal_score", self.min_removal_score, "",
+          "a rotational object of a lower score leaves its points to the reflectional stream too");
     visit("normals", self.normals);
     visit("distance_field", self.distance_field);
     visit("oversegmentation", self.oversegmentation);
