@@ -1,6 +1,7 @@
 #include <array>
 #include <optional>
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include "io/gltf_document.hpp"
@@ -14,6 +15,9 @@ namespace {
 constexpr std::size_t triangles_mode = 4;
 constexpr std::size_t strip_mode = 5;
 constexpr std::size_t fan_mode = 6;
+
+/// Nodes may share a mesh: a small file can ask for the product of its nodes and primitives.
+constexpr std::size_t max_primitives = 1'000'000;
 
 Eigen::Vector3d vector_or(const JsonCursor& node, const char* key, double otherwise) {
   const auto vector = node.find(key);
@@ -79,15 +83,24 @@ class GltfJoiner {
 
   void add_mesh(const JsonCursor& index, const Eigen::Affine3d& T_world_mesh) {
     const JsonCursor mesh = document_.root().at("meshes").at(index.count());
-    for (const JsonCursor& primitive : mesh.at("primitives").items()) {
-      const auto mode_json = primitive.find("mode");
-      const std::size_t mode = mode_json ? mode_json->count() : triangles_mode;
-      if (mode < triangles_mode || mode > fan_mode) continue;
-      const std::size_t first = builder_.vertices();
-      add_vertices(primitive.at("attributes"), T_world_mesh);
-      const bool mirrored = T_world_mesh.linear().determinant() < 0.0;
-      add_triangles(corners_of(primitive, first), mode, mirrored);
+    const JsonCursor primitives = mesh.at("primitives");
+    const std::size_t count = primitives.size();
+    if (count > max_primitives - primitives_) {
+      throw InputError(primitives.where(),
+                       fmt::format("at most {} primitives at all nodes", max_primitives), "more");
     }
+    primitives_ += count;
+    for (std::size_t i = 0; i < count; ++i) add_primitive(primitives.at(i), T_world_mesh);
+  }
+
+  void add_primitive(const JsonCursor& primitive, const Eigen::Affine3d& T_world_mesh) {
+    const auto mode_json = primitive.find("mode");
+    const std::size_t mode = mode_json ? mode_json->count() : triangles_mode;
+    if (mode < triangles_mode || mode > fan_mode) return;
+    const std::size_t first = builder_.vertices();
+    add_vertices(primitive.at("attributes"), T_world_mesh);
+    const bool mirrored = T_world_mesh.linear().determinant() < 0.0;
+    add_triangles(corners_of(primitive, first), mode, mirrored);
   }
 
   void add_vertices(const JsonCursor& attributes, const Eigen::Affine3d& T_world_mesh) {
@@ -145,6 +158,7 @@ class GltfJoiner {
 
   const GltfDocument& document_;
   MeshBuilder builder_;
+  std::size_t primitives_ = 0;  ///< of every mesh, once for each node that shows it
 };
 
 }  // namespace

@@ -140,6 +140,25 @@ TEST(Mesh, NodesThatAreNoTreeAndDataOutsideTheirBufferAreRefused) {
             "a.gltf: meshes: expected an array of more than 1, found an array of 1");
 }
 
+/// `count` times the same text as items of a JSON array.
+std::string repeated(const std::string& item, std::size_t count) {
+  std::string items = item;
+  for (std::size_t i = 1; i < count; ++i) items += "," + item;
+  return items;
+}
+
+TEST(Mesh, NodesThatRepeatAMeshOfManyPrimitivesAreRefusedBeforeTheyTakeLong) {
+  std::string children = "1";
+  for (int node = 2; node <= 6000; ++node) children += fmt::format(",{}", node);
+  const std::string gltf = fmt::format(
+      R"({{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"children":[{}]}},{}],)"
+      R"("meshes":[{{"primitives":[{}]}}]}})",
+      children, repeated(R"({"mesh":0})", 6000), repeated(R"({"mode":0})", 6000));
+  EXPECT_EQ(refusal([&] { parse_mesh(gltf, "gltf", "a.gltf"); }),
+            "a.gltf: meshes[0].primitives: expected at most 1000000 primitives at all nodes, "
+            "found more");
+}
+
 TEST(Mesh, DataBesideAGltfIsReadFromItsFolder) {
   const TemporaryFolder folder;
   std::string gltf = strip_gltf(R"({"mesh":0})");
