@@ -4,7 +4,7 @@
 
 #include "core/random_clouds.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
+#include "threads.hpp"
 
 namespace symscene {
 namespace {
@@ -164,8 +164,7 @@ TEST(Neighbors, AreTheSameForAnyNumberOfThreads) {
   const Points points = random_points(2, 5000);
   std::vector<NeighborLists> lists;
   for (const std::size_t threads : {1U, 2U, 8U}) {
-    const ThreadLimit limit(threads);
-    lists.push_back(nearest_neighbors(points, 10));
+    lists.push_back(testing::with_threads(threads, [&] { return nearest_neighbors(points, 10); }));
   }
   EXPECT_EQ(lists[0].neighbors, lists[1].neighbors);
   EXPECT_EQ(lists[0].neighbors, lists[2].neighbors);

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <numeric>
+#include <chrono>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "core/random_clouds.hpp"
+#include "threads.hpp"
 
 namespace symscene {
 namespace {
@@ -27,8 +31,7 @@ TEST(ReduceBlocks, GivesTheSameBitsForAnyNumberOfThreads) {
   const Points points = testing::random_points(1, 100'003);
   std::vector<double> sums;
   for (const std::size_t threads : {1U, 2U, 8U}) {
-    const ThreadLimit limit(threads);
-    sums.push_back(sum_of(points));
+    sums.push_back(testing::with_threads(threads, [&] { return sum_of(points); }));
   }
   EXPECT_EQ(sums[0], sums[1]);
   EXPECT_EQ(sums[0], sums[2]);
@@ -69,6 +72,26 @@ TEST(ThreadLimit, BoundsTheThreadsWhileItLives) {
     EXPECT_EQ(threads(), before);
   }
   EXPECT_EQ(threads(), before);
+}
+
+TEST(WithThreads, RunsOnMoreThreadsThanCores) {
+  constexpr std::size_t enough = 3;
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  const auto all_here = [&] {
+    const std::lock_guard lock(mutex);
+    seen.insert(std::this_thread::get_id());
+    return seen.size() >= enough;
+  };
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  testing::with_threads(8, [&] {
+    parallel_for_each(64, [&](std::size_t) {
+      // Hold on to this thread until others have come.
+      while (!all_here() && std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  });
+  EXPECT_GE(seen.size(), enough);
 }
 
 }  // namespace

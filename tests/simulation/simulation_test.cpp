@@ -5,9 +5,9 @@
 #include <cstring>
 
 #include "symscene/core/neighbors.hpp"
-#include "symscene/core/parallel.hpp"
 #include "symscene/simulation/depth_renderer.hpp"
 #include "symscene/simulation/shapes.hpp"
+#include "threads.hpp"
 
 namespace symscene {
 namespace {
@@ -247,11 +247,8 @@ TEST(Simulation, OccupiedVoxelsAreNearSurfacesAndFreeSpaceIsFound) {
 
 TEST(Simulation, GivesTheSameBytesForAnyNumberOfThreads) {
   const SimulationOptions options = small_scan(7, 5);
-  const auto with_threads = [&](std::size_t threads) {
-    const ThreadLimit limit(threads);
-    return simulate_tabletop(options);
-  };
-  EXPECT_TRUE(same(with_threads(1), with_threads(2)));
+  const auto simulate = [&] { return simulate_tabletop(options); };
+  EXPECT_TRUE(same(testing::with_threads(1, simulate), testing::with_threads(8, simulate)));
 }
 
 TEST(Simulation, SameSeedSameSceneAndAnotherSeedAnother) {
