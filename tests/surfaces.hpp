@@ -1,10 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/random_clouds.hpp"
 #include "symscene/core/surface_sampling.hpp"
 #include "symscene/core/voxel_sampling.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+#include "symscene/occupancy/occupancy_grid.hpp"
 #include "symscene/simulation/shapes.hpp"
 
 /// Known surfaces for tests of the stages that work on oriented points.
@@ -44,10 +48,39 @@ inline PointCloud seen_from(const PointCloud& cloud, const Eigen::Vector3f& view
   return select(cloud, seen);
 }
 
+/// The cloud's points and those of another, side by side.
+inline PointCloud joined(const PointCloud& a, const PointCloud& b) {
+  PointCloud both;
+  both.positions.resize(a.positions.rows() + b.positions.rows(), 3);
+  both.normals.resize(both.positions.rows(), 3);
+  both.positions << a.positions, b.positions;
+  both.normals << a.normals, b.normals;
+  return both;
+}
+
 inline PointIndices all_of(const PointCloud& cloud) {
   PointIndices indices(cloud.size());
   for (Index i = 0; i < cloud.size(); ++i) indices[i] = i;
   return indices;
+}
+
+/// A field that contradicts nothing.
+inline DistanceField nothing_known(const PointCloud& cloud) {
+  return unknown_distance_field(bounding_box(cloud.positions), 0.005F, std::nullopt);
+}
+
+/// The space around a cloud, all of it seen empty but for the voxels with points.
+inline DistanceField all_seen(const PointCloud& cloud) {
+  OccupancyGrid grid = rasterize(OccupancyMap{}, bounding_box(cloud.positions).padded(0.1F));
+  std::fill(grid.states.begin(), grid.states.end(), VoxelState::free);
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3f voxel = (cloud.position(i) - grid.frame.origin) / grid.frame.resolution;
+    const Eigen::Array3i at = voxel.array().cast<int>();
+    grid.states[static_cast<std::size_t>(
+        (at.z() * grid.frame.size.y() + at.y()) * grid.frame.size.x() + at.x())] =
+        VoxelState::occupied;
+  }
+  return distance_field(grid, std::nullopt);
 }
 
 }  // namespace symscene::testing

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
+#include "threads.hpp"
 
 namespace symscene {
 namespace {
@@ -132,8 +132,8 @@ TEST(DistanceField, IsTheSameForAnyNumberOfThreads) {
   const OccupancyGrid grid = random_grid(5, {70, 61, 53});
   std::vector<std::vector<std::uint8_t>> fields;
   for (const std::size_t threads : {1U, 2U, 8U}) {
-    const ThreadLimit limit(threads);
-    fields.push_back(distance_field(grid, std::nullopt).squared);
+    fields.push_back(
+        testing::with_threads(threads, [&] { return distance_field(grid, std::nullopt).squared; }));
   }
   EXPECT_EQ(fields[0], fields[1]);
   EXPECT_EQ(fields[0], fields[2]);

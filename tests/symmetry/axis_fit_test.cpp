@@ -82,7 +82,9 @@ TEST(AxisFit, SaysWhenThereIsTooLittleToFit) {
 
 TEST(AxisFit, OfAFlatPatchIsFinite) {
   const PointCloud patch = testing::seen_from(testing::box({0.1, 0.1, 0.1}), {0.0F, 0.0F, 0.11F});
-  for (const RotationAxis& initial : initial_axes(patch, {Eigen::Vector3d::UnitZ()})) {
+  const std::vector<RotationAxis> initials = initial_axes(patch, {Eigen::Vector3d::UnitZ()});
+  ASSERT_FALSE(initials.empty());
+  for (const RotationAxis& initial : initials) {
     const AxisFit fit = fit_axis(patch, initial);
     EXPECT_TRUE(fit.axis.point.allFinite() && fit.axis.direction.allFinite());
   }

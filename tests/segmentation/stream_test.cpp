@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include "surfaces.hpp"
+#include "symscene/segmentation/reflectional_segmentation.hpp"
+#include "symscene/segmentation/rotational_segmentation.hpp"
+#include "symscene/segmentation/surface_graph.hpp"
+
+namespace symscene {
+namespace {
+
+using testing::all_seen;
+using testing::box;
+using testing::joined;
+using testing::vase;
+
+PointCloud shifted(const PointCloud& cloud, const Eigen::Vector3d& by) {
+  return testing::moved(cloud, Eigen::Isometry3d(Eigen::Translation3d(by)));
+}
+
+/// The indices of `count` points from `first` on.
+PointIndices range(Index first, Index count) {
+  PointIndices indices(count);
+  for (Index i = 0; i < count; ++i) indices[i] = first + i;
+  return indices;
+}
+
+HypothesisSet cut_about_z(const PointCloud& cloud,
+                          const RotationalSegmentationOptions& options = {}) {
+  RotationalCandidate candidate;
+  candidate.axis = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()};
+  return segment_rotational(cloud, surface_graph(cloud), {candidate}, all_seen(cloud), {}, options);
+}
+
+/// A box about the z axis and a vase beside it, which the plane y = 0 mirrors too.
+struct BoxAndVase {
+  Eigen::Vector3d size{0.1, 0.12, 0.16};
+  Index box_size = box(size).size();
+  PointCloud cloud = joined(box(size), shifted(vase(), {0.25, 0.0, 0.0}));
+
+  /// The face of the box at x = 5 cm.
+  PointIndices face() const {
+    PointIndices points;
+    for (Index i = 0; i < box_size; ++i) {
+      if (cloud.normals(i, 0) > 0.9F) points.push_back(i);
+    }
+    return points;
+  }
+
+  HypothesisSet cut(const ReflectionPlane& plane,
+                    const ReflectionalSegmentationOptions& options = {}) const {
+    return segment_reflectional(cloud, surface_graph(cloud), {{plane, {}, face()}}, all_seen(cloud),
+                                {}, options);
+  }
+};
+
+const ReflectionPlane mirror_of_the_box{Eigen::Vector3d(0.0, 0.0, 0.08), Eigen::Vector3d::UnitY()};
+
+TEST(SegmentRotational, CutsTheVaseOutAndNotTheBoxBesideIt) {
+  const PointCloud alone = vase();
+  const PointCloud cloud = joined(alone, shifted(box({0.1, 0.1, 0.1}), {0.2, 0.0, 0.0}));
+  const HypothesisSet set = cut_about_z(cloud);
+  ASSERT_EQ(set.accepted.size(), 1U);
+  EXPECT_TRUE(set.rejected.empty());
+  const Hypothesis& found = set.accepted[0];
+  EXPECT_GT(intersection_over_union(found.points, range(0, alone.size())), 0.95);
+  EXPECT_EQ(intersection_size(found.points, range(alone.size(), cloud.size() - alone.size())), 0U);
+  ASSERT_EQ(found.rotational.size(), 1U);
+  EXPECT_TRUE(found.reflectional.empty());
+  EXPECT_LT(line_angle(found.rotational[0].axis.direction, Eigen::Vector3d::UnitZ()), radians(0.5));
+}
+
+TEST(SegmentRotational, DropsPiecesFarSmallerThanTheLargest) {
+  const PointCloud alone = vase();
+  const std::array<ProfilePoint, 4> profile{
+      ProfilePoint{0.0, 0.0}, {0.012, 0.0}, {0.012, 0.02}, {0.0, 0.02}};
+  const PointCloud button =
+      shifted(testing::as_cloud(make_revolution(profile, 96, 0.005)), {0.0, 0.0, 0.25});
+  const PointIndices of_button = range(alone.size(), button.size());
+  const PointCloud cloud = joined(alone, button);
+
+  RotationalSegmentationOptions options;
+  const HypothesisSet dropped = cut_about_z(cloud, options);
+  ASSERT_EQ(dropped.accepted.size(), 1U);
+  EXPECT_EQ(intersection_size(dropped.accepted[0].points, of_button), 0U);
+  options.min_component = 0.0;
+  const HypothesisSet kept = cut_about_z(cloud, options);
+  ASSERT_EQ(kept.accepted.size(), 1U);
+  EXPECT_GT(intersection_size(kept.accepted[0].points, of_button), button.size() * 9 / 10);
+}
+
+TEST(SegmentRotational, SaysWhichBoundARefusedHypothesisBroke) {
+  const PointCloud cloud = vase();
+  RotationalSegmentationOptions options;
+  options.bounds.min_size = static_cast<int>(cloud.size()) + 1;
+  const HypothesisSet few = cut_about_z(cloud, options);
+  EXPECT_TRUE(few.accepted.empty());
+  ASSERT_EQ(few.rejected.size(), 1U);
+  EXPECT_EQ(few.rejected[0].kind, "rotational");
+  EXPECT_EQ(few.rejected[0].reason, "size");
+  EXPECT_EQ(few.rejected[0].bound, static_cast<double>(cloud.size() + 1));
+
+  options.bounds = {};
+  options.bounds.max_symmetry = 0.0;
+  const HypothesisSet bent = cut_about_z(cloud, options);
+  ASSERT_EQ(bent.rejected.size(), 1U);
+  EXPECT_EQ(bent.rejected[0].reason, "symmetry");
+  EXPECT_EQ(bent.rejected[0].bound, 0.0);
+}
+
+TEST(SegmentReflectional, CutsTheBoxOutThatHoldsTheFace) {
+  const BoxAndVase scene;
+  const HypothesisSet set = scene.cut(mirror_of_the_box);
+  ASSERT_EQ(set.accepted.size(), 1U);
+  EXPECT_TRUE(set.rejected.empty());
+  const Hypothesis& found = set.accepted[0];
+  EXPECT_EQ(intersection_size(found.points, scene.face()), scene.face().size());
+  EXPECT_GT(intersection_over_union(found.points, range(0, scene.box_size)), 0.95);
+  ASSERT_EQ(found.reflectional.size(), 1U);
+  EXPECT_TRUE(found.rotational.empty());
+  EXPECT_LT(line_angle(found.reflectional[0].plane.normal, mirror_of_the_box.normal), radians(0.5));
+}
+
+TEST(SegmentReflectional, RefusesAPlaneThatItsSupportContradicts) {
+  const ReflectionPlane off_centre{Eigen::Vector3d(0.025, 0.0, 0.0), Eigen::Vector3d::UnitX()};
+  const HypothesisSet set = BoxAndVase{}.cut(off_centre);
+  EXPECT_TRUE(set.accepted.empty());
+  ASSERT_EQ(set.rejected.size(), 1U);
+  EXPECT_EQ(set.rejected[0].kind, "reflectional");
+  EXPECT_EQ(set.rejected[0].reason, "support");
+  EXPECT_EQ(set.rejected[0].bound, ReflectionalSegmentationOptions{}.min_support_share);
+}
+
+TEST(SegmentReflectional, SaysWhichBoundARefusedHypothesisBroke) {
+  ReflectionalSegmentationOptions options;
+  options.bounds.min_size = 1'000'000;
+  const HypothesisSet set = BoxAndVase{}.cut(mirror_of_the_box, options);
+  EXPECT_TRUE(set.accepted.empty());
+  ASSERT_EQ(set.rejected.size(), 1U);
+  EXPECT_EQ(set.rejected[0].reason, "size");
+  EXPECT_EQ(set.rejected[0].bound, 1e6);
+  EXPECT_GT(set.rejected[0].value, 1000.0);
+}
+
+}  // namespace
+}  // namespace symscene
