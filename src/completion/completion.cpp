@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
 
 #include "symscene/core/error.hpp"
 #include "symscene/core/neighbors.hpp"
@@ -143,10 +143,27 @@ PointCloud admissible(const PointCloud& images, const PointCloud& observed,
   return select(images, kept);
 }
 
+/// The solution along the directions that the matrix determines, zero along the others. Two planes
+/// a few degrees apart meet far off: along their meeting line's way there they determine nothing.
+Eigen::Vector3d solve_where_determined(const Eigen::Matrix3d& matrix,
+                                       const Eigen::Vector3d& right_side) {
+  constexpr double least_eigenvalue = 0.02;  // two planes 11° apart
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
+  Eigen::Vector3d solution = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d direction = solver.eigenvectors().col(k);
+    const double eigenvalue = solver.eigenvalues()[k];
+    if (eigenvalue > least_eigenvalue)
+      solution += direction.dot(right_side) / eigenvalue * direction;
+  }
+  return solution;
+}
+
 }  // namespace
 
 void CompletionOptions::validate() const {
-  require_option(spacing > 0.0, "spacing", "a length above 0 m", spacing);
+  require_option(spacing >= 1e-4 && spacing <= 1.0, "spacing", "a length from 0.0001 to 1 m",
+                 spacing);
   require_option(free_tolerance >= 0.0, "free_tolerance", "a distance of at least 0 m",
                  free_tolerance);
 }
@@ -174,15 +191,24 @@ Eigen::Vector3d centre_of_mass(const PointCloud& observed, const PointCloud& add
                                const std::vector<ScoredPlane>& planes) {
   const auto observed_count = static_cast<double>(observed.size());
   const auto added_count = static_cast<double>(added.size());
-  Eigen::Vector3d centre =
+  const Eigen::Vector3d mean =
       (centroid(observed.positions) * observed_count + centroid(added.positions) * added_count) /
       std::max(1.0, observed_count + added_count);
-  // Alternating projections end in the common point of symmetries that meet.
-  for (int round = 0; round < 50; ++round) {
-    for (const ScoredAxis& rotational : axes) centre = rotational.axis.project(centre);
-    for (const ScoredPlane& reflectional : planes) centre = reflectional.plane.project(centre);
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+  const auto hold = [&](const Eigen::Matrix3d& across, const Eigen::Vector3d& point) {
+    matrix += across;
+    right_side += across * (point - mean);
+  };
+  for (const ScoredAxis& rotational : axes) {
+    const Eigen::Vector3d& d = rotational.axis.direction;
+    hold(Eigen::Matrix3d::Identity() - d * d.transpose(), rotational.axis.point);
   }
-  return centre;
+  for (const ScoredPlane& reflectional : planes) {
+    const Eigen::Vector3d& n = reflectional.plane.normal;
+    hold(n * n.transpose(), reflectional.plane.point);
+  }
+  return mean + solve_where_determined(matrix, right_side);
 }
 
 }  // namespace symscene

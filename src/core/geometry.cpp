@@ -23,6 +23,13 @@ double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
+Eigen::Matrix<double, 3, 2> orthonormal_complement(const Eigen::Vector3d& direction) {
+  Eigen::Matrix<double, 3, 2> basis;
+  basis.col(0) = direction.unitOrthogonal();
+  basis.col(1) = direction.cross(basis.col(0));
+  return basis;
+}
+
 namespace {
 
 SymmetryDifference difference_at(double angle, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

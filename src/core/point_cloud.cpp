@@ -1,5 +1,9 @@
 #include "symscene/core/point_cloud.hpp"
 
+#include <algorithm>
+
+#include <Eigen/Eigenvalues>
+
 namespace symscene {
 
 Box bounding_box(const Points& points) {
@@ -35,6 +39,39 @@ Eigen::Vector3d centroid(const Points& points, std::span<const Index> indices) {
 Eigen::Vector3d centroid(const Points& points) {
   if (points.rows() == 0) return Eigen::Vector3d::Zero();
   return points.cast<double>().colwise().mean().transpose();
+}
+
+Eigen::Matrix3d principal_axes(const Points& points) {
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> centred =
+      points.cast<double>().rowwise() - centroid(points).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
+  return solver.eigenvectors().rowwise().reverse();
+}
+
+PointIndices finite_points(const Points& points) {
+  PointIndices finite;
+  finite.reserve(static_cast<std::size_t>(points.rows()));
+  for (Index i = 0; i < points.rows(); ++i) {
+    if (points.row(i).allFinite()) finite.push_back(i);
+  }
+  return finite;
+}
+
+PointIndices oriented_points(const PointCloud& cloud) {
+  PointIndices oriented;
+  for (Index i = 0; i < cloud.normals.rows(); ++i) {
+    if (cloud.normals.row(i).squaredNorm() > 0.5F) oriented.push_back(i);
+  }
+  return oriented;
+}
+
+PointIndices evenly_spread(Index size, Index count) {
+  PointIndices chosen;
+  const Index n = std::min(size, count);
+  for (Index k = 0; k < n; ++k) {
+    chosen.push_back(static_cast<Index>(std::uint64_t{k} * size / n));
+  }
+  return chosen;
 }
 
 std::size_t intersection_size(std::span<const Index> a, std::span<const Index> b) {

@@ -21,15 +21,6 @@ struct KeyedPoint {
   }
 };
 
-PointIndices finite_points(const Points& points) {
-  PointIndices finite;
-  finite.reserve(static_cast<std::size_t>(points.rows()));
-  for (Index i = 0; i < points.rows(); ++i) {
-    if (points.row(i).allFinite()) finite.push_back(i);
-  }
-  return finite;
-}
-
 Box box_of(const Points& points, const PointIndices& indices) {
   Box box;
   for (const Index i : indices) {
@@ -81,8 +72,7 @@ class VoxelMean {
   void write(PointCloud& cloud, Eigen::Index row) const {
     const auto count = static_cast<double>(count_);
     cloud.positions.row(row) = (position_ / count).cast<float>().transpose();
-    if (cloud.has_normals())
-      cloud.normals.row(row) = normal_.normalized().cast<float>().transpose();
+    if (cloud.has_normals()) cloud.normals.row(row) = mean_normal().cast<float>().transpose();
     if (cloud.has_colors()) {
       cloud.colors.row(row) =
           (color_ / count).array().round().cast<std::uint8_t>().matrix().transpose();
@@ -90,6 +80,12 @@ class VoxelMean {
   }
 
  private:
+  /// Zero where the two faces of a thin wall cancel out.
+  Eigen::Vector3d mean_normal() const {
+    const bool cancel_out = normal_.norm() < 0.1 * static_cast<double>(count_);
+    return cancel_out ? Eigen::Vector3d::Zero() : normal_.normalized();
+  }
+
   std::size_t count_ = 0;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "symscene/core/dispatch.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
@@ -109,8 +111,8 @@ void transform_along_line(const Byte* source, std::size_t length, int clamp, Byt
 class Transform {
  public:
   Transform(const OccupancyGrid& grid, const std::optional<Plane>& table,
-            const DistanceFieldOptions& options)
-      : grid_(grid), frame_(grid.frame), table_(table), options_(options) {}
+            const DistanceFieldOptions& options, int clamp)
+      : grid_(grid), frame_(grid.frame), table_(table), options_(options), clamp_(clamp) {}
 
   std::vector<Byte> run() const {
     std::vector<Byte> in_slices(frame_.voxels());
@@ -138,7 +140,7 @@ class Transform {
     const auto rows = static_cast<std::size_t>(frame_.size.y());
     std::vector<Byte> marks(length);
     std::vector<Byte> along_x(frame_.slice_length());
-    const auto far = static_cast<Byte>(options_.clamp_voxels * options_.clamp_voxels);
+    const auto far = static_cast<Byte>(clamp_ * clamp_);
     for (std::size_t y = 0; y < rows; ++y) {
       // y − 1 and z − 1 wrap to a huge number at the border, which lies outside too.
       const RowNeighbourhood row{
@@ -146,13 +148,11 @@ class Transform {
           {states_at(y - 1, z), states_at(y + 1, z), states_at(y, z - 1), states_at(y, z + 1)}};
       mark_obstacles(row, length, options_.grow_never_seen, far, marks.data());
       if (table_) mark_below_table(height_of_row(*table_, frame_, y, z), length, marks.data());
-      transform_along_line(marks.data(), length, options_.clamp_voxels,
-                           along_x.data() + y * length);
+      transform_along_line(marks.data(), length, clamp_, along_x.data() + y * length);
     }
     Byte* slice = in_slices + z * frame_.slice_length();
     for (std::size_t y = 0; y < rows; ++y) {
-      transform_across_lines(along_x.data(), length, rows, length, options_.clamp_voxels, y,
-                             slice + y * length);
+      transform_across_lines(along_x.data(), length, rows, length, clamp_, y, slice + y * length);
     }
   }
 
@@ -160,10 +160,10 @@ class Transform {
     const std::size_t length = frame_.row_length();
     Byte* row = squared + z * frame_.slice_length() + y * length;
     transform_across_lines(in_slices + y * length, frame_.slice_length(), frame_.slices(), length,
-                           options_.clamp_voxels, z, row);
+                           clamp_, z, row);
     if (table_ && options_.table_depth_counts) {
-      write_table_depth(height_of_row(*table_, frame_, y, z), length,
-                        static_cast<float>(options_.clamp_voxels), row);
+      write_table_depth(height_of_row(*table_, frame_, y, z), length, static_cast<float>(clamp_),
+                        row);
     }
   }
 
@@ -171,18 +171,29 @@ class Transform {
   const VoxelFrame& frame_;
   const std::optional<Plane>& table_;
   const DistanceFieldOptions& options_;
+  int clamp_;  ///< [voxels]
 };
+
+int clamp_in_voxels(const DistanceFieldOptions& options, float resolution) {
+  const double voxels = std::ceil(options.clamp / double{resolution} - 1e-6);
+  if (!(resolution >= 1e-4F && resolution <= 0.1F && voxels <= max_clamp)) {
+    throw InputError("occupancy",
+                     fmt::format("voxels from {:.2g} to 0.1 m", options.clamp / max_clamp),
+                     fmt::format("voxels of {:.4g} m", resolution));
+  }
+  return static_cast<int>(voxels);
+}
 
 }  // namespace
 
 void DistanceFieldOptions::validate() const {
-  require_option(clamp_voxels >= 1 && clamp_voxels <= max_clamp, "clamp_voxels", "1 to 11 voxels",
-                 clamp_voxels);
+  require_option(clamp > 0.0 && clamp < 1.0, "clamp", "a distance in (0, 1) m", clamp);
 }
 
 DistanceField distance_field(const OccupancyGrid& grid, const std::optional<Plane>& table,
                              const DistanceFieldOptions& options) {
   options.validate();
+  const int clamp = clamp_in_voxels(options, grid.frame.resolution);
   DistanceField field;
   field.frame = grid.frame;
   field.inverse_resolution = 1.0F / grid.frame.resolution;
@@ -190,8 +201,8 @@ DistanceField distance_field(const OccupancyGrid& grid, const std::optional<Plan
   for (std::size_t i = 0; i < field.metres.size(); ++i) {
     field.metres[i] = grid.frame.resolution * std::sqrt(static_cast<float>(i));
   }
-  field.outside = grid.frame.resolution * static_cast<float>(options.clamp_voxels);
-  field.squared = Transform(grid, table, options).run();
+  field.outside = field.metres[static_cast<std::size_t>(clamp * clamp)];
+  field.squared = Transform(grid, table, options, clamp).run();
   return field;
 }
 

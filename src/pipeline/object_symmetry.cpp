@@ -21,14 +21,6 @@ struct Normalization {
   Eigen::Vector3d restored(const Eigen::Vector3d& p) const { return origin + scale * p; }
 };
 
-PointIndices finite_points(const Points& points) {
-  PointIndices finite;
-  for (Index i = 0; i < points.rows(); ++i) {
-    if (points.row(i).allFinite()) finite.push_back(i);
-  }
-  return finite;
-}
-
 Normalization normalize(const ObjectSymmetryOptions& options, PointCloud& cloud) {
   const Eigen::Vector3d extent = bounding_box(cloud.positions).extent().cast<double>();
   if (cloud.empty() || !(extent.norm() > 0.0) || !extent.allFinite()) {
@@ -51,12 +43,9 @@ OutwardVote away_from_centre() {
 }
 
 void complete_normals(const ObjectSymmetryOptions& options, PointCloud& cloud) {
-  if (!cloud.has_normals())
+  if (oriented_points(cloud).empty())
     cloud.normals = estimate_normals(cloud.positions, away_from_centre(), options.normals);
-  PointIndices oriented;
-  for (Index i = 0; i < cloud.size(); ++i) {
-    if (cloud.normals.row(i).squaredNorm() > 0.5F) oriented.push_back(i);
-  }
+  const PointIndices oriented = oriented_points(cloud);
   cloud = select(cloud, oriented);
   if (cloud.empty()) throw InputError("object", "a surface with normals", "points that span none");
 }

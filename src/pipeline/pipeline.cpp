@@ -53,15 +53,12 @@ OutwardVote outward_vote(const DistanceField& field, const std::optional<Plane>&
 /// Estimates normals if there are none; drops points that have none.
 void complete_normals(const Scene& scene, const PipelineOptions& options,
                       const DistanceField& field, PointCloud& cloud) {
-  if (!cloud.has_normals()) {
-    log(LogLevel::info, "no normals: estimated from neighbouring points");
+  if (oriented_points(cloud).empty()) {
+    log(LogLevel::info, "no usable normals: estimated from neighbouring points");
     cloud.normals =
         estimate_normals(cloud.positions, outward_vote(field, scene.table), options.normals);
   }
-  PointIndices oriented;
-  for (Index i = 0; i < cloud.size(); ++i) {
-    if (cloud.normals.row(i).squaredNorm() > 0.5F) oriented.push_back(i);
-  }
+  const PointIndices oriented = oriented_points(cloud);
   if (oriented.size() != cloud.size()) {
     log(LogLevel::warning, std::to_string(cloud.size() - oriented.size()) +
                                " points without a usable normal are left out");
@@ -195,8 +192,10 @@ void complete_objects(const DistanceField& field, const CompletionOptions& optio
 }  // namespace
 
 void PipelineOptions::validate() const {
-  require_option(voxel_size > 0.0, "voxel_size", "a length above 0 m", voxel_size);
-  require_option(space_margin >= 0.0, "space_margin", "a length of at least 0 m", space_margin);
+  require_option(voxel_size >= 1e-4 && voxel_size <= 1.0, "voxel_size",
+                 "a length from 0.0001 to 1 m", voxel_size);
+  require_option(space_margin >= 0.0 && space_margin <= 10.0, "space_margin",
+                 "a length from 0 to 10 m", space_margin);
   require_option(min_removal_score >= 0.0 && min_removal_score <= 1.0, "min_removal_score",
                  "a score in [0, 1]", min_removal_score);
   normals.validate();

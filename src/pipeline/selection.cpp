@@ -117,23 +117,33 @@ std::vector<std::size_t> greedy(const Rivalry& rivalry, std::vector<std::size_t>
   return chosen;
 }
 
-/// The share of an object that smaller ones inside it hold together.
-double share_held_by_parts(const std::vector<SceneObject>& objects, std::size_t whole) {
+/// Whether `part` lies in `whole` and is clearly smaller.
+bool is_part(const SceneObject& part, const SceneObject& whole) {
   constexpr double inside = 0.8;
   constexpr double largest_part = 0.85;
-  const PointIndices& points = objects[whole].points;
+  const auto size = static_cast<double>(part.points.size());
+  const auto common = static_cast<double>(intersection_size(part.points, whole.points));
+  return common > inside * size && size < largest_part * static_cast<double>(whole.points.size());
+}
+
+/// The share of an object that others inside it hold together, which could all stay side by side:
+/// by falling score, those that overlap too much with one before them do not count.
+double share_held_by_parts(const std::vector<SceneObject>& objects, std::size_t whole,
+                           double max_overlap) {
+  std::vector<std::size_t> parts;
   PointIndices held;
-  for (const SceneObject& part : objects) {
-    const std::size_t common = intersection_size(part.points, points);
-    const bool is_part =
-        static_cast<double>(common) > inside * static_cast<double>(part.points.size()) &&
-        static_cast<double>(part.points.size()) < largest_part * static_cast<double>(points.size());
-    if (!is_part) continue;
+  for (std::size_t i = 0; i < objects.size(); ++i) {  // objects come by falling score
+    const bool rivals_another = std::any_of(parts.begin(), parts.end(), [&](std::size_t part) {
+      return shared_part(objects[i], objects[part]) > max_overlap;
+    });
+    if (i == whole || rivals_another || !is_part(objects[i], objects[whole])) continue;
+    parts.push_back(i);
     PointIndices joined;
-    std::set_union(held.begin(), held.end(), part.points.begin(), part.points.end(),
+    std::set_union(held.begin(), held.end(), objects[i].points.begin(), objects[i].points.end(),
                    std::back_inserter(joined));
     held = std::move(joined);
   }
+  const PointIndices& points = objects[whole].points;
   return static_cast<double>(intersection_size(held, points)) / static_cast<double>(points.size());
 }
 
@@ -147,7 +157,8 @@ std::vector<SceneObject> without_composites(std::vector<SceneObject> objects,
                                             const SelectionOptions& options,
                                             std::vector<Rejection>& rejected) {
   std::vector<double> held(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) held[i] = share_held_by_parts(objects, i);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    held[i] = share_held_by_parts(objects, i, options.max_overlap);
   std::vector<SceneObject> kept;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (held[i] > options.min_parts_cover) {
@@ -177,7 +188,8 @@ void SelectionOptions::validate() const {
                  max_overlap);
   require_option(min_parts_cover >= 0.0 && min_parts_cover <= 1.0, "min_parts_cover",
                  "a share in [0, 1]", min_parts_cover);
-  require_option(score_exponent >= 0.0, "score_exponent", "a number of at least 0", score_exponent);
+  require_option(score_exponent >= 0.0 && score_exponent <= 20.0, "score_exponent",
+                 "a number in [0, 20]", score_exponent);
 }
 
 std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,

@@ -38,9 +38,10 @@ double margin(double value, double bound) {
 }  // namespace
 
 void HypothesisBounds::validate() const {
-  require_option(max_symmetry >= 0.0, "max_symmetry", "a score of at least 0", max_symmetry);
-  require_option(max_occlusion >= 0.0, "max_occlusion", "a score of at least 0", max_occlusion);
-  require_option(max_smoothness >= 0.0, "max_smoothness", "a score of at least 0", max_smoothness);
+  for (const double bound : {max_symmetry, max_occlusion, max_smoothness}) {
+    require_option(bound >= 0.0 && std::isfinite(bound),
+                   "max_symmetry, max_occlusion, max_smoothness", "scores of at least 0", bound);
+  }
   require_option(min_size >= 1, "min_size", "at least 1 point", min_size);
 }
 
@@ -70,15 +71,14 @@ double confidence(const HypothesisScores& scores, const HypothesisBounds& bounds
                    margin(scores.smoothness, bounds.max_smoothness));
 }
 
-double smoothness(const std::vector<std::uint8_t>& is_object,
-                  const std::vector<WeightedEdge>& edges, double factor) {
+double smoothness(const std::vector<std::uint8_t>& is_object, std::span<const WeightedEdge> edges) {
   double broken = 0.0;
   for (const WeightedEdge& edge : edges) {
     if (is_object[edge.a] != is_object[edge.b]) broken += double{edge.weight};
   }
   const auto size =
       static_cast<double>(std::count(is_object.begin(), is_object.end(), std::uint8_t{1}));
-  return size > 0.0 ? factor * broken / size : 0.0;
+  return size > 0.0 ? broken / size : 0.0;
 }
 
 std::vector<Index> connected_components(const std::vector<std::uint8_t>& is_object,

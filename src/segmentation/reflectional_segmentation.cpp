@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <variant>
 
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
@@ -23,7 +24,6 @@ class ReflectionalCutter {
                      const DistanceField& field, const PlaneFitOptions& fit,
                      const ReflectionalSegmentationOptions& options)
       : cloud_(cloud),
-        edges_(edges),
         scaled_edges_(edges),
         cells_(cloud.positions, cell_size),
         all_points_(cloud.size()),
@@ -34,17 +34,21 @@ class ReflectionalCutter {
     std::iota(all_points_.begin(), all_points_.end(), Index{0});
   }
 
-  /// The points that agree with the candidate's plane, refitted; empty if they leave its support.
-  Hypothesis segment(const ReflectionalCandidate& candidate) const {
-    PlaneCut first = cut(candidate.plane, candidate.support);
-    if (!holds_support(first.is_object, candidate.support)) return {};
+  /// The points that agree with the candidate's plane, refitted; or why they are no object.
+  std::variant<Hypothesis, Rejection> segment(const ReflectionalCandidate& candidate) const {
+    const PlaneCut first = cut(candidate.plane, candidate.support);
+    if (!holds_support(first, candidate.support))
+      return support_rejection(first, candidate.support);
     const ReflectionPlane plane = refitted(candidate.plane, first.is_object);
     const PlaneCut second = cut(plane, candidate.support);
-    if (!holds_support(second.is_object, candidate.support)) return {};
+    if (!holds_support(second, candidate.support))
+      return support_rejection(second, candidate.support);
     Hypothesis hypothesis;
     hypothesis.points = object_nodes(second.is_object);
     hypothesis.scores = scores(second, plane, hypothesis.points);
     hypothesis.reflectional = {{plane, hypothesis.scores.symmetry}};
+    if (const auto rejection = judge(hypothesis, options_.bounds, "reflectional"))
+      return *rejection;
     return hypothesis;
   }
 
@@ -110,12 +114,20 @@ class ReflectionalCutter {
     }
   }
 
-  bool holds_support(const std::vector<std::uint8_t>& is_object,
-                     const PointIndices& support) const {
+  static double held_share(const PlaneCut& cut, const PointIndices& support) {
     std::size_t held = 0;
-    for (const Index i : support) held += is_object[i];
-    return static_cast<double>(held) >=
-           options_.min_support_share * static_cast<double>(support.size());
+    for (const Index i : support) held += cut.is_object[i];
+    return static_cast<double>(held) / static_cast<double>(support.size());
+  }
+
+  bool holds_support(const PlaneCut& cut, const PointIndices& support) const {
+    return held_share(cut, support) >= options_.min_support_share &&
+           !object_nodes(cut.is_object).empty();
+  }
+
+  Rejection support_rejection(const PlaneCut& cut, const PointIndices& support) const {
+    return {"reflectional", "support", held_share(cut, support), options_.min_support_share,
+            object_nodes(cut.is_object).size()};
   }
 
   ReflectionPlane refitted(const ReflectionPlane& plane,
@@ -126,9 +138,7 @@ class ReflectionalCutter {
     PointIndices sources(members.size());
     std::iota(sources.begin(), sources.end(), Index{0});
     const PlaneFit fit = fit_plane(part, cells, sources, plane, fit_);
-    const bool usable =
-        fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
-    return usable ? fit.plane : plane;
+    return is_usable(fit.status) ? fit.plane : plane;
   }
 
   HypothesisScores scores(const PlaneCut& cut, const ReflectionPlane& plane,
@@ -144,11 +154,10 @@ class ReflectionalCutter {
     double occluded = 0.0;
     for (const Index i : points) occluded += double{occlusion(reflector, i)};
     return {matched > 0.0 ? symmetry / matched : 1.0, occluded / static_cast<double>(points.size()),
-            smoothness(cut.is_object, edges_, options_.edge_factor)};
+            smoothness(cut.is_object, scaled_edges_)};
   }
 
   const PointCloud& cloud_;
-  const std::vector<WeightedEdge>& edges_;
   std::vector<WeightedEdge> scaled_edges_;
   CellList cells_;
   PointIndices all_points_;
@@ -165,6 +174,9 @@ void ReflectionalSegmentationOptions::validate() const {
                  max_angle);
   require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
                  "a distance above min_occlusion", max_occlusion);
+  require_option(max_angle <= std::numbers::pi && silent_angle <= std::numbers::pi,
+                 "max_angle, silent_angle", "angles of at most pi rad",
+                 std::max(max_angle, silent_angle));
   require_option(loud_angle >= 0.0 && loud_angle < silent_angle, "silent_angle",
                  "an angle above loud_angle", silent_angle);
   require_option(background_weight >= 0.0 && background_weight < 1000.0, "background_weight",
@@ -184,19 +196,15 @@ HypothesisSet segment_reflectional(const PointCloud& cloud, const std::vector<We
                                    const ReflectionalSegmentationOptions& options) {
   options.validate();
   const ReflectionalCutter cutter(cloud, edges, field, fit, options);
-  std::vector<Hypothesis> hypotheses(candidates.size());
+  std::vector<std::variant<Hypothesis, Rejection>> outcomes(candidates.size());
   parallel_for_each(candidates.size(),
-                    [&](std::size_t c) { hypotheses[c] = cutter.segment(candidates[c]); });
+                    [&](std::size_t c) { outcomes[c] = cutter.segment(candidates[c]); });
   HypothesisSet set;
-  for (std::size_t c = 0; c < hypotheses.size(); ++c) {
-    Hypothesis& hypothesis = hypotheses[c];
-    if (hypothesis.points.empty()) {
-      set.rejected.push_back({"reflectional", "support", 0.0, options.min_support_share,
-                              candidates[c].support.size()});
-    } else if (const auto rejection = judge(hypothesis, options.bounds, "reflectional")) {
-      set.rejected.push_back(*rejection);
+  for (std::variant<Hypothesis, Rejection>& outcome : outcomes) {
+    if (auto* hypothesis = std::get_if<Hypothesis>(&outcome)) {
+      set.accepted.push_back(std::move(*hypothesis));
     } else {
-      set.accepted.push_back(std::move(hypothesis));
+      set.rejected.push_back(std::get<Rejection>(std::move(outcome)));
     }
   }
   return set;

@@ -32,7 +32,6 @@ class RotationalCutter {
                    const DistanceField& field, const RotationalDetectionOptions& detection,
                    const RotationalSegmentationOptions& options)
       : cloud_(cloud),
-        edges_(edges),
         scaled_edges_(edges),
         field_(field),
         detection_(detection),
@@ -47,8 +46,7 @@ class RotationalCutter {
     hypothesis.points = object_nodes(is_object);
     const RotationalScores scores =
         rotational_scores(select(cloud_, hypothesis.points), axis, field_, detection_);
-    hypothesis.scores = {scores.symmetry, scores.occlusion,
-                         smoothness(is_object, edges_, options_.edge_factor)};
+    hypothesis.scores = {scores.symmetry, scores.occlusion, smoothness(is_object, scaled_edges_)};
     hypothesis.rotational = {{axis, scores.symmetry}};
     return hypothesis;
   }
@@ -70,22 +68,20 @@ class RotationalCutter {
     std::vector<Affinity> affinities(cloud_.size());
     for (Index i = 0; i < cloud_.size(); ++i) affinities[i] = affinity(scorer, i);
     std::vector<std::uint8_t> is_object = cut_graph(affinities, scaled_edges_).is_object;
-    drop_small_components(is_object, edges_, options_.min_component);
+    drop_small_components(is_object, scaled_edges_, options_.min_component);
     return is_object;
   }
 
   RotationAxis refitted(const RotationAxis& axis,
                         const std::vector<std::uint8_t>& is_object) const {
     const AxisFit fit = fit_axis(select(cloud_, object_nodes(is_object)), axis, detection_.fit);
-    const bool usable =
-        fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
-    return usable && line_angle(fit.axis.direction, axis.direction) <= options_.max_refinement
+    return is_usable(fit.status) &&
+                   line_angle(fit.axis.direction, axis.direction) <= options_.max_refinement
                ? fit.axis
                : axis;
   }
 
   const PointCloud& cloud_;
-  const std::vector<WeightedEdge>& edges_;
   std::vector<WeightedEdge> scaled_edges_;
   const DistanceField& field_;
   const RotationalDetectionOptions& detection_;
@@ -99,7 +95,10 @@ void RotationalSegmentationOptions::validate() const {
                  max_angle);
   require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
                  "a distance above min_occlusion", max_occlusion);
-  require_option(silent_angle > 0.0, "silent_angle", "an angle above 0 rad", silent_angle);
+  require_option(max_angle <= std::numbers::pi / 2, "max_angle", "an angle of at most pi/2 rad",
+                 max_angle);
+  require_option(silent_angle > 0.0 && silent_angle <= std::numbers::pi / 2, "silent_angle",
+                 "an angle in (0, pi/2] rad", silent_angle);
   require_option(background_weight >= 0.0 && background_weight < 1000.0, "background_weight",
                  "a weight in [0, 1000)", background_weight);
   require_option(edge_factor >= 0.0 && edge_factor < 1000.0, "edge_factor", "a weight in [0, 1000)",

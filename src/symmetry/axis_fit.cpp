@@ -21,24 +21,14 @@ struct FitPoints {
   std::vector<Eigen::Vector3d> normals;
 };
 
-FitPoints thinned(const PointCloud& cloud, std::size_t max_points) {
+FitPoints thinned(const PointCloud& cloud, int max_points) {
   FitPoints points;
   points.centroid = centroid(cloud.positions);
-  const std::size_t count = std::min<std::size_t>(cloud.size(), max_points);
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto i = static_cast<Index>(k * cloud.size() / count);
+  for (const Index i : evenly_spread(cloud.size(), static_cast<Index>(max_points))) {
     points.positions.emplace_back(cloud.position(i).cast<double>() - points.centroid);
     points.normals.emplace_back(cloud.normal(i).cast<double>());
   }
   return points;
-}
-
-/// Two unit vectors that complete `direction` to an orthonormal basis.
-Eigen::Matrix<double, 3, 2> basis_across(const Eigen::Vector3d& direction) {
-  Eigen::Matrix<double, 3, 2> basis;
-  basis.col(0) = direction.unitOrthogonal();
-  basis.col(1) = direction.cross(basis.col(0));
-  return basis;
 }
 
 struct NormalEquations {
@@ -135,7 +125,7 @@ RotationAxis moved(const RotationAxis& axis, const Eigen::Matrix<double, 3, 2>& 
 /// The place of an axis of known direction: the normals' lines meet it, n · (d × (p − c)) = 0,
 /// linear in c.
 RotationAxis place_axis(const FitPoints& points, const Eigen::Vector3d& direction) {
-  const Eigen::Matrix<double, 3, 2> basis = basis_across(direction);
+  const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(direction);
   Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < points.positions.size(); ++i) {
@@ -169,12 +159,6 @@ Eigen::Vector3d sliding_motion_direction(const FitPoints& points) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(schur).eigenvectors().col(0);
 }
 
-Eigen::Matrix3d principal_axes(const FitPoints& points) {
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& p : points.positions) covariance += p * p.transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
-}
-
 RotationAxis translated(RotationAxis axis, const Eigen::Vector3d& offset) {
   axis.point += offset;
   return axis;
@@ -194,8 +178,9 @@ void AxisFitOptions::validate() const {
 
 AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
                  const AxisFitOptions& options) {
+  options.validate();
   if (cloud.size() < min_points) return {initial, 1.0, FitStatus::too_few_points};
-  const FitPoints points = thinned(cloud, static_cast<std::size_t>(options.max_points));
+  const FitPoints points = thinned(cloud, options.max_points);
   const AxisProblem problem(points, options);
   RotationAxis axis = translated(initial, -points.centroid);
   axis.point = axis.project(Eigen::Vector3d::Zero());
@@ -203,7 +188,7 @@ AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
   double damping = 1e-3;
   double cost = problem.cost(axis);
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
-    const Eigen::Matrix<double, 3, 2> basis = basis_across(axis.direction);
+    const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(axis.direction);
     const NormalEquations equations = problem.normal_equations(axis, basis);
     Eigen::Matrix4d damped = equations.hessian;
     damped.diagonal() *= 1.0 + damping;
@@ -232,10 +217,12 @@ AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
 }
 
 std::vector<RotationAxis> initial_axes(const PointCloud& cloud,
-                                       const std::vector<Eigen::Vector3d>& more_directions) {
+                                       const std::vector<Eigen::Vector3d>& more_directions,
+                                       const AxisFitOptions& options) {
+  options.validate();
   if (cloud.size() < min_points) return {};
-  const FitPoints points = thinned(cloud, AxisFitOptions{}.max_points);
-  const Eigen::Matrix3d principal = principal_axes(points);
+  const FitPoints points = thinned(cloud, options.max_points);
+  const Eigen::Matrix3d principal = principal_axes(cloud.positions);
   std::vector<Eigen::Vector3d> directions{sliding_motion_direction(points), principal.col(0),
                                           principal.col(1), principal.col(2)};
   directions.insert(directions.end(), more_directions.begin(), more_directions.end());

@@ -47,17 +47,10 @@ Eigen::Vector3d solve_step(const PointCloud& cloud, const std::vector<Correspond
     hessian += jacobian * jacobian.transpose();
     gradient += residual * jacobian;
   }
-  // A tenth of a millimetre squared a match holds what the matches leave open.
-  hessian.diagonal().array() +=
-      1e-3 * static_cast<double>(matches.size()) * Eigen::Array3d(1e-2, 1e-2, 1.0);
+  // Rotations and shifts that the matches leave open (a flat face slid in its own plane) stay
+  // small.
+  hessian.diagonal() += static_cast<double>(matches.size()) * Eigen::Vector3d(1e-5, 1e-5, 1e-3);
   return hessian.ldlt().solve(-gradient);
-}
-
-Eigen::Matrix<double, 3, 2> basis_across(const Eigen::Vector3d& direction) {
-  Eigen::Matrix<double, 3, 2> basis;
-  basis.col(0) = direction.unitOrthogonal();
-  basis.col(1) = direction.cross(basis.col(0));
-  return basis;
 }
 
 }  // namespace
@@ -115,6 +108,7 @@ std::vector<Correspondence> one_to_one(std::vector<Correspondence> correspondenc
 
 PlaneFit fit_plane(const PointCloud& cloud, const CellList& cells, std::span<const Index> sources,
                    const ReflectionPlane& initial, const PlaneFitOptions& options) {
+  options.validate();
   const Eigen::Vector3d reference = centroid(cloud.positions, sources);
   LocalPlane plane{initial.normal, initial.normal.dot(initial.point - reference)};
   const auto as_plane = [&] {
@@ -130,7 +124,7 @@ PlaneFit fit_plane(const PointCloud& cloud, const CellList& cells, std::span<con
       fit.status = FitStatus::too_few_points;
       break;
     }
-    const Eigen::Matrix<double, 3, 2> basis = basis_across(plane.normal);
+    const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(plane.normal);
     const Eigen::Vector3d step = solve_step(cloud, matches, reference, plane, basis);
     if (!step.allFinite()) {
       fit.status = FitStatus::degenerate;

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
 
@@ -14,24 +12,6 @@ namespace {
 
 constexpr float cell_size = 0.01F;
 constexpr Index placement_points = 200;
-
-/// At most `count` of the indices 0 … size − 1, evenly spread.
-PointIndices evenly(Index size, Index count) {
-  PointIndices chosen;
-  const Index n = std::min(size, count);
-  for (Index k = 0; k < n; ++k) {
-    chosen.push_back(static_cast<Index>(std::uint64_t{k} * size / n));
-  }
-  return chosen;
-}
-
-/// Columns are the principal axes, longest first.
-Eigen::Matrix3d principal_axes(const Points& points) {
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> centred =
-      points.cast<double>().rowwise() - centroid(points).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
-  return solver.eigenvectors().rowwise().reverse();
-}
 
 /// Keeps the normals of distinct planes, first come first kept.
 std::vector<Eigen::Vector3d> without_repeats(const std::vector<Eigen::Vector3d>& normals) {
@@ -84,7 +64,7 @@ class OffsetVotes {
               const ReflectionalDetectionOptions& options)
       : min_cosine_(static_cast<float>(std::cos(options.shift_angle))),
         min_gap_(2.0F * static_cast<float>(options.fit.matching.min_plane_distance)),
-        points_(select(points, evenly(points.size(), placement_points))),
+        points_(select(points, evenly_spread(points.size(), placement_points))),
         radius_(reach(points, options.shift_radius)) {
     points_.positions.rowwise() -= reference.cast<float>().transpose();
   }
@@ -176,7 +156,7 @@ class SegmentDetector {
                   const ReflectionalDetectionOptions& options)
       : points_(select(cloud, segment)),
         cells_(points_.positions, cell_size),
-        sources_(evenly(points_.size(), static_cast<Index>(options.max_points))),
+        sources_(evenly_spread(points_.size(), static_cast<Index>(options.max_points))),
         centroid_(centroid(points_.positions)),
         field_(field),
         options_(options) {}
@@ -192,9 +172,11 @@ class SegmentDetector {
                              0.002);
     for (Trial& trial : trials) {
       trial.scores = reflectional_scores(points_, cells_, sources_, trial.plane, field_, options_);
-      const auto outcome = static_cast<std::size_t>(judge(trial.scores, options_));
-      for (std::size_t bound = 0; bound <= outcome; ++bound) ++result.reached[bound];
-      if (judge(trial.scores, options_) == Outcome::accepted) result.accepted.push_back(trial);
+      const Outcome outcome = judge(trial.scores, options_);
+      for (std::size_t bound = 0; bound <= static_cast<std::size_t>(outcome); ++bound) {
+        ++result.reached[bound];
+      }
+      if (outcome == Outcome::accepted) result.accepted.push_back(trial);
     }
     sort_by_occlusion(result.accepted);
     result.accepted =
@@ -225,9 +207,7 @@ class SegmentDetector {
     std::vector<Trial> fits;
     for (const Trial& trial : trials) {
       const PlaneFit fit = fit_plane(points_, cells_, sources_, trial.plane, fit_options);
-      const bool usable =
-          fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
-      if (usable) fits.push_back({fit.plane, {}});
+      if (is_usable(fit.status)) fits.push_back({fit.plane, {}});
     }
     return fits;
   }
@@ -277,6 +257,16 @@ void ReflectionalDetectionOptions::validate() const {
   require_option(shift_radius > 0.0, "shift_radius", "a length above 0 m", shift_radius);
   require_option(min_angle >= 0.0 && min_angle < max_angle, "max_angle", "an angle above min_angle",
                  max_angle);
+  require_option(shift_angle > 0.0 && shift_angle < std::numbers::pi, "shift_angle",
+                 "an angle in (0, pi) rad", shift_angle);
+  require_option(max_angle <= std::numbers::pi, "max_angle", "an angle of at most pi rad",
+                 max_angle);
+  require_option(min_symmetry_score >= 0.0 && min_symmetry_score <= 1.0, "min_symmetry_score",
+                 "a score in [0, 1]", min_symmetry_score);
+  require_option(min_inlier_score >= 0.0 && min_inlier_score <= 1.0, "min_inlier_score",
+                 "a score in [0, 1]", min_inlier_score);
+  require_option(max_occlusion_score >= 0.0 && max_occlusion_score <= 1.0, "max_occlusion_score",
+                 "a score in [0, 1]", max_occlusion_score);
   require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
                  "a distance above min_occlusion", max_occlusion);
   require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);

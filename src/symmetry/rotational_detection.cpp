@@ -36,9 +36,9 @@ SegmentResult detect_in_segment(const PointCloud& cloud, const PointIndices& seg
                                 const RotationalDetectionOptions& options) {
   SegmentResult best;
   const PointCloud interior = select(cloud, interior_points(cloud, segment, rim_radius));
-  for (const RotationAxis& initial : initial_axes(interior, directions)) {
+  for (const RotationAxis& initial : initial_axes(interior, directions, options.fit)) {
     const AxisFit fit = fit_axis(interior, initial, options.fit);
-    if (fit.status == FitStatus::degenerate || fit.status == FitStatus::too_few_points) continue;
+    if (!is_usable(fit.status)) continue;
     const RotationalScores scores = rotational_scores(interior, fit.axis, field, options);
     const Outcome outcome = judge(scores, options);
     const bool better =
@@ -77,6 +77,14 @@ void RotationalDetectionOptions::validate() const {
                  max_angle);
   require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
                  "a distance above min_occlusion", max_occlusion);
+  require_option(max_angle <= std::numbers::pi / 2, "max_angle", "an angle of at most pi/2 rad",
+                 max_angle);
+  require_option(max_symmetry_score >= 0.0 && max_symmetry_score <= 1.0, "max_symmetry_score",
+                 "a score in [0, 1]", max_symmetry_score);
+  require_option(max_perpendicularity >= 0.0 && max_perpendicularity <= 1.0, "max_perpendicularity",
+                 "a score in [0, 1]", max_perpendicularity);
+  require_option(max_occlusion_score >= 0.0 && max_occlusion_score <= 1.0, "max_occlusion_score",
+                 "a score in [0, 1]", max_occlusion_score);
   require_option(min_coverage >= 0.0 && min_coverage <= 1.0, "min_coverage",
                  "a share of a turn in [0, 1]", min_coverage);
   require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);
@@ -116,6 +124,7 @@ PointIndices interior_points(const PointCloud& cloud, const PointIndices& segmen
     float count = 0.0F;
     const Eigen::Vector3f here = members.position(k);
     cells.for_each_within(here, radius, [&](Index j, float) {
+      if (j == k) return;
       sum += members.position(j) - here;
       count += 1.0F;
     });

@@ -83,13 +83,14 @@ std::vector<std::uint8_t> brute_force(const OccupancyGrid& grid, const std::opti
       }
     }
   }
-  const int clamp = options.clamp_voxels * options.clamp_voxels;
+  const int reach = static_cast<int>(std::lround(options.clamp / 0.005));
+  const int clamp = reach * reach;
   std::vector<std::uint8_t> squared;
   for (const Eigen::Vector3i& voxel : all) {
     int least = clamp;
     for (const Eigen::Vector3i& place : places)
       least = std::min(least, (voxel - place).squaredNorm());
-    const double depth = std::clamp(-obstacles.height(voxel), 0.0, double(options.clamp_voxels));
+    const double depth = std::clamp(-obstacles.height(voxel), 0.0, double{options.clamp / 0.005});
     if (options.table_depth_counts && table)
       least = std::max(least, static_cast<int>(depth * depth + 0.5));
     squared.push_back(static_cast<std::uint8_t>(least));
@@ -105,7 +106,7 @@ TEST(DistanceField, EqualsBruteForce) {
     for (const int clamp : {1, 3, 6, 11}) {
       for (const bool grow : {false, true}) {
         DistanceFieldOptions options;
-        options.clamp_voxels = clamp;
+        options.clamp = 0.005 * clamp;
         options.grow_never_seen = grow;
         const DistanceField field = distance_field(grid, std::nullopt, options);
         ASSERT_EQ(field.squared, brute_force(grid, std::nullopt, options))
@@ -162,7 +163,7 @@ TEST(DistanceField, OfUnknownSpaceContradictsNothing) {
 
 TEST(DistanceField, RefusesAClampThatItsBytesCannotHold) {
   DistanceFieldOptions options;
-  options.clamp_voxels = 12;
+  options.clamp = 0.06;
   EXPECT_THROW(distance_field(random_grid(1, {3, 3, 3}), std::nullopt, options), InputError);
 }
 

@@ -137,8 +137,8 @@ TEST(Components, OfALongChainAreOne) {
 
 TEST(Smoothness, IsTheBrokenWeightAPoint) {
   const std::vector<WeightedEdge> edges{{0, 1, 0.5F}, {1, 2, 0.25F}, {0, 2, 1.0F}};
-  EXPECT_DOUBLE_EQ(smoothness({1, 1, 0}, edges, 2.0), 2.0 * 1.25 / 2.0);
-  EXPECT_DOUBLE_EQ(smoothness({0, 0, 0}, edges, 2.0), 0.0);
+  EXPECT_DOUBLE_EQ(smoothness({1, 1, 0}, edges), 1.25 / 2.0);
+  EXPECT_DOUBLE_EQ(smoothness({0, 0, 0}, edges), 0.0);
 }
 
 TEST(Judge, NamesTheFirstBoundThatFails) {

@@ -29,7 +29,9 @@ PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredA
                            const CompletionOptions& options = {});
 
 /// The centre of mass of a body of even density: it lies on every axis and plane of its symmetry
-/// (section 1.3). The mean of the observed and the added points, brought onto them. [m]
+/// (section 1.3). The mean of the observed and the added points, brought onto all of them by least
+/// squares; along directions that nearly equal symmetries do not determine it stays where it is.
+/// [m]
 Eigen::Vector3d centre_of_mass(const PointCloud& observed, const PointCloud& added,
                                const std::vector<ScoredAxis>& axes,
                                const std::vector<ScoredPlane>& planes);

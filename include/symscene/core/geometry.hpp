@@ -51,6 +51,9 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 /// The angle between two lines with these directions, in [0, π/2]. [rad]
 double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
+/// Two unit vectors that complete a unit vector to a right-handed orthonormal basis, as columns.
+Eigen::Matrix<double, 3, 2> orthonormal_complement(const Eigen::Vector3d& direction);
+
 /// How far apart two symmetries are (Eqs. 3.11, 3.12): the angle between the lines or planes, and
 /// the distance between the projections of a reference point, which is where the object is.
 struct SymmetryDifference {

@@ -42,6 +42,17 @@ PointCloud select(const PointCloud& cloud, std::span<const Index> indices);
 Eigen::Vector3d centroid(const Points& points, std::span<const Index> indices);
 Eigen::Vector3d centroid(const Points& points);
 
+/// The principal axes of points about their centroid as columns, longest first; any basis where
+/// they have no extent.
+Eigen::Matrix3d principal_axes(const Points& points);
+
+/// The points with finite coordinates, ascending; those with a unit normal.
+PointIndices finite_points(const Points& points);
+PointIndices oriented_points(const PointCloud& cloud);
+
+/// At most `count` of the indices 0 … size − 1, evenly spread, ascending.
+PointIndices evenly_spread(Index size, Index count);
+
 /// Intersection over union of two ascending index sets; zero where both are empty (Eq. 4.16).
 double intersection_over_union(std::span<const Index> a, std::span<const Index> b);
 

@@ -12,20 +12,20 @@
 namespace symscene {
 
 struct DistanceFieldOptions {
-  int clamp_voxels = 6;         ///< distances saturate here: 3 cm at 5 mm (section 2.1.2) [voxels]
+  double clamp = 0.03;          ///< distances saturate here (section 2.1.2) [m]
   bool grow_never_seen = true;  ///< a free voxel beside a never-seen one is an obstacle too
   bool table_depth_counts =
       true;  ///< below the table the distance is the depth: no object reaches into the table
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("clamp_voxels", self.clamp_voxels, "voxels", "distances saturate here");
+    visit("clamp", self.clamp, "m", "distances saturate here");
     visit("grow_never_seen", self.grow_never_seen, "",
           "a free voxel beside a never-seen one counts as never seen");
     visit("table_depth_counts", self.table_depth_counts, "",
           "a point below the table is as far off as it is deep");
   }
-  /// Throws InputError unless 1 <= clamp_voxels <= 11.
+  /// Throws InputError unless clamp is above 0 and below 1 m.
   void validate() const;
 };
 
@@ -59,6 +59,8 @@ struct DistanceField {
 /// obstacle. Separable: along x, y and z the minimum of the squared distance plus the squared step,
 /// over the steps that the clamp leaves (Felzenszwalb and Huttenlocher 2012 without the envelope,
 /// which pays only for long reaches).
+/// Throws InputError if the voxels are so fine that more than 11 of them reach the clamp (a byte
+/// holds no more) or not between 0.1 mm and 10 cm.
 DistanceField distance_field(const OccupancyGrid& grid, const std::optional<Plane>& table,
                              const DistanceFieldOptions& options = {});
 

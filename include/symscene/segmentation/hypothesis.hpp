@@ -56,10 +56,9 @@ std::optional<Rejection> judge(const Hypothesis& hypothesis, const HypothesisBou
 /// Confidence in [0, 1]: the geometric mean of how far each score stays from its bound.
 double confidence(const HypothesisScores& scores, const HypothesisBounds& bounds);
 
-/// The broken edges' weight a point (Eq. 4.13 as used): `factor` is the λ that the cut multiplied
-/// weights by.
-double smoothness(const std::vector<std::uint8_t>& is_object,
-                  const std::vector<WeightedEdge>& edges, double factor);
+/// The weight of the broken edges a point of the object (Eq. 4.13 as used); `edges` carry the λ of
+/// the cut.
+double smoothness(const std::vector<std::uint8_t>& is_object, std::span<const WeightedEdge> edges);
 
 /// For every node the number of its connected component over the edges between nodes that are both
 /// object; components count from 0 by their lowest node, and `no_component` stands at nodes that

@@ -11,6 +11,11 @@ namespace symscene {
 /// How an iterative fit ended.
 enum class FitStatus { converged, iteration_limit, too_few_points, degenerate };
 
+/// Whether a fit that ended so is better than where it began.
+inline bool is_usable(FitStatus status) {
+  return status == FitStatus::converged || status == FitStatus::iteration_limit;
+}
+
 struct AxisFitOptions {
   double residual_scale = radians(15.0);  ///< angles well above this count as outliers [rad]
   double position_noise = 0.003;  ///< points nearer to the axis than some of these say little [m]
@@ -47,6 +52,7 @@ AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
 /// (Pottmann and Randrup 1998), and the principal axes (section 3.5.2) and `more_directions`, each
 /// at the place where the normals meet it best.
 std::vector<RotationAxis> initial_axes(const PointCloud& cloud,
-                                       const std::vector<Eigen::Vector3d>& more_directions);
+                                       const std::vector<Eigen::Vector3d>& more_directions,
+                                       const AxisFitOptions& options = {});
 
 }  // namespace symscene
