@@ -59,7 +59,7 @@ struct Segment {
     Session session("segment", shared);
     session.on_begin()("read");
     const Scene input = read_scene(scene);
-    const SegmentationResult result = segment(input, session);
+    const SegmentationResult result = naming(scene, [&] { return segment(input, session); });
     write_result(absolute(shared.output), result);
     if (!page.empty()) write_file_atomically(page, render_page(result, page_options(result)));
     session.say(format_objects(result));
@@ -80,7 +80,7 @@ void add_segment(CLI::App& app) {
   arguments.required_output(state->shared, "result folder to write");
   arguments.file("--page", state->page, "also write the page that shows the result");
   arguments.count("--repeat", state->repeat,
-                  "run this many times more and report the median time of every stage");
+                  "run N times after a first one and report the median time of every stage");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

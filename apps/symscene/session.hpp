@@ -6,6 +6,7 @@
 
 #include "arguments.hpp"
 #include "progress.hpp"
+#include "symscene/core/error.hpp"
 #include "symscene/core/log.hpp"
 #include "symscene/core/parallel.hpp"
 #include "symscene/core/stage_timer.hpp"
@@ -24,6 +25,16 @@ struct ReportMember {
   std::string name;
   std::string json;
 };
+
+/// Runs `work`; what it finds wrong with its input is said to be wrong with `path`.
+template <class Work>
+auto naming(const std::filesystem::path& path, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(path.string() + ": " + error.where(), error.expected(), error.found());
+  }
+}
 
 /// A subcommand at work: bounds its threads, shows its progress and its warnings, and prints its
 /// report at the end.

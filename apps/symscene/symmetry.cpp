@@ -17,7 +17,7 @@
 namespace symscene::app {
 namespace {
 
-constexpr std::size_t sampled_points = 8000;
+constexpr std::size_t sampled_points = 40000;
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -98,8 +98,9 @@ struct Symmetry {
     Session session("symmetry", shared);
     StageTimer timer(session.on_begin());
     const PointCloud cloud = timer.time("read", [&] { return read_model(); });
-    const ObjectSymmetries found =
-        timer.time("detect", [&] { return detect_object_symmetries(cloud, options); });
+    const ObjectSymmetries found = timer.time("detect", [&] {
+      return naming(model, [&] { return detect_object_symmetries(cloud, options); });
+    });
     write(found, session);
     session.finish({{"output", shared.output},
                     {"points", cloud.size()},

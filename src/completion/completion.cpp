@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "symscene/core/error.hpp"
+#include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/voxel_sampling.hpp"
 
@@ -159,6 +160,21 @@ Eigen::Vector3d solve_where_determined(const Eigen::Matrix3d& matrix,
   return solution;
 }
 
+/// The best planes that stand at right angles to each other, at most three: their reflections and
+/// products are a finite set of eight images. Planes at other angles would multiply without end
+/// unless they fit to the last degree.
+std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ScoredPlane>& planes) {
+  constexpr double tolerance = radians(10.0);
+  std::vector<ReflectionPlane> chosen;
+  for (const ScoredPlane& candidate : planes) {
+    const bool fits = std::all_of(chosen.begin(), chosen.end(), [&](const ReflectionPlane& other) {
+      return line_angle(candidate.plane.normal, other.normal) > std::numbers::pi / 2 - tolerance;
+    });
+    if (fits) chosen.push_back(candidate.plane);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 void CompletionOptions::validate() const {
@@ -180,7 +196,8 @@ PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredA
   };
   for (const ScoredAxis& rotational : axes)
     extend(rotated_images(observed, rotational.axis, options.spacing));
-  for (const ScoredPlane& reflectional : planes) extend(reflected_images(body, reflectional.plane));
+  for (const ReflectionPlane& plane : perpendicular_planes(planes))
+    extend(reflected_images(body, plane));
   PointIndices added;
   for (Index i = observed.size(); i < body.size(); ++i) added.push_back(i);
   return select(body, added);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "symscene/core/error.hpp"
 #include "symscene/core/log.hpp"
 #include "symscene/core/voxel_sampling.hpp"
@@ -19,13 +21,58 @@ struct Workspace {
   std::vector<PointIndices> segments;
 };
 
-PointCloud sample_cloud(const Scene& scene, double voxel_size) {
-  PointCloud cloud = voxel_downsample(scene.cloud, voxel_size);
-  if (cloud.empty()) {
+/// Flying pixels between the camera and the scene would stretch the space to be mapped.
+PointCloud without_stray_points(const PointCloud& cloud, double radius) {
+  constexpr std::size_t min_neighbors = 3;
+  const NeighborLists lists = radius_neighbors(cloud.positions, static_cast<float>(radius));
+  PointIndices kept;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    if (lists.of(i).size() >= min_neighbors) kept.push_back(i);
+  }
+  return kept.size() == cloud.size() ? cloud : select(cloud, kept);
+}
+
+PointCloud sample_cloud(const Scene& scene, const PipelineOptions& options) {
+  const PointCloud sampled = voxel_downsample(scene.cloud, options.voxel_size);
+  if (sampled.empty()) {
     throw InputError("point cloud", "at least one point with finite coordinates",
-                     std::to_string(scene.cloud.size()) + " points without any");
+                     fmt::format("{} points without any", scene.cloud.size()));
+  }
+  PointCloud cloud = without_stray_points(sampled, options.stray_radius);
+  if (cloud.empty()) {
+    throw InputError("point cloud",
+                     fmt::format("points less than {} m apart", options.stray_radius),
+                     fmt::format("{} points far from each other", sampled.size()));
+  }
+  if (cloud.size() != sampled.size()) {
+    log(LogLevel::info, fmt::format("{} stray points are left out", sampled.size() - cloud.size()));
   }
   return cloud;
+}
+
+/// Frames that do not belong together leave nothing to find: say so.
+void warn_of_mismatched_frames(const Scene& scene, const PointCloud& cloud,
+                               const DistanceField& field) {
+  constexpr float noise = 0.02F;
+  std::size_t below = 0;
+  std::size_t in_free_space = 0;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3f p = cloud.position(i);
+    if (scene.table && scene.table->signed_distance(p.cast<double>()) < -double{noise}) {
+      ++below;
+    } else if (field.at(p) > noise) {
+      ++in_free_space;
+    }
+  }
+  if (2 * below > cloud.size()) {
+    log(LogLevel::warning,
+        "most points lie below the table: does its normal point up, and is it in the cloud's "
+        "frame?");
+  }
+  if (2 * in_free_space > cloud.size()) {
+    log(LogLevel::warning,
+        "most points lie in space that the occupancy says is empty: is it in the cloud's frame?");
+  }
 }
 
 DistanceField space_around(const Scene& scene, const PointCloud& cloud,
@@ -70,9 +117,10 @@ void complete_normals(const Scene& scene, const PipelineOptions& options,
 Workspace build_workspace(const Scene& scene, const PipelineOptions& options, StageTimer& timer) {
   Workspace space;
   if (scene.table) space.up = scene.table->normal;
-  space.cloud = timer.time("sampling", [&] { return sample_cloud(scene, options.voxel_size); });
+  space.cloud = timer.time("sampling", [&] { return sample_cloud(scene, options); });
   space.field =
       timer.time("distance field", [&] { return space_around(scene, space.cloud, options); });
+  warn_of_mismatched_frames(scene, space.cloud, space.field);
   timer.time("normals", [&] { complete_normals(scene, options, space.field, space.cloud); });
   space.edges = timer.time("surface graph",
                            [&] { return surface_graph(space.cloud, options.surface_graph); });
@@ -194,6 +242,8 @@ void complete_objects(const DistanceField& field, const CompletionOptions& optio
 void PipelineOptions::validate() const {
   require_option(voxel_size >= 1e-4 && voxel_size <= 1.0, "voxel_size",
                  "a length from 0.0001 to 1 m", voxel_size);
+  require_option(stray_radius > 0.0 && stray_radius <= 1.0, "stray_radius", "a length in (0, 1] m",
+                 stray_radius);
   require_option(space_margin >= 0.0 && space_margin <= 10.0, "space_margin",
                  "a length from 0 to 10 m", space_margin);
   require_option(min_removal_score >= 0.0 && min_removal_score <= 1.0, "min_removal_score",

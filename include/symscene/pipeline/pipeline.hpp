@@ -18,6 +18,7 @@ namespace symscene {
 /// Every option of every stage.
 struct PipelineOptions {
   double voxel_size = 0.005;  ///< spacing of the cloud that everything works on (section 2.1.1) [m]
+  double stray_radius = 0.02;  ///< a point with fewer than 3 others so near is a flying pixel [m]
   double space_margin = 0.15;  ///< of known space around the cloud [m]
   double min_removal_score =
       0.6;  ///< a less certain rotational object leaves its points to the planes
@@ -36,6 +37,8 @@ struct PipelineOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("voxel_size", self.voxel_size, "m", "spacing of the cloud that everything works on");
+    visit("stray_radius", self.stray_radius, "m",
+          "a point with fewer than 3 others so near is left out");
     visit("space_margin", self.space_margin, "m", "known space that is looked at around the cloud");
     visit("min_removal_score", self.min_removal_score, "",
           "a rotational object of a lower score leaves its points to the reflectional stream too");
