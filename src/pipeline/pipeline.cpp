@@ -83,7 +83,15 @@ DistanceField space_around(const Scene& scene, const PointCloud& cloud,
     return unknown_distance_field(box, static_cast<float>(options.voxel_size), scene.table,
                                   options.distance_field);
   }
-  return distance_field(rasterize(*scene.occupancy, box), scene.table, options.distance_field);
+  const OccupancyGrid grid = rasterize(*scene.occupancy, box);
+  const bool nothing_known =
+      std::all_of(grid.states.begin(), grid.states.end(),
+                  [](VoxelState state) { return state == VoxelState::never_seen; });
+  if (nothing_known) {
+    log(LogLevel::warning,
+        "the occupancy knows nothing of the space around the cloud: is it in the cloud's frame?");
+  }
+  return distance_field(grid, scene.table, options.distance_field);
 }
 
 /// Outwards is where space is free; where that is not known, away from the table.

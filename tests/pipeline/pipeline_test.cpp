@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -132,19 +133,43 @@ TEST(Pipeline, RefusesACloudInMillimetresBySayingSo) {
   }
 }
 
-TEST(Pipeline, OfAFewPointsFindsNothing) {
-  Scene scene = plain_scene();
-  for (const Index count : {1U, 2U, 5U, 50U}) {
+TEST(Pipeline, OfAPatchFindsNothingAndOfLonePointsSaysSo) {
+  const Scene scene = plain_scene();
+  const auto first = [&](Index count) {
     Scene few = scene;
-    PointIndices indices;
-    for (Index i = 0; i < count; ++i) indices.push_back(i);
+    PointIndices indices(count);
+    std::iota(indices.begin(), indices.end(), Index{0});
     few.cloud = select(scene.cloud, indices);
-    EXPECT_TRUE(segment_scene(few).objects.empty());
-    few.cloud.normals.resize(0, 3);
-    if (count == 50) {
-      EXPECT_TRUE(segment_scene(few).objects.empty());
-    }
-  }
+    return few;
+  };
+  EXPECT_THROW(segment_scene(first(1)), InputError);
+  EXPECT_THROW(segment_scene(first(2)), InputError);
+  Scene patch = first(50);
+  EXPECT_TRUE(segment_scene(patch).objects.empty());
+  patch.cloud.normals.resize(0, 3);
+  EXPECT_TRUE(segment_scene(patch).objects.empty());
+}
+
+TEST(Pipeline, LeavesOutAFlyingPixel) {
+  Scene scene = table_of_four().scene;
+  const std::size_t objects = segment_scene(scene).objects.size();
+  scene.cloud.positions.row(0) += Eigen::RowVector3f(6.0F, 0.0F, 0.0F);
+  EXPECT_EQ(segment_scene(scene).objects.size(), objects);
+}
+
+TEST(Pipeline, SaysWhenTheTableOrTheSpaceIsOfAnotherFrame) {
+  std::string said;
+  const LogSink before = set_log_sink([&](LogLevel, std::string_view message) { said += message; });
+  Scene flipped = table_of_four().scene;
+  flipped.table = Plane{-flipped.table->normal, -flipped.table->offset};
+  segment_scene(flipped);
+  Scene shifted = table_of_four().scene;
+  shifted.table.reset();
+  shifted.cloud.positions.rowwise() += 5.0F * Eigen::RowVector3f::UnitX();
+  segment_scene(shifted);
+  set_log_sink(before);
+  EXPECT_NE(said.find("below the table"), std::string::npos) << said;
+  EXPECT_NE(said.find("knows nothing of the space"), std::string::npos) << said;
 }
 
 TEST(Pipeline, RefusesOptionsWithoutMeaning) {

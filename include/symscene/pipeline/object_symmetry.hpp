@@ -9,7 +9,7 @@ namespace symscene {
 
 struct ObjectSymmetryOptions {
   double normalized_diagonal =
-      0.25;  ///< the object is scaled to this box diagonal, to which the lengths below refer [m]
+      0.4;  ///< the object is scaled to this box diagonal, to which the lengths below refer [m]
   double voxel_size = 0.005;  ///< spacing after scaling [m]
   NormalEstimationOptions normals;
   RotationalDetectionOptions rotational;
@@ -20,7 +20,7 @@ struct ObjectSymmetryOptions {
     rotational.max_symmetry_score = 0.05;
     reflectional.azimuth_steps = 8;
     reflectional.max_points = 1500;
-    reflectional.min_inlier_score = 0.6;
+    reflectional.min_inlier_score = 0.62;
     for (CorrespondenceOptions* matching : {&reflectional.fit.matching, &reflectional.scoring}) {
       matching->min_plane_distance = 0.003;
       matching->fold_thin_walls = false;
