@@ -85,6 +85,7 @@ export class Stage {
     this.#setDetail(1);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.frames > 0) this.draw(1); // a new size empties the canvas, which would flicker until the next frame
     this.invalidate();
   }
 
