@@ -7,6 +7,7 @@
 
 #include "symscene/core/error.hpp"
 #include "symscene/core/log.hpp"
+#include "symscene/core/parallel.hpp"
 #include "symscene/core/voxel_sampling.hpp"
 
 namespace symscene {
@@ -24,10 +25,19 @@ struct Workspace {
 /// Flying pixels between the camera and the scene would stretch the space to be mapped.
 PointCloud without_stray_points(const PointCloud& cloud, double radius) {
   constexpr std::size_t min_neighbors = 3;
-  const NeighborLists lists = radius_neighbors(cloud.positions, static_cast<float>(radius));
+  const CellList cells(cloud.positions, static_cast<float>(radius));
+  std::vector<std::uint8_t> is_stray(cloud.size(), 0);
+  parallel_for_blocks(cloud.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      std::size_t near = 0;  // with the point itself
+      cells.for_each_within(cloud.position(i), static_cast<float>(radius),
+                            [&](Index, float) { ++near; });
+      is_stray[i] = near <= min_neighbors ? 1 : 0;
+    }
+  });
   PointIndices kept;
   for (Index i = 0; i < cloud.size(); ++i) {
-    if (lists.of(i).size() >= min_neighbors) kept.push_back(i);
+    if (is_stray[i] == 0) kept.push_back(i);
   }
   return kept.size() == cloud.size() ? cloud : select(cloud, kept);
 }
