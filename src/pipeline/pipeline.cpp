@@ -125,8 +125,9 @@ void complete_normals(const Scene& scene, const PipelineOptions& options,
   }
   const PointIndices oriented = oriented_points(cloud);
   if (oriented.size() != cloud.size()) {
-    log(LogLevel::warning, std::to_string(cloud.size() - oriented.size()) +
-                               " points without a usable normal are left out");
+    const Index without = cloud.size() - static_cast<Index>(oriented.size());
+    log(20 * without > cloud.size() ? LogLevel::warning : LogLevel::info,
+        fmt::format("{} points without a usable normal are left out", without));
     cloud = select(cloud, oriented);
   }
   if (cloud.empty()) throw InputError("point cloud", "points with normals", "none that is usable");
