@@ -157,7 +157,7 @@ class GltfJoiner {
   }
 
   const GltfDocument& document_;
-  MeshBuilder builder_;
+  ModelBuilder builder_;
   std::size_t primitives_ = 0;  ///< of every mesh, once for each node that shows it
 };
 

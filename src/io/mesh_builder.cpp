@@ -22,29 +22,29 @@ Eigen::Index rows(const std::vector<Value>& values) {
 
 }  // namespace
 
-void MeshBuilder::require_room(std::size_t count) const {
+void ModelBuilder::require_room(std::size_t count) const {
   if (count <= most_values) return;
   throw InputError(name_, "a mesh of at most 50 million vertices and triangles", "more");
 }
 
-void MeshBuilder::add_vertex(const Eigen::Vector3f& position) {
+void ModelBuilder::add_vertex(const Eigen::Vector3f& position) {
   require_room(positions_.size());
   positions_.insert(positions_.end(), position.data(), position.data() + 3);
 }
 
-void MeshBuilder::color_vertex(const Eigen::Vector3f& zero_to_one) {
+void ModelBuilder::color_vertex(const Eigen::Vector3f& zero_to_one) {
   colors_.resize(positions_.size() - 3, white);
   for (const float channel : zero_to_one) colors_.push_back(to_color(channel * 255.0F));
 }
 
-void MeshBuilder::add_polygon(std::span<const Index> corners) {
+void ModelBuilder::add_polygon(std::span<const Index> corners) {
   require_room(corners_.size() + 3 * corners.size());
   for (std::size_t k = 2; k < corners.size(); ++k) {
     corners_.insert(corners_.end(), {corners[0], corners[k - 1], corners[k]});
   }
 }
 
-TriangleMesh MeshBuilder::build() const {
+TriangleMesh ModelBuilder::build() const {
   const auto largest = std::max_element(corners_.begin(), corners_.end());
   if (largest == corners_.end()) throw InputError(name_, "a mesh", "no triangle");
   if (*largest >= vertices()) {

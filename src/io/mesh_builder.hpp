@@ -9,9 +9,9 @@
 namespace symscene {
 
 /// Collects the vertices and triangles of a mesh file.
-class MeshBuilder {
+class ModelBuilder {
  public:
-  explicit MeshBuilder(std::string name) : name_(std::move(name)) {}
+  explicit ModelBuilder(std::string name) : name_(std::move(name)) {}
 
   std::size_t vertices() const { return positions_.size() / 3; }
   void add_vertex(const Eigen::Vector3f& position);

@@ -56,7 +56,7 @@ class ObjReader {
   }
 
   std::string name_;
-  MeshBuilder builder_;
+  ModelBuilder builder_;
   std::vector<Index> polygon_;
 };
 

@@ -32,7 +32,7 @@ TriangleMesh parse_binary(std::string_view bytes, const std::string& name) {
     throw InputError(name, fmt::format("{} triangles", triangles),
                      fmt::format("only {} bytes", bytes.size()));
   }
-  MeshBuilder builder(name);
+  ModelBuilder builder(name);
   for (std::uint64_t t = 0; t < triangles; ++t) {
     const char* corner = bytes.data() + header_size + t * triangle_size + normal_size;
     for (int k = 0; k < 3; ++k, corner += 12) {
@@ -82,7 +82,7 @@ class TextReader {
   }
 
   std::string name_;
-  MeshBuilder builder_;
+  ModelBuilder builder_;
   std::vector<Index> loop_;
   bool ended_ = false;
 };
