@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// The folder that a path means: no trailing slash, symbolic links followed.
 fs::path resolved(const fs::path& path) {
   std::error_code error;
-  fs::path result = fs::weakly_canonical(path, error);
+  fs::path result = fs::weakly_canonical(fs::absolute(path), error);
   if (error) result = fs::absolute(path).lexically_normal();
   return result.has_filename() ? result : result.parent_path();
 }

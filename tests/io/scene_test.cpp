@@ -109,10 +109,19 @@ TEST(Scene, ASceneThatWasNotWrittenHereIsNotReplaced) {
 TEST(Scene, TruthAndParametersLieBeside) {
   const TemporaryFolder folder;
   SceneTruth truth;
-  truth.objects.push_back({"mug", {1, 2}, {}, {}, false, {}});
+  truth.objects.push_back({"mug", {1, 2}, {}, {}, false, Eigen::Vector3d::Zero()});
   write_scene(folder / "scene", small_scene(), "{\"seed\": 7}", &truth);
   EXPECT_EQ(read_text(folder / "scene/scene.json"), "{\"seed\": 7}");
   EXPECT_EQ(read_truth(folder / "scene/truth.json", 30).objects.front().name, "mug");
+}
+
+TEST(Scene, IsWrittenToARelativePathWithoutAFolder) {
+  const TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / ".");
+  EXPECT_NO_THROW(write_scene("scene", small_scene()));
+  std::filesystem::current_path(before);
+  EXPECT_TRUE(std::filesystem::exists(folder / "scene/cloud.ply"));
 }
 
 TEST(Scene, TheSampleSceneIsReadWhole) {
