@@ -102,8 +102,9 @@ std::vector<ProfilePoint> profile_of(const PointCloud& cloud, const RotationAxis
 }
 
 PointCloud rotated_images(const PointCloud& cloud, const RotationAxis& axis, double spacing) {
-  const Eigen::Vector3d u = axis.direction.unitOrthogonal();
-  const Eigen::Vector3d v = axis.direction.cross(u);
+  const Eigen::Matrix<double, 3, 2> across = orthonormal_complement(axis.direction);
+  const Eigen::Vector3d u = across.col(0);
+  const Eigen::Vector3d v = across.col(1);
   CloudBuilder images(cloud.has_colors());
   for (const ProfilePoint& point : profile_of(cloud, axis, spacing)) {
     const double turn = 2.0 * std::numbers::pi;

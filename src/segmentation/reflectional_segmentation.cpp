@@ -170,10 +170,7 @@ class ReflectionalCutter {
 
 void ReflectionalSegmentationOptions::validate() const {
   matching.validate();
-  require_option(min_angle >= 0.0 && min_angle < max_angle, "max_angle", "an angle above min_angle",
-                 max_angle);
-  require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
-                 "a distance above min_occlusion", max_occlusion);
+  require_score_ranges(*this);
   require_option(max_angle <= std::numbers::pi && silent_angle <= std::numbers::pi,
                  "max_angle, silent_angle", "angles of at most pi rad",
                  std::max(max_angle, silent_angle));

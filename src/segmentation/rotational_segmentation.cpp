@@ -91,10 +91,7 @@ class RotationalCutter {
 }  // namespace
 
 void RotationalSegmentationOptions::validate() const {
-  require_option(min_angle >= 0.0 && min_angle < max_angle, "max_angle", "an angle above min_angle",
-                 max_angle);
-  require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
-                 "a distance above min_occlusion", max_occlusion);
+  require_score_ranges(*this);
   require_option(max_angle <= std::numbers::pi / 2, "max_angle", "an angle of at most pi/2 rad",
                  max_angle);
   require_option(silent_angle > 0.0 && silent_angle <= std::numbers::pi / 2, "silent_angle",

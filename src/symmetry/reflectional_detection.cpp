@@ -255,8 +255,7 @@ void ReflectionalDetectionOptions::validate() const {
                  azimuth_steps);
   require_option(max_points >= 8, "max_points", "at least 8 points", max_points);
   require_option(shift_radius > 0.0, "shift_radius", "a length above 0 m", shift_radius);
-  require_option(min_angle >= 0.0 && min_angle < max_angle, "max_angle", "an angle above min_angle",
-                 max_angle);
+  require_score_ranges(*this);
   require_option(shift_angle > 0.0 && shift_angle < std::numbers::pi, "shift_angle",
                  "an angle in (0, pi) rad", shift_angle);
   require_option(max_angle <= std::numbers::pi, "max_angle", "an angle of at most pi rad",
@@ -267,8 +266,6 @@ void ReflectionalDetectionOptions::validate() const {
                  "a score in [0, 1]", min_inlier_score);
   require_option(max_occlusion_score >= 0.0 && max_occlusion_score <= 1.0, "max_occlusion_score",
                  "a score in [0, 1]", max_occlusion_score);
-  require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
-                 "a distance above min_occlusion", max_occlusion);
   require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);
   require_option(same_distance >= 0.0, "same_distance", "a distance of at least 0 m",
                  same_distance);

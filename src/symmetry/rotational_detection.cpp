@@ -73,10 +73,7 @@ std::vector<RotationalCandidate> merge_equal_axes(std::vector<RotationalCandidat
 
 void RotationalDetectionOptions::validate() const {
   fit.validate();
-  require_option(min_angle >= 0.0 && min_angle < max_angle, "max_angle", "an angle above min_angle",
-                 max_angle);
-  require_option(min_occlusion >= 0.0 && min_occlusion < max_occlusion, "max_occlusion",
-                 "a distance above min_occlusion", max_occlusion);
+  require_score_ranges(*this);
   require_option(max_angle <= std::numbers::pi / 2, "max_angle", "an angle of at most pi/2 rad",
                  max_angle);
   require_option(max_symmetry_score >= 0.0 && max_symmetry_score <= 1.0, "max_symmetry_score",
@@ -94,8 +91,9 @@ void RotationalDetectionOptions::validate() const {
 
 double angular_coverage(const Points& points, const RotationAxis& axis) {
   constexpr int bins = 360;
-  const Eigen::Vector3d u = axis.direction.unitOrthogonal();
-  const Eigen::Vector3d v = axis.direction.cross(u);
+  const Eigen::Matrix<double, 3, 2> across = orthonormal_complement(axis.direction);
+  const Eigen::Vector3d u = across.col(0);
+  const Eigen::Vector3d v = across.col(1);
   std::bitset<bins> seen;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Eigen::Vector3d q = points.row(i).transpose().cast<double>() - axis.point;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "symscene/core/error.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/types.hpp"
 #include "symscene/occupancy/distance_field.hpp"
@@ -23,6 +24,16 @@ struct ScoreRange {
     return ramp(value, static_cast<float>(min), static_cast<float>(max));
   }
 };
+
+/// Throws InputError if a range that detection and cuts share, of angles or of occlusion, is empty
+/// or begins below 0.
+template <class Options>
+void require_score_ranges(const Options& options) {
+  require_option(options.min_angle >= 0.0 && options.min_angle < options.max_angle, "max_angle",
+                 "an angle above min_angle", options.max_angle);
+  require_option(options.min_occlusion >= 0.0 && options.min_occlusion < options.max_occlusion,
+                 "max_occlusion", "a distance above min_occlusion", options.max_occlusion);
+}
 
 /// The angle whose sine is `sine`, which rounding may have put outside [−1, 1]. [rad]
 inline float safe_asin(float sine) { return std::asin(std::clamp(sine, -1.0F, 1.0F)); }
