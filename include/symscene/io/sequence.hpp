@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "symscene/core/depth_frame.hpp"
+
+namespace symscene {
+
+/// What the files of a sequence do not say. What they do say is used unless it is given here.
+struct SequenceOptions {
+  std::optional<CameraIntrinsics> intrinsics;  ///< size 0×0: that of the images
+  std::optional<double> depth_scale;           ///< values of the depth images in a metre
+};
+
+/// A sequence of depth images on disk. Frames are read when they are asked for; no more than one is
+/// held. Reading is const and may be done from several threads.
+class DepthSequence {
+ public:
+  virtual ~DepthSequence() = default;
+
+  virtual std::string layout() const = 0;  ///< "sequence", "TUM RGB-D", "7-Scenes", ...
+  virtual const CameraIntrinsics& camera() const = 0;
+  virtual std::size_t size() const = 0;
+  virtual double time(std::size_t i) const = 0;  ///< [s]
+  virtual bool has_color() const = 0;            ///< of at least one frame
+
+  /// The frame's pose, where the sequence has one for it. The world is the sequence's own.
+  virtual std::optional<Eigen::Isometry3d> pose(std::size_t i) const = 0;
+
+  /// Throws InputError if the image is not there, cut off, or not of the camera's size.
+  virtual DepthFrame read(std::size_t i) const = 0;
+};
+
+/// Opens a sequence in the layout that its path shows. Throws InputError if it is none, has no
+/// frame, or intrinsics or depth scale are neither known nor given.
+std::unique_ptr<DepthSequence> open_sequence(const std::filesystem::path& path,
+                                             const SequenceOptions& options = {});
+
+/// Writes a sequence folder (docs/formats.md) frame by frame; it appears whole under its name when
+/// it is finished, and not at all if it is not.
+class SequenceWriter {
+ public:
+  /// Throws InputError if `dir` is neither empty nor a sequence folder, or cannot be written.
+  SequenceWriter(const std::filesystem::path& dir, const CameraIntrinsics& camera);
+  ~SequenceWriter();
+  SequenceWriter(const SequenceWriter&) = delete;
+  SequenceWriter& operator=(const SequenceWriter&) = delete;
+
+  /// Depth is rounded to whole millimetres. Either all frames have a pose or none.
+  void add(const DepthFrame& frame, const Eigen::Isometry3d* T_world_camera = nullptr);
+
+  /// Puts a file of this name and content beside the images, e.g. truth.json.
+  void add_file(const std::string& name, const std::string& content);
+
+  void finish();
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace symscene
