@@ -20,7 +20,9 @@ target_compile_options(symscene_flags INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread>
   # The same bits on every machine: no fused multiply-add behind our back.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # No code asks for floating-point exceptions; without them GCC vectorises selections.
+  -fno-trapping-math)
 if(SYMSCENE_SANITIZE)
   target_compile_options(symscene_flags INTERFACE
     -fsanitize=${SYMSCENE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

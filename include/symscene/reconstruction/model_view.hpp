@@ -1,0 +1,20 @@
+#pragma once
+
+#include "symscene/reconstruction/tsdf_volume.hpp"
+
+namespace symscene {
+
+/// The surface of the model as a camera at a pose would see it.
+struct ModelView {
+  SurfaceImage image;  ///< in the camera's frame
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+};
+
+/// Casts a ray through every pixel to the first crossing of zero from before the surface to behind
+/// it, found by trilinear interpolation (Newcombe et al. 2011, section 3.4). Rays start where
+/// blocks that hold surface begin and skip those that hold none. Normals are the gradient of the
+/// field.
+ModelView cast_model_view(const TsdfVolume& volume, const CameraIntrinsics& camera,
+                          const Eigen::Isometry3d& T_world_camera);
+
+}  // namespace symscene

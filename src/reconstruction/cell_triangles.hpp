@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace symscene {
+
+/// An edge of a cell: from its corner along an axis. Corner k is at (k & 1, k >> 1 & 1, k >> 2).
+struct CellEdge {
+  std::uint8_t corner = 0;  ///< the end with the lower coordinate
+  std::uint8_t axis = 0;
+
+  bool operator==(const CellEdge&) const = default;
+};
+
+/// The triangles of a cell as triples of its crossed edges.
+struct CellTriangles {
+  static constexpr int most = 6;
+
+  std::uint8_t count = 0;
+  std::array<std::array<CellEdge, 3>, most> triangles{};
+};
+
+/// For every set of corners that are behind the surface (bit k for corner k) the triangles of the
+/// cell, counter-clockwise seen from before it.
+const std::array<CellTriangles, 256>& cell_triangles();
+
+}  // namespace symscene

@@ -1,0 +1,182 @@
+#include "symscene/reconstruction/model_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "field.hpp"
+#include "symscene/core/parallel.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr Index tile = 8;  // [px]
+
+/// Between which depths surface may be seen in every tile of an image. [m]
+struct DepthRanges {
+  Index columns = 0;
+  std::vector<float> nearest;
+  std::vector<float> farthest;
+};
+
+/// Projects the balls about all blocks with surface.
+DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& camera,
+                              const Eigen::Isometry3d& T_camera_world) {
+  DepthRanges ranges;
+  ranges.columns = (camera.width + tile - 1) / tile;
+  const Index rows = (camera.height + tile - 1) / tile;
+  ranges.nearest.assign(std::size_t{ranges.columns} * rows, std::numeric_limits<float>::infinity());
+  ranges.farthest.assign(ranges.nearest.size(), 0.0F);
+  const double block_size = volume.voxel_size() * TsdfBlock::edge;
+  // A voxel more than the block: its outermost cells reach into the next.
+  const auto radius = static_cast<float>(0.5 * std::sqrt(3.0) * (block_size + volume.voxel_size()));
+  const Eigen::Matrix3f R = (T_camera_world.linear() * block_size).cast<float>();
+  const Eigen::Vector3f t =
+      (T_camera_world * Eigen::Vector3d::Constant(0.5 * block_size)).cast<float>();
+  const auto fx = static_cast<float>(camera.fx), fy = static_cast<float>(camera.fy);
+  const auto cx = static_cast<float>(camera.cx), cy = static_cast<float>(camera.cy);
+  const auto right = static_cast<float>(camera.width), bottom = static_cast<float>(camera.height);
+  for (std::size_t slot = 0; slot < volume.index().size(); ++slot) {
+    if (!volume.near_surface(slot)) continue;
+    const Eigen::Vector3f center = R * volume.index().blocks()[slot].cast<float>() + t;
+    const float nearest = center.z() - radius;
+    if (nearest < 0.02F) continue;
+    const float u = center.x() * fx / center.z() + cx, v = center.y() * fy / center.z() + cy;
+    const float reach_u = fx * radius / nearest + 1.0F, reach_v = fy * radius / nearest + 1.0F;
+    if (u + reach_u < 0 || v + reach_v < 0 || u - reach_u >= right || v - reach_v >= bottom) {
+      continue;
+    }
+    const auto tile_at = [](float at, float end) {
+      return static_cast<Index>(std::clamp(at, 0.0F, end - 1.0F)) / tile;
+    };
+    for (Index y = tile_at(v - reach_v, bottom); y <= tile_at(v + reach_v, bottom); ++y) {
+      for (Index x = tile_at(u - reach_u, right); x <= tile_at(u + reach_u, right); ++x) {
+        const std::size_t at = std::size_t{y} * ranges.columns + x;
+        ranges.nearest[at] = std::min(ranges.nearest[at], nearest);
+        ranges.farthest[at] = std::max(ranges.farthest[at], center.z() + radius);
+      }
+    }
+  }
+  return ranges;
+}
+
+/// Casts rays of one camera, lengths being depths. [voxels]
+class RayCaster {
+ public:
+  RayCaster(const TsdfVolume& volume, const Eigen::Isometry3d& T_world_camera)
+      : field_(volume),
+        R_world_camera_(T_world_camera.linear().cast<float>()),
+        origin_((T_world_camera.translation() / volume.voxel_size()).cast<float>()),
+        voxel_size_(static_cast<float>(volume.voxel_size())),
+        voxels_a_unit_(volume.distance_unit() / voxel_size_) {}
+
+  /// What the ray shows between two depths. [m]
+  SurfacePixel cast(const Eigen::Vector3f& ray_camera, float nearest, float farthest) {
+    const Eigen::Vector3f ray = R_world_camera_ * ray_camera;
+    const float length = ray.norm();
+    const float end = farthest / voxel_size_;
+    float at = nearest / voxel_size_;
+    float before = -1.0F, last = 0.0F;  // the last positive distance and its depth
+    while (at < end) {
+      const Eigen::Vector3f p = origin_ + at * ray;
+      const int x = floor_of(p.x()), y = floor_of(p.y()), z = floor_of(p.z());
+      const TsdfBlock* block = field_.block_at(x, y, z);
+      if (!field_.last_is_near_surface()) {
+        at = leave_block(p, ray, at, x, y, z);
+        continue;
+      }
+      const auto i = static_cast<std::size_t>(FieldReader::place(x, y, z));
+      if (block->weight[i] == 0) {
+        at += 1.0F / length;
+        continue;
+      }
+      const float distance = static_cast<float>(block->distance[i]) * voxels_a_unit_;
+      if (distance <= 0.0F) {
+        if (before < 0.0F) return {};
+        return cross(ray, before + (at - before) * last / (last - distance), length);
+      }
+      before = at;
+      last = distance;
+      at += std::max(distance, 1.0F) / length;
+    }
+    return {};
+  }
+
+ private:
+  static constexpr int max_steps = 4;
+
+  static int floor_of(float x) { return static_cast<int>(std::floor(x)); }
+
+  /// The depth at which the ray is out of the block of a voxel.
+  static float leave_block(const Eigen::Vector3f& p, const Eigen::Vector3f& ray, float at, int x,
+                           int y, int z) {
+    const int corner[3] = {x & ~7, y & ~7, z & ~7};
+    float step = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = ray[axis];
+      if (d == 0.0F) continue;
+      const float wall = static_cast<float>(corner[axis] + (d > 0.0F ? 8 : 0));
+      step = std::min(step, (wall - p[axis]) / d);
+    }
+    return at + std::max(step, 0.0F) + 1e-2F;
+  }
+
+  /// Finds the crossing near a depth by Newton's method on the interpolated field.
+  SurfacePixel cross(const Eigen::Vector3f& ray, float at, float length) {
+    float corners[8];
+    Eigen::Vector3f between;
+    for (int k = 0; k < max_steps; ++k) {
+      if (!field_.corners(origin_ + at * ray, corners, between)) return {};
+      const Eigen::Vector3f gradient = trilinear_gradient(corners, between);
+      const float slope = gradient.dot(ray);
+      if (!(slope < 0.0F)) return {};
+      const float step = trilinear(corners, between) / slope;
+      at -= step;
+      if (std::abs(step) * length < 0.3F) return surface(at, gradient);
+      if (std::abs(step) * length > 3.0F) return {};
+    }
+    return {};
+  }
+
+  SurfacePixel surface(float at, const Eigen::Vector3f& gradient) const {
+    const float norm = gradient.norm();
+    if (!(norm > 0.0F)) return {};
+    const Eigen::Vector3f normal = R_world_camera_.transpose() * (gradient / norm);
+    return {at * voxel_size_, normal.x(), normal.y(), normal.z()};
+  }
+
+  FieldReader field_;
+  Eigen::Matrix3f R_world_camera_;
+  Eigen::Vector3f origin_;
+  float voxel_size_;
+  float voxels_a_unit_;
+};
+
+}  // namespace
+
+ModelView cast_model_view(const TsdfVolume& volume, const CameraIntrinsics& camera,
+                          const Eigen::Isometry3d& T_world_camera) {
+  ModelView view{{camera, std::vector<SurfacePixel>(camera.pixels())}, T_world_camera};
+  const DepthRanges ranges = find_depth_ranges(volume, camera, T_world_camera.inverse());
+  const std::size_t columns = ranges.columns;
+  std::vector<float> ray_x(camera.width);
+  for (Index u = 0; u < camera.width; ++u) ray_x[u] = static_cast<float>(camera.ray(u, 0.0).x());
+  parallel_for_each((camera.height + tile - 1) / tile, [&](std::size_t row) {
+    RayCaster caster(volume, T_world_camera);
+    const auto top = static_cast<Index>(row) * tile;
+    for (Index column = 0; column < columns; ++column) {
+      const std::size_t at = row * columns + column;
+      if (ranges.farthest[at] == 0.0F) continue;
+      for (Index v = top; v < std::min(camera.height, top + tile); ++v) {
+        const auto ray_y = static_cast<float>(camera.ray(0.0, v).y());
+        for (Index u = column * tile; u < std::min(camera.width, (column + 1) * tile); ++u) {
+          view.image.pixels[std::size_t{v} * camera.width + u] =
+              caster.cast({ray_x[u], ray_y, 1.0F}, ranges.nearest[at], ranges.farthest[at]);
+        }
+      }
+    }
+  });
+  return view;
+}
+
+}  // namespace symscene
