@@ -1,8 +1,7 @@
 #include "reconstruction/occupancy_hits.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
 
 #include "reconstruction/occupancy_brick.hpp"
 #include "symscene/core/dispatch.hpp"
@@ -30,34 +29,58 @@ inline std::uint32_t spread_six(std::uint32_t bits) {
   return (bits | (bits << 2)) & 0x9249U;
 }
 
+/// The key along one axis of the voxel around a coordinate.
+inline std::uint32_t key_at(float coordinate, std::int32_t anchor) {
+  const auto cut = static_cast<std::int32_t>(coordinate);
+  const std::int32_t below = coordinate < static_cast<float>(cut) ? 1 : 0;
+  return static_cast<std::uint32_t>(cut - below + anchor);
+}
+
 /// Brick and voxel of each pixel's point; no_brick where there is none.
 SYMSCENE_MULTIVERSION
 void locate(const PixelRow& row, const float* depth, std::size_t width, BrickKey* bricks,
             std::uint32_t* voxels) {
   const PixelRow in = row;
   for (std::size_t u = 0; u < width; ++u) {
-    const float d = depth[u];
-    const bool measured = d > 0.0F && d <= in.max_depth;
-    const float z = measured ? d : 0.0F;
+    const bool measured = (depth[u] > 0.0F) & (depth[u] <= in.max_depth);
+    const float z = measured ? depth[u] : 0.0F;
     const auto column = static_cast<float>(static_cast<std::int32_t>(u));
-    const auto key = [&](int axis) {
-      const float at = in.origin[axis] + z * (in.start[axis] + column * in.step[axis]);
-      const auto cut = static_cast<std::int32_t>(at);
-      const std::int32_t floor = cut - (at < static_cast<float>(cut) ? 1 : 0);
-      return static_cast<std::uint32_t>(floor + in.anchor[axis]);
-    };
-    const std::uint32_t x = key(0), y = key(1), z_key = key(2);
-    const bool inside = (x | y | z_key) < 65536U;
-    bricks[u] =
-        measured && inside ? (x >> 6U) | ((y >> 6U) << 10U) | ((z_key >> 6U) << 20U) : no_brick;
-    voxels[u] = spread_six(x & 63U) | (spread_six(y & 63U) << 1U) | (spread_six(z_key & 63U) << 2U);
+    const std::uint32_t kx =
+        key_at(in.origin[0] + z * (in.start[0] + column * in.step[0]), in.anchor[0]);
+    const std::uint32_t ky =
+        key_at(in.origin[1] + z * (in.start[1] + column * in.step[1]), in.anchor[1]);
+    const std::uint32_t kz =
+        key_at(in.origin[2] + z * (in.start[2] + column * in.step[2]), in.anchor[2]);
+    const std::uint32_t brick = (kx >> 6U) | ((ky >> 6U) << 10U) | ((kz >> 6U) << 20U);
+    const bool inside = (kx | ky | kz) < 65536U;
+    bricks[u] = measured & inside ? brick : no_brick;
+    voxels[u] = spread_six(kx & 63U) | (spread_six(ky & 63U) << 1U) | (spread_six(kz & 63U) << 2U);
   }
 }
 
-/// Where the voxels of a run begin in the list of their task.
-struct RunStart {
-  BrickKey brick;
-  std::size_t begin;
+/// The voxels that a task found, apart by brick. Noise makes neighbours fall into the two bricks
+/// of a border in turn, so the brick at hand is remembered in a small table.
+class FoundVoxels {
+ public:
+  FoundVoxels() { slots_.fill(0); }
+
+  void add(BrickKey brick, std::uint32_t voxel) { lists_[place_of(brick)].voxels.push_back(voxel); }
+
+  std::vector<FoundInBrick> lists() && { return std::move(lists_); }
+
+ private:
+  std::size_t place_of(BrickKey brick) {
+    std::size_t& slot = slots_[(brick ^ (brick >> 8U) ^ (brick >> 16U)) % slots_.size()];
+    if (slot < lists_.size() && lists_[slot].brick == brick) return slot;
+    for (slot = 0; slot < lists_.size(); ++slot) {
+      if (lists_[slot].brick == brick) return slot;
+    }
+    lists_.push_back({brick, {}});
+    return slot;
+  }
+
+  std::array<std::size_t, 64> slots_;
+  std::vector<FoundInBrick> lists_;
 };
 
 /// Everything that the tasks share.
@@ -72,10 +95,10 @@ class HitFinder {
     origin_ = position - anchor_;
   }
 
-  void find(std::size_t first_row, std::size_t last_row, std::vector<std::uint32_t>& found,
-            std::vector<RunStart>& starts) const {
+  std::vector<FoundInBrick> find(std::size_t first_row, std::size_t last_row) const {
     std::vector<BrickKey> bricks(camera_.width);
     std::vector<std::uint32_t> voxels(camera_.width);
+    FoundVoxels found;
     BrickKey brick = no_brick;
     std::uint32_t voxel = 0;
     for (std::size_t v = first_row; v < last_row; ++v) {
@@ -83,12 +106,12 @@ class HitFinder {
              voxels.data());
       for (std::size_t u = 0; u < camera_.width; ++u) {
         if (bricks[u] == no_brick || (bricks[u] == brick && voxels[u] == voxel)) continue;
-        if (bricks[u] != brick) starts.push_back({bricks[u], found.size()});
         brick = bricks[u];
         voxel = voxels[u];
-        found.push_back(voxel);
+        found.add(brick, voxel);
       }
     }
+    return std::move(found).lists();
   }
 
  private:
@@ -120,19 +143,12 @@ OccupancyHits::OccupancyHits(const DepthFrame& frame, const CameraIntrinsics& ca
                              const Eigen::Isometry3d& T_world_camera,
                              const OccupancyVolumeOptions& options) {
   const HitFinder finder(frame, camera, T_world_camera, options);
-  const std::size_t tasks = (camera.height + rows_a_task - 1) / rows_a_task;
-  voxels_.resize(tasks);
-  std::vector<std::vector<RunStart>> starts(tasks);
+  found_.resize((camera.height + rows_a_task - 1) / rows_a_task);
   parallel_for_blocks(camera.height, rows_a_task, [&](std::size_t begin, std::size_t end) {
-    finder.find(begin, end, voxels_[begin / rows_a_task], starts[begin / rows_a_task]);
+    found_[begin / rows_a_task] = finder.find(begin, end);
   });
-  for (std::size_t task = 0; task < tasks; ++task) {
-    const std::span<const std::uint32_t> all = voxels_[task];
-    for (std::size_t k = 0; k < starts[task].size(); ++k) {
-      const std::size_t begin = starts[task][k].begin;
-      const std::size_t end = k + 1 < starts[task].size() ? starts[task][k + 1].begin : all.size();
-      runs_.push_back({starts[task][k].brick, all.subspan(begin, end - begin)});
-    }
+  for (const std::vector<FoundInBrick>& task : found_) {
+    for (const FoundInBrick& found : task) runs_.push_back({found.brick, found.voxels});
   }
   std::stable_sort(runs_.begin(), runs_.end(),
                    [](const BrickHits& a, const BrickHits& b) { return a.brick < b.brick; });

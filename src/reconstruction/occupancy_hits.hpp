@@ -12,8 +12,11 @@ namespace symscene {
 using BrickKey = std::uint32_t;
 constexpr BrickKey no_brick = ~BrickKey{0};
 
-/// The voxels of one brick that some pixels in a row of the image measure points in: places in
-/// depth-first order, seldom twice.
+/// The voxels of one brick that pixels of some rows measure points in: places in the brick.
+struct FoundInBrick {
+  BrickKey brick = no_brick;
+  std::vector<std::uint32_t> voxels;
+};
 struct BrickHits {
   BrickKey brick = no_brick;
   std::span<const std::uint32_t> voxels;
@@ -29,8 +32,8 @@ class OccupancyHits {
   std::span<const BrickHits> runs() const { return runs_; }
 
  private:
-  std::vector<std::vector<std::uint32_t>> voxels_;
-  std::vector<BrickHits> runs_;
+  std::vector<std::vector<FoundInBrick>> found_;  ///< by task
+  std::vector<BrickHits> runs_;                   ///< of found_
 };
 
 }  // namespace symscene
