@@ -1,14 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <optional>
 
-#include <fmt/format.h>
-
+#include "io/octomap_header.hpp"
 #include "io/octree_keys.hpp"
 #include "io/scalar.hpp"
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/octomap.hpp"
@@ -17,38 +13,6 @@ namespace symscene {
 namespace {
 
 constexpr std::string_view first_line = "# Octomap OcTree binary file";
-
-struct OctomapHeader {
-  std::uint64_t size = 0;  ///< nodes, leaves too
-  double resolution = 0.0;
-};
-
-OctomapHeader parse_header(std::string_view& rest, const std::string& name) {
-  const std::string_view begin = rest.substr(0, rest.find('\n'));
-  if (next_line(rest) != first_line) {
-    throw InputError(name, "an OctoMap binary file (.bt)", in_quotes(begin));
-  }
-  OctomapHeader header;
-  std::optional<std::uint64_t> size;
-  while (true) {
-    const auto line = next_line(rest);
-    if (!line) throw InputError(name, "a line \"data\"", "the end of the file");
-    const auto words = words_of(*line);
-    if (words.empty() || words[0].starts_with('#')) continue;
-    if (words[0] == "data") break;
-    const std::string_view value = words.size() > 1 ? words[1] : "";
-    if (words[0] == "id" && value != "OcTree")
-      throw InputError(name, "id OcTree", in_quotes(*line));
-    if (words[0] == "size") size = to_number<std::uint64_t>(value);
-    if (words[0] == "res") header.resolution = to_number<double>(value).value_or(0.0);
-  }
-  if (!size) throw InputError(name, "a line size N", "none");
-  if (!(header.resolution > 0.0 && std::isfinite(header.resolution))) {
-    throw InputError(name, "a positive resolution after res", fmt::format("{}", header.resolution));
-  }
-  header.size = *size;
-  return header;
-}
 
 /// Walks the tree in the file's order, depth first, with a stack as deep as the tree.
 class TreeReader {
@@ -129,15 +93,15 @@ class TreeReader {
 }  // namespace
 
 OccupancyMap parse_octomap(std::string_view bytes, const std::string& name) {
-  const OctomapHeader header = parse_header(bytes, name);
+  const OctomapHeader header =
+      parse_octomap_header(bytes, first_line, "an OctoMap binary file (.bt)", name);
   OccupancyMap map;
   map.resolution = header.resolution;
   if (header.size == 0) return map;
   TreeReader reader(bytes, name);
   map.leaves = reader.read(header.size);
-  if (reader.nodes() == header.size) return map;
-  throw InputError(name, fmt::format("{} nodes, as its header says", header.size),
-                   std::to_string(reader.nodes()));
+  require_nodes(header, reader.nodes(), name);
+  return map;
 }
 
 OccupancyMap read_octomap(const std::filesystem::path& path) {

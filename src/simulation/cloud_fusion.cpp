@@ -41,20 +41,6 @@ FusedCloud to_cloud(const std::vector<Surfel>& surfels) {
 
 }  // namespace
 
-Box world_bounds(const OrientedBox& box) {
-  Box bounds;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    Eigen::Vector3d p = box.min;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      if ((corner >> axis) & 1U) p[axis] = box.max[axis];
-    }
-    const Eigen::Vector3f world = (box.T_world_box * p).cast<float>();
-    bounds.min = bounds.min.cwiseMin(world);
-    bounds.max = bounds.max.cwiseMax(world);
-  }
-  return bounds;
-}
-
 void CloudFusionOptions::validate() const {
   require_option(voxel_size > 0, "voxel_size", "a positive number", voxel_size);
   require_option(min_frames >= 1, "min_frames", "at least 1", min_frames);

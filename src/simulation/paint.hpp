@@ -1,7 +1,7 @@
 #pragma once
 
+#include "symscene/core/random.hpp"
 #include "symscene/core/types.hpp"
-#include "symscene/simulation/random.hpp"
 
 namespace symscene {
 

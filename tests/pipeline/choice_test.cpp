@@ -4,10 +4,10 @@
 
 #include "surfaces.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/random.hpp"
 #include "symscene/pipeline/merge.hpp"
 #include "symscene/pipeline/object_symmetry.hpp"
 #include "symscene/pipeline/selection.hpp"
-#include "symscene/simulation/random.hpp"
 
 namespace symscene {
 namespace {

@@ -3,20 +3,11 @@
 #include <span>
 
 #include "symscene/core/options.hpp"
+#include "symscene/core/oriented_box.hpp"
 #include "symscene/core/point_cloud.hpp"
 #include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {
-
-/// A box of any orientation.
-struct OrientedBox {
-  Eigen::Isometry3d T_world_box = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d min = Eigen::Vector3d::Zero();  ///< in the box' frame [m]
-  Eigen::Vector3d max = Eigen::Vector3d::Zero();  ///< in the box' frame [m]
-};
-
-/// The box around the same points along the axes of the world.
-Box world_bounds(const OrientedBox& box);
 
 struct CloudFusionOptions {
   double voxel_size = 0.003;  ///< spacing of the fused points, 3.1 mm in section 2.1.1 [m]

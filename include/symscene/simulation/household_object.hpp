@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "symscene/core/random.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/core/triangle_mesh.hpp"
-#include "symscene/simulation/random.hpp"
 
 namespace symscene {
 

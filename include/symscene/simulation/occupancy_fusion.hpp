@@ -31,14 +31,4 @@ struct OccupancyFusionOptions {
 OccupancyMap fuse_occupancy(std::span<const SensorFrame> frames, const CameraIntrinsics& camera,
                             const OrientedBox& region, const OccupancyFusionOptions& options);
 
-/// A dense block of voxel states, x fastest.
-struct VoxelBlock {
-  Eigen::Vector3i low = Eigen::Vector3i::Zero();   ///< key of the first voxel, less key_of_origin
-  Eigen::Vector3i size = Eigen::Vector3i::Zero();  ///< in voxels
-  std::vector<VoxelState> states;
-};
-
-/// The leaves of a block in depth-first order, cubes of equal state joined.
-OccupancyMap to_octree(const VoxelBlock& block, double resolution);
-
 }  // namespace symscene

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "symscene/core/options.hpp"
+#include "symscene/core/random.hpp"
 #include "symscene/core/types.hpp"
-#include "symscene/simulation/random.hpp"
 #include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {

@@ -1,4 +1,4 @@
-#include "symscene/simulation/random.hpp"
+#include "symscene/core/random.hpp"
 
 #include <cmath>
 #include <numbers>

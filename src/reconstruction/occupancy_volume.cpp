@@ -1,0 +1,368 @@
+#include "symscene/reconstruction/occupancy_volume.hpp"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "reconstruction/occupancy_brick.hpp"
+#include "reconstruction/occupancy_hits.hpp"
+#include "reconstruction/occupancy_view.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr int bricks_per_axis = 1 << (octree_depth - brick_level);
+
+OctreeKey first_voxel(BrickKey brick) {
+  const auto key = [&](unsigned shift) {
+    return static_cast<std::uint16_t>(((brick >> shift) & 1023U) << brick_level);
+  };
+  return {key(0), key(10), key(20)};
+}
+
+BrickKey brick_of(const OctreeKey& key) {
+  const auto part = [&](unsigned axis) { return BrickKey{key[axis]} >> unsigned{brick_level}; };
+  return part(0) | (part(1) << 10U) | (part(2) << 20U);
+}
+
+/// One frame's evidence on one brick.
+class BrickUpdate {
+ public:
+  BrickUpdate(OccupancyBrick& brick, BrickKey key, const OccupancyView& view,
+              const LogOddsModel& model)
+      : brick_(brick), code_(morton_code(first_voxel(key))), view_(view), model_(model) {}
+
+  void run(std::span<const BrickHits> hits) {
+    mark(hits);
+    descend(0, brick_level);
+    brick_.settle();
+  }
+
+ private:
+  using Flags = std::array<std::uint8_t, block_voxels>;
+
+  void mark(std::span<const BrickHits> hits) {
+    for (const BrickHits& run : hits) {
+      for (const std::uint32_t voxel : run.voxels) {
+        const std::size_t block = voxel / block_voxels;
+        if (!hit_blocks_[block]) {
+          hit_blocks_.set(block);
+          places_[block] = static_cast<std::uint16_t>(flags_.size());
+          flags_.emplace_back(Flags{});
+        }
+        flags_[places_[block]][voxel % block_voxels] = 1;
+      }
+    }
+  }
+
+  bool any_hits(std::size_t first, std::size_t count) const {
+    if (flags_.empty()) return false;
+    for (std::size_t block = first; block < first + count; ++block) {
+      if (hit_blocks_[block]) return true;
+    }
+    return false;
+  }
+
+  /// The blocks of a cube. A cube that is looked through or not seen as a whole, and not hit, is
+  /// done without a look at its voxels.
+  void descend(std::size_t first, int level) {
+    const Eigen::Vector3f center = view_.center_camera(octree_key(code_ + first * block_voxels));
+    const Sight sight = view_.look_at(center, level);
+    if (sight != Sight::some && !any_hits(first, blocks_of(level))) {
+      if (sight == Sight::all) brick_.look_through(first, blocks_of(level), model_);
+    } else if (level == block_level) {
+      update(first, center, sight);
+    } else {
+      for (std::size_t child = 0; child < 8; ++child) {
+        descend(first + child * blocks_of(level - 1), level - 1);
+      }
+    }
+  }
+
+  void update(std::size_t block, const Eigen::Vector3f& center, Sight sight) {
+    static constexpr Flags no_hits{};
+    Flags looks;
+    if (sight == Sight::none) {
+      looks.fill(0);
+    } else {
+      view_.look_through(center, looks.data());
+    }
+    const bool hit = hit_blocks_[block];
+    const Flags& hits = hit ? flags_[places_[block]] : no_hits;
+    if (hit || looks != no_hits) brick_.update(block, hits.data(), looks.data(), model_);
+  }
+
+  OccupancyBrick& brick_;
+  std::uint64_t code_;
+  const OccupancyView& view_;
+  const LogOddsModel& model_;
+  std::bitset<brick_blocks> hit_blocks_;
+  std::array<std::uint16_t, brick_blocks> places_;  ///< in flags_, of blocks that are hit
+  std::vector<Flags> flags_;
+};
+
+/// What lies in a box, asked for cube by cube.
+class RegionTest {
+ public:
+  RegionTest(const std::optional<OrientedBox>& region, double resolution)
+      : resolution_(resolution), bounded_(region.has_value()) {
+    if (!bounded_) return;
+    T_box_world_ = region->T_world_box.inverse();
+    center_ = 0.5 * (region->min + region->max);
+    half_ = 0.5 * (region->max - region->min);
+  }
+
+  /// Of the centres of the voxels of a cube.
+  Sight inside(std::uint64_t code, int level) const {
+    if (!bounded_) return Sight::all;
+    const OctreeKey key = octree_key(code);
+    const double reach = 0.5 * ((1 << level) - 1) * resolution_;
+    const Eigen::Array3d first(key[0], key[1], key[2]);
+    const Eigen::Vector3d middle =
+        (first - (OccupancyMap::key_of_origin - 0.5)) * resolution_ + reach;
+    const Eigen::Array3d from_center = (T_box_world_ * middle - center_).cwiseAbs();
+    const Eigen::Array3d reaches =
+        T_box_world_.linear().cwiseAbs() * Eigen::Vector3d::Constant(reach);
+    if ((from_center - reaches > half_.array()).any()) return Sight::none;
+    return (from_center + reaches <= half_.array()).all() ? Sight::all : Sight::some;
+  }
+
+ private:
+  double resolution_;
+  bool bounded_;
+  Eigen::Isometry3d T_box_world_;
+  Eigen::Vector3d center_;
+  Eigen::Vector3d half_;
+};
+
+void require_usable(const DepthFrame& frame, const CameraIntrinsics& camera,
+                    const Eigen::Isometry3d& T_world_camera) {
+  const auto refuse = [](const char* where, const char* expected, const std::string& found) {
+    throw InputError(where, expected, found);
+  };
+  if (camera.width == 0 || camera.height == 0) {
+    refuse("camera", "an image with pixels", fmt::format("{} x {}", camera.width, camera.height));
+  }
+  if (frame.depth.size() != camera.pixels()) {
+    refuse("depth frame", "a depth for every pixel of the camera",
+           fmt::format("{} for {} x {}", frame.depth.size(), camera.width, camera.height));
+  }
+  const bool usable = camera.fx > 0.0 && camera.fy > 0.0 && std::isfinite(camera.fx) &&
+                      std::isfinite(camera.fy) && std::isfinite(camera.cx) &&
+                      std::isfinite(camera.cy);
+  if (!usable) {
+    refuse("camera", "positive focal lengths and a principal point",
+           fmt::format("fx {} fy {} cx {} cy {}", camera.fx, camera.fy, camera.cx, camera.cy));
+  }
+  const Eigen::Matrix3d rotation = T_world_camera.linear();
+  const bool rigid = T_world_camera.matrix().allFinite() &&
+                     (rotation * rotation.transpose()).isIdentity(1e-4) &&
+                     T_world_camera.translation().cwiseAbs().maxCoeff() < 1e5;
+  if (!rigid) refuse("camera's pose", "a rotation and a place within 100 km", "another matrix");
+}
+
+}  // namespace
+
+struct OccupancyVolume::Implementation {
+  explicit Implementation(const OccupancyVolumeOptions& given) : options(given) {
+    options.validate();
+    const auto steps = [](double value) {
+      return static_cast<int>(std::lround(value / log_odds_step));
+    };
+    model = {steps(options.hit), steps(options.miss), steps(options.min_log_odds),
+             steps(options.max_log_odds)};
+  }
+
+  /// The keys of bricks that a frame may see, along an axis from low to high.
+  struct BrickRange {
+    Eigen::Array3i low;
+    Eigen::Array3i high;
+  };
+  BrickRange bricks_in_view(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera,
+                            double reach) const {
+    Eigen::Array3d low = T_world_camera.translation();
+    Eigen::Array3d high = low;
+    for (int corner = 0; corner < 4; ++corner) {
+      const Eigen::Vector3d ray = camera.ray(corner % 2 == 0 ? -0.5 : camera.width - 0.5,
+                                             corner / 2 == 0 ? -0.5 : camera.height - 0.5);
+      const Eigen::Array3d end = T_world_camera * (reach * ray);
+      low = low.min(end);
+      high = high.max(end);
+    }
+    const double edge = options.resolution * (1 << brick_level);
+    const auto brick = [&](const Eigen::Array3d& at) -> Eigen::Array3i {
+      return ((at / edge).floor() + 0.5 * bricks_per_axis)
+          .max(-1.0)
+          .min(double{bricks_per_axis})
+          .cast<int>();
+    };
+    return {brick(low).max(0), brick(high).min(bricks_per_axis - 1)};
+  }
+
+  /// The bricks that a frame looks into or hits, ascending.
+  std::vector<BrickKey> bricks_to_update(const OccupancyView& view, const OccupancyHits& hits,
+                                         const BrickRange& range) const {
+    std::vector<BrickKey> keys;
+    for (int z = range.low.z(); z <= range.high.z(); ++z) {
+      for (int y = range.low.y(); y <= range.high.y(); ++y) {
+        for (int x = range.low.x(); x <= range.high.x(); ++x) {
+          const auto key = static_cast<BrickKey>(x | (y << 10) | (z << 20));
+          const Eigen::Vector3f center = view.center_camera(first_voxel(key));
+          if (view.look_at(center, brick_level) != Sight::none) keys.push_back(key);
+        }
+      }
+    }
+    for (const BrickHits& run : hits.runs()) keys.push_back(run.brick);
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    return keys;
+  }
+
+  void integrate(const DepthFrame& frame, const CameraIntrinsics& camera,
+                 const Eigen::Isometry3d& T_world_camera) {
+    const OccupancyView view(frame, camera, T_world_camera, options);
+    const OccupancyHits hits(frame, camera, T_world_camera, options);
+    const std::vector<BrickKey> keys =
+        bricks_to_update(view, hits, bricks_in_view(camera, T_world_camera, view.reach()));
+    std::vector<OccupancyBrick*> updated(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) updated[i] = &bricks[keys[i]];
+    parallel_for_each(keys.size(), [&](std::size_t i) {
+      const auto [begin, end] = std::equal_range(
+          hits.runs().begin(), hits.runs().end(), BrickHits{keys[i], {}},
+          [](const BrickHits& a, const BrickHits& b) { return a.brick < b.brick; });
+      BrickUpdate(*updated[i], keys[i], view, model).run({begin, end});
+    });
+  }
+
+  using PlacedBrick = std::pair<std::uint64_t, const OccupancyBrick*>;
+
+  /// The bricks in depth-first order, by the place of their first voxel.
+  std::vector<PlacedBrick> ordered() const {
+    std::vector<PlacedBrick> placed;
+    for (const auto& [key, brick] : bricks) {
+      placed.emplace_back(morton_code(first_voxel(key)), &brick);
+    }
+    std::sort(placed.begin(), placed.end());
+    return placed;
+  }
+
+  /// The leaves of value(log-odds) in a region.
+  template <class Value, class ValueOf, class MakeLeaf>
+  auto leaves(const std::optional<OrientedBox>& region, Value nothing, const ValueOf& value_of,
+              const MakeLeaf& make_leaf) const;
+
+  OccupancyVolumeOptions options;
+  LogOddsModel model;
+  std::map<BrickKey, OccupancyBrick> bricks;
+};
+
+template <class Value, class ValueOf, class MakeLeaf>
+auto OccupancyVolume::Implementation::leaves(const std::optional<OrientedBox>& region,
+                                             Value nothing, const ValueOf& value_of,
+                                             const MakeLeaf& make_leaf) const {
+  const std::vector<PlacedBrick> placed = ordered();
+  const RegionTest test(region, options.resolution);
+  // Cubes are asked for in depth-first order.
+  auto next = placed.begin();
+  const auto uniform = [&](std::uint64_t code, int level) -> std::optional<Value> {
+    while (next != placed.end() && next->first + voxels_of(brick_level) <= code) ++next;
+    if (next == placed.end() || next->first >= code + voxels_of(level)) return nothing;
+    const Sight inside = test.inside(code, level);
+    if (inside == Sight::none) return nothing;
+    if (level > brick_level || inside == Sight::some) return std::nullopt;
+    const OccupancyBrick& brick = *next->second;
+    if (brick.is_uniform()) return value_of(brick.value());
+    const std::uint64_t voxel = code - next->first;
+    const std::size_t block = voxel / block_voxels;
+    if (level <= block_level && brick.is_uniform(block)) return value_of(brick.value(block));
+    if (level > 0) return std::nullopt;
+    return value_of(brick.voxels(block)[voxel % block_voxels]);
+  };
+  return octree_leaves(nothing, uniform, make_leaf);
+}
+
+void OccupancyVolumeOptions::validate() const {
+  require_option(resolution >= 1e-4 && resolution <= 1.0, "resolution", "0.0001 to 1 m",
+                 resolution);
+  require_option(max_depth > 0.0 && max_depth <= 4000.0 * resolution, "max_depth",
+                 "a depth of up to 4000 voxels", max_depth);
+  require_option(free_margin >= 0.0 && free_margin < max_depth, "free_margin",
+                 "a length not below zero", free_margin);
+  const double half_step = 0.5 * log_odds_step;
+  const double most = 127 * log_odds_step;
+  require_option(hit >= half_step && hit <= most, "hit", "0.025 to 6.35", hit);
+  require_option(miss <= -half_step && miss >= -most, "miss", "-6.35 to -0.025", miss);
+  require_option(min_log_odds < 0.0 && min_log_odds >= -most, "min_log_odds", "-6.35 to 0",
+                 min_log_odds);
+  require_option(max_log_odds > 0.0 && max_log_odds <= most, "max_log_odds", "0 to 6.35",
+                 max_log_odds);
+  require_option(threshold > min_log_odds && threshold <= max_log_odds, "threshold",
+                 "above min_log_odds and up to max_log_odds", threshold);
+}
+
+OccupancyVolume::OccupancyVolume(const OccupancyVolumeOptions& options)
+    : implementation_(std::make_unique<Implementation>(options)) {}
+OccupancyVolume::~OccupancyVolume() = default;
+OccupancyVolume::OccupancyVolume(OccupancyVolume&&) noexcept = default;
+OccupancyVolume& OccupancyVolume::operator=(OccupancyVolume&&) noexcept = default;
+
+void OccupancyVolume::integrate(const DepthFrame& frame, const CameraIntrinsics& camera,
+                                const Eigen::Isometry3d& T_world_camera) {
+  require_usable(frame, camera, T_world_camera);
+  implementation_->integrate(frame, camera, T_world_camera);
+}
+
+OccupancyMap OccupancyVolume::map(const std::optional<OrientedBox>& region) const {
+  const OccupancyVolumeOptions& options = implementation_->options;
+  const auto state = [&](LogOdds value) {
+    if (value == unseen) return VoxelState::never_seen;
+    return value * log_odds_step >= options.threshold - 1e-9 ? VoxelState::occupied
+                                                             : VoxelState::free;
+  };
+  const auto leaf = [](std::uint64_t code, int level, VoxelState value) {
+    return OccupancyLeaf{octree_key(code), static_cast<std::uint8_t>(level), value};
+  };
+  return {options.resolution, implementation_->leaves(region, VoxelState::never_seen, state, leaf)};
+}
+
+LogOddsMap OccupancyVolume::log_odds(const std::optional<OrientedBox>& region) const {
+  const auto same = [](LogOdds value) { return value; };
+  const auto leaf = [](std::uint64_t code, int level, LogOdds value) {
+    return LogOddsLeaf{octree_key(code), static_cast<std::uint8_t>(level),
+                       static_cast<float>(value * log_odds_step)};
+  };
+  return {implementation_->options.resolution, implementation_->leaves(region, unseen, same, leaf)};
+}
+
+VoxelState OccupancyVolume::at(const Eigen::Vector3d& point_world) const {
+  const Eigen::Array3d cell = (point_world.array() / implementation_->options.resolution).floor() +
+                              OccupancyMap::key_of_origin;
+  if (!(cell >= 0.0).all() || !(cell < 65536.0).all()) return VoxelState::never_seen;
+  OctreeKey key{};
+  for (int axis = 0; axis < 3; ++axis) {
+    key[static_cast<std::size_t>(axis)] = static_cast<std::uint16_t>(cell[axis]);
+  }
+  const auto found = implementation_->bricks.find(brick_of(key));
+  if (found == implementation_->bricks.end()) return VoxelState::never_seen;
+  const std::uint64_t voxel = morton_code(key) & (voxels_of(brick_level) - 1);
+  const std::size_t block = voxel / block_voxels;
+  const LogOdds value = found->second.is_uniform(block)
+                            ? found->second.value(block)
+                            : found->second.voxels(block)[voxel % block_voxels];
+  if (value == unseen) return VoxelState::never_seen;
+  return value * log_odds_step >= implementation_->options.threshold - 1e-9 ? VoxelState::occupied
+                                                                            : VoxelState::free;
+}
+
+std::size_t OccupancyVolume::memory() const {
+  std::size_t bytes = 0;
+  for (const auto& [key, brick] : implementation_->bricks) bytes += brick.memory();
+  return bytes;
+}
+
+}  // namespace symscene
