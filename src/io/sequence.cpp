@@ -20,6 +20,11 @@ struct Layout {
 /// The first that recognises a path opens it.
 constexpr Layout layouts[] = {
     {is_own_layout, open_own_layout},
+    {is_icl_nuim, open_icl_nuim},
+    {is_tum, open_tum},
+    {is_seven_scenes, open_seven_scenes},
+    {is_redwood, open_redwood},
+    {is_own_layout_without_camera, open_own_layout},
     {is_single_image, open_single_image},
     {is_image_folder, open_image_folder},
 };

@@ -64,6 +64,8 @@ bool is_own_layout(const fs::path& path) {
   return fs::is_directory(path / "depth") && fs::exists(path / "intrinsics.txt");
 }
 
+bool is_own_layout_without_camera(const fs::path& path) { return fs::is_directory(path / "depth"); }
+
 SequencePointer open_own_layout(const fs::path& path, const SequenceOptions& options) {
   ImageFrames content{path, layout, {std::nullopt, 1000.0}, 0, find_frames(path)};
   const fs::path intrinsics = path / "intrinsics.txt";

@@ -95,6 +95,11 @@ inline ColorImage color_ramp(ImageSize size) {
   return image;
 }
 
+/// The largest difference of two values of a channel.
+inline int difference(const Colors& a, const Colors& b) {
+  return (a.cast<int>() - b.cast<int>()).cwiseAbs().maxCoeff();
+}
+
 /// The head of a PNG with a checksum that holds, and nothing after it.
 inline std::string png_head(std::uint32_t width, std::uint32_t height, int bit_depth,
                             int color_type) {
