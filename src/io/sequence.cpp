@@ -25,6 +25,7 @@ constexpr Layout layouts[] = {
     {is_seven_scenes, open_seven_scenes},
     {is_redwood, open_redwood},
     {is_own_layout_without_camera, open_own_layout},
+    {is_bag, open_bag},
     {is_single_image, open_single_image},
     {is_image_folder, open_image_folder},
 };

@@ -305,7 +305,7 @@ TEST(Layouts, TheTumSampleIsReadWhole) {
     EXPECT_GT(measured, 100000) << i;
   }
   EXPECT_GE(colored, 30U);
-  EXPECT_EQ(posed, 300U);
+  EXPECT_EQ(posed, 297U);  // motion capture lost the camera for more than 0.1 s
 }
 
 TEST(Layouts, TheSegmentationSampleIsAFolderOfImages) {
