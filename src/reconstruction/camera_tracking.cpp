@@ -347,7 +347,9 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
                             const MeasurementOptions& sensor) {
   const double pixels = static_cast<double>(measurement.pyramid.front().pixels.size());
   if (static_cast<double>(measurement.measured) < options.min_measured * pixels) {
-    return lost(T_world_guess, "too little of the image is measured");
+    TrackingResult result = lost(T_world_guess, "too little of the image is measured");
+    result.searchable = false;
+    return result;
   }
   const std::vector<SurfaceImage> models = view_pyramid(view.image, measurement);
   const int iterations[3] = {options.iterations_fine, options.iterations_middle,
@@ -382,6 +384,9 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
     result.reason = "too little of the image agrees with the model";
   } else if (result.inliers < options.min_inliers) {
     result.reason = "the image does not fit the model";
+  } else if (T.translation().norm() > options.max_translation ||
+             Eigen::AngleAxisd(T.linear()).angle() > options.max_rotation) {
+    result.reason = "the camera would have jumped";
   } else {
     result.status =
         result.unconstrained.empty() ? TrackingStatus::converged : TrackingStatus::degenerate;

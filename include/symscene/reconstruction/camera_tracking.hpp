@@ -67,12 +67,14 @@ struct TrackingResult {
   double residual = 0.0;                   ///< root of the mean squared residual of those [m]
   std::vector<std::string> unconstrained;  ///< motions of the camera that are free, if degenerate
   const char* reason = "";                 ///< why it is lost
+  bool searchable = true;  ///< the image shows enough that the camera may be looked for
 };
 
 /// Point-to-plane alignment of a measurement with a view of the model, from coarse to fine, points
 /// being matched by projection (Newcombe et al. 2011, Eqs. 16 to 24). Residuals are weighed by the
 /// noise of their depth and by Cauchy's function. Along motions that nothing constrains the camera
-/// stays at `T_world_guess` (Zhang and Singh 2016).
+/// stays at `T_world_guess` (Zhang and Singh 2016). Lost, with the reason, if too little is
+/// measured, matched or agrees, or the camera would have jumped from the view's place.
 TrackingResult track_camera(const Measurement& measurement, const ModelView& view,
                             const Eigen::Isometry3d& T_world_guess, const TrackingOptions& options,
                             const MeasurementOptions& sensor);

@@ -1,0 +1,156 @@
+#include "symscene/reconstruction/reconstruction.hpp"
+
+#include <chrono>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+enum Stage : std::size_t { prepare, track, integrate, map_space, predict_view };
+
+TrackingResult known_pose(const Eigen::Isometry3d& T_world_camera) {
+  TrackingResult result;
+  result.status = TrackingStatus::converged;
+  result.T_world_camera = T_world_camera;
+  result.overlap = result.inliers = 1.0;
+  return result;
+}
+
+}  // namespace
+
+void ReconstructionOptions::validate() const {
+  measurement.validate();
+  tsdf.validate();
+  tracking.validate();
+  occupancy.validate();
+  surface.validate();
+}
+
+Reconstruction::Reconstruction(const CameraIntrinsics& camera, const ReconstructionOptions& options)
+    : camera_(camera),
+      options_(options),
+      volume_(options.tsdf, options.measurement),
+      occupancy_(options.occupancy),
+      times_{{"prepare", 0}, {"track", 0}, {"fuse", 0}, {"map space", 0}, {"predict view", 0}} {
+  options_.validate();
+}
+
+template <class Body>
+auto Reconstruction::timed(std::size_t stage, const Body& body) {
+  struct Stop {
+    double& total;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    ~Stop() {
+      total += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+  } const stop{times_[stage].seconds};
+  return body();
+}
+
+FrameReport Reconstruction::add(const DepthFrame& frame,
+                                const std::optional<Eigen::Isometry3d>& T_world_camera,
+                                PoseUse use) {
+  const Measurement measurement =
+      timed(prepare, [&] { return prepare_measurement(frame, camera_, options_.measurement); });
+  FrameReport report;
+  if (T_world_camera && use == PoseUse::exact) {
+    report.tracking = known_pose(*T_world_camera);
+  } else {
+    report.tracking =
+        timed(track, [&] { return locate(measurement, T_world_camera, report.relocalized); });
+  }
+  lost_ = report.tracking.status == TrackingStatus::lost;
+  if (lost_) {
+    motion_.setIdentity();
+    return report;
+  }
+  const Eigen::Isometry3d& pose = report.tracking.T_world_camera;
+  motion_ = volume_.empty() || report.relocalized ? Eigen::Isometry3d::Identity()
+                                                  : view_.T_world_camera.inverse() * pose;
+  fuse(frame, measurement, pose);
+  report.fused = true;
+  return report;
+}
+
+void Reconstruction::fuse(const DepthFrame& frame, const Measurement& measurement,
+                          const Eigen::Isometry3d& T_world_camera) {
+  timed(integrate, [&] { volume_.integrate(measurement, T_world_camera); });
+  timed(map_space, [&] { occupancy_.integrate(frame, camera_, T_world_camera); });
+  timed(predict_view, [&] {
+    view_ = predict(measurement.pyramid.front().camera, T_world_camera);
+    keyframes_.add(measurement, T_world_camera, options_.tracking.keyframe_distance,
+                   options_.tracking.keyframe_angle);
+  });
+}
+
+/// Smoothed as measured images are: noise of the model's normals would hold the camera back.
+ModelView Reconstruction::predict(const CameraIntrinsics& camera,
+                                  const Eigen::Isometry3d& T_world_camera) const {
+  ModelView view = cast_model_view(volume_, camera, T_world_camera);
+  std::vector<float> depth(view.image.pixels.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = view.image.pixels[i].depth;
+  view.image = find_surface(std::move(depth), camera, options_.measurement);
+  return view;
+}
+
+TrackingResult Reconstruction::locate(const Measurement& measurement,
+                                      const std::optional<Eigen::Isometry3d>& guess,
+                                      bool& relocalized) {
+  if (volume_.empty()) {
+    TrackingResult first = known_pose(guess.value_or(Eigen::Isometry3d::Identity()));
+    const double pixels = static_cast<double>(measurement.pyramid.front().pixels.size());
+    if (static_cast<double>(measurement.measured) < options_.tracking.min_measured * pixels) {
+      first.status = TrackingStatus::lost;
+      first.reason = "too little of the image is measured";
+    }
+    return first;
+  }
+  TrackingResult result = follow(measurement, guess);
+  if (result.status != TrackingStatus::lost || !result.searchable) {
+    relocalized = lost_ && result.status != TrackingStatus::lost;
+    return result;
+  }
+  const TrackingResult found = search(measurement);
+  relocalized = found.status != TrackingStatus::lost;
+  return relocalized ? found : result;
+}
+
+/// From where the camera must be by now if it moves on as it did; failing that, from where it was.
+TrackingResult Reconstruction::follow(const Measurement& measurement,
+                                      const std::optional<Eigen::Isometry3d>& guess) const {
+  TrackingOptions options = options_.tracking;
+  if (lost_) {
+    options.min_overlap = options.relocalize_overlap;
+    options.min_inliers = options.relocalize_inliers;
+  }
+  const Eigen::Isometry3d& last = view_.T_world_camera;
+  TrackingResult result = track_camera(measurement, view_, guess.value_or(last * motion_), options,
+                                       options_.measurement);
+  if (result.status != TrackingStatus::lost) return result;
+  const TrackingResult again =
+      track_camera(measurement, view_, last, options, options_.measurement);
+  return again.status != TrackingStatus::lost ? again : result;
+}
+
+TrackingResult Reconstruction::search(const Measurement& measurement) const {
+  constexpr std::size_t candidates = 4;
+  TrackingOptions options = options_.tracking;
+  options.min_overlap = options.relocalize_overlap;
+  options.min_inliers = options.relocalize_inliers;
+  options.iterations_coarse *= 3;
+  options.max_translation = options.max_rotation = std::numeric_limits<double>::infinity();
+  TrackingResult best;
+  for (const Eigen::Isometry3d& pose : keyframes_.most_similar(measurement, candidates)) {
+    const ModelView view = predict(measurement.pyramid.front().camera, pose);
+    TrackingResult result = track_camera(measurement, view, pose, options, options_.measurement);
+    if (result.status != TrackingStatus::converged) continue;
+    if (best.status == TrackingStatus::lost ||
+        result.overlap * result.inliers > best.overlap * best.inliers) {
+      best = std::move(result);
+    }
+  }
+  return best;
+}
+
+}  // namespace symscene
