@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "symscene/core/geometry.hpp"
+#include "symscene/core/point_cloud.hpp"
+
+namespace symscene {
+
+/// Coordinates within a plane.
+class PlaneFrame {
+ public:
+  explicit PlaneFrame(const Plane& plane)
+      : plane_(plane), basis_(orthonormal_complement(plane.normal)) {}
+
+  const Plane& plane() const { return plane_; }
+  Eigen::Vector2d within(const Eigen::Vector3d& point) const { return basis_.transpose() * point; }
+  Eigen::Vector3d lift(const Eigen::Vector2d& point) const {
+    return basis_ * point - plane_.offset * plane_.normal;
+  }
+
+ private:
+  Plane plane_;
+  Eigen::Matrix<double, 3, 2> basis_;
+};
+
+/// A convex polygon, counter-clockwise.
+class ConvexOutline {
+ public:
+  ConvexOutline() = default;
+  /// The convex hull of points (Andrew 1979).
+  explicit ConvexOutline(std::vector<Eigen::Vector2d> points);
+
+  const std::vector<Eigen::Vector2d>& corners() const { return corners_; }
+  /// How far a point is outside; below zero inside. Exact beside edges, an underestimate beyond
+  /// corners; infinite without a corner. [m]
+  double distance(const Eigen::Vector2d& point) const;
+
+ private:
+  std::vector<Eigen::Vector2d> corners_;
+};
+
+/// Cells of a grid over a plane, and which of them hold points.
+class PlaneCells {
+ public:
+  /// Cells of `edge` or, where points are spread over more than 4 million, of a multiple. [m]
+  PlaneCells(const std::vector<Eigen::Vector2d>& points, double edge);
+
+  /// The indices of the points in the largest group of cells, ascending; cells belong together
+  /// across gaps of one cell.
+  std::vector<std::size_t> largest_patch() const;
+
+  double area(std::size_t cells) const { return static_cast<double>(cells) * edge_ * edge_; }
+  /// The number of cells with points.
+  std::size_t occupied() const;
+
+ private:
+  std::int32_t cell_of(const Eigen::Vector2d& point) const;
+
+  double edge_;
+  Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
+  std::int32_t columns_ = 0;
+  std::int32_t rows_ = 0;
+  std::vector<std::int32_t> cell_of_point_;
+  std::vector<std::uint8_t> holds_points_;
+};
+
+}  // namespace symscene

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "symscene/tabletop/support_plane.hpp"
+
+namespace symscene {
+
+/// Fits planes with inliers counted on a sample: the planes with most inliers, one after the other,
+/// each without the inliers of those before. Normals are turned as the points' are.
+std::vector<Plane> dominant_planes(const PointCloud& cloud, const PointIndices& usable,
+                                   const SupportPlaneOptions& options);
+
+/// Sums of points, for the plane of least squared distances.
+class PlaneMoments {
+ public:
+  void add(const Eigen::Vector3d& point) {
+    ++count_;
+    sum_ += point;
+    squares_ += point * point.transpose();
+  }
+  PlaneMoments operator+(const PlaneMoments& other) const;
+
+  std::size_t count() const { return count_; }
+  /// Turned like `fallback`, which it is where the points do not span a plane.
+  Plane plane(const Plane& fallback) const;
+  /// Root mean square distance of the points from a plane. [m]
+  double residual(const Plane& plane) const;
+
+ private:
+  std::size_t count_ = 0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();
+};
+
+}  // namespace symscene

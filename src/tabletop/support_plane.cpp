@@ -1,0 +1,199 @@
+#include "symscene/tabletop/support_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "symscene/core/error.hpp"
+#include "tabletop/plane_patch.hpp"
+#include "tabletop/plane_search.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr double cell_edge = 0.02;        ///< of the cells that areas are counted in [m]
+constexpr double wall_area = 0.25;        ///< from which a plane is none of the objects [m²]
+constexpr double least_distance = 0.003;  ///< that refinement keeps inliers within [m]
+constexpr double residuals_kept = 2.5;    ///< of the residual, within which refinement keeps points
+constexpr int refinements = 2;
+
+PointIndices usable_points(const PointCloud& cloud) {
+  if (cloud.size() > 0 && !cloud.has_normals()) {
+    throw InputError("point cloud", "points with normals", "none");
+  }
+  PointIndices usable;
+  for (const Index i : oriented_points(cloud)) {
+    if (cloud.positions.row(i).allFinite() && cloud.normals.row(i).allFinite()) usable.push_back(i);
+  }
+  return usable;
+}
+
+/// The largest connected patch of the points near a plane that face as it does.
+PointIndices patch_of(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
+                      double distance, double normal_angle) {
+  const auto cosine = static_cast<float>(std::cos(normal_angle));
+  const Eigen::Vector3f normal = plane.normal.cast<float>();
+  const auto offset = static_cast<float>(plane.offset);
+  const auto reach = static_cast<float>(distance);
+  PointIndices near;
+  for (const Index i : usable) {
+    if (std::abs(normal.dot(cloud.position(i)) + offset) < reach &&
+        normal.dot(cloud.normal(i)) > cosine) {
+      near.push_back(i);
+    }
+  }
+  const PlaneFrame frame(plane);
+  std::vector<Eigen::Vector2d> within;
+  within.reserve(near.size());
+  for (const Index i : near) within.push_back(frame.within(cloud.position(i).cast<double>()));
+  PointIndices patch;
+  for (const std::size_t k : PlaneCells(within, cell_edge).largest_patch()) {
+    patch.push_back(near[k]);
+  }
+  return patch;
+}
+
+PlaneMoments moments_of(const PointCloud& cloud, const PointIndices& points) {
+  PlaneMoments moments;
+  for (const Index i : points) moments.add(cloud.position(i).cast<double>());
+  return moments;
+}
+
+/// Least squares on all points of the patch, without what lies on it: points farther off than the
+/// patch is rough.
+Plane refined(const PointCloud& cloud, const PointIndices& usable, Plane plane,
+              const SupportPlaneOptions& options) {
+  double distance = options.inlier_distance;
+  for (int round = 0; round < refinements; ++round) {
+    const PlaneMoments moments =
+        moments_of(cloud, patch_of(cloud, usable, plane, distance, options.normal_angle));
+    plane = moments.plane(plane);
+    distance =
+        std::clamp(residuals_kept * moments.residual(plane),
+                   std::min(least_distance, options.inlier_distance), options.inlier_distance);
+  }
+  return moments_of(cloud, patch_of(cloud, usable, plane, distance, options.normal_angle))
+      .plane(plane);
+}
+
+SupportPlane measured(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
+                      const SupportPlaneOptions& options) {
+  SupportPlane support;
+  support.plane = plane;
+  support.inliers = patch_of(cloud, usable, plane, options.inlier_distance, options.normal_angle);
+  support.residual = moments_of(cloud, support.inliers).residual(plane);
+  const PlaneFrame frame(plane);
+  std::vector<Eigen::Vector2d> within;
+  for (const Index i : support.inliers) {
+    within.push_back(frame.within(cloud.position(i).cast<double>()));
+  }
+  const PlaneCells cells(within, cell_edge);
+  support.area = cells.area(cells.occupied());
+  const ConvexOutline outline(std::move(within));
+  for (const Eigen::Vector2d& corner : outline.corners()) {
+    support.outline.push_back(frame.lift(corner));
+  }
+  return support;
+}
+
+/// Points of planes too large for objects.
+std::vector<bool> points_of_walls(const PointCloud& cloud,
+                                  const std::vector<SupportPlane>& planes) {
+  std::vector<bool> walls(cloud.size(), false);
+  for (const SupportPlane& plane : planes) {
+    if (plane.area < wall_area) continue;
+    for (const Index i : plane.inliers) walls[i] = true;
+  }
+  return walls;
+}
+
+/// The area of the plane with something on it.
+double covered_area(const PointCloud& cloud, const PointIndices& usable, const SupportPlane& plane,
+                    const std::vector<bool>& walls, const SupportPlaneOptions& options) {
+  const PlaneFrame frame(plane.plane);
+  std::vector<Eigen::Vector2d> corners;
+  for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
+  const ConvexOutline outline(std::move(corners));
+  const double clearance = std::max(options.min_clearance, options.inlier_distance);
+  std::vector<Eigen::Vector2d> above;
+  for (const Index i : usable) {
+    if (walls[i]) continue;
+    const Eigen::Vector3d point = cloud.position(i).cast<double>();
+    const double height = plane.plane.signed_distance(point);
+    if (!(height > clearance && height < options.max_height)) continue;
+    const Eigen::Vector2d within = frame.within(point);
+    if (outline.distance(within) < 0.0) above.push_back(within);
+  }
+  const PlaneCells cells(above, cell_edge);
+  return cells.area(cells.occupied());
+}
+
+bool may_support(const SupportPlane& plane, const SupportPlaneOptions& options,
+                 const std::optional<Eigen::Vector3d>& up) {
+  return plane.area >= options.min_area && plane.outline.size() >= 3 &&
+         (!up || angle_between(plane.plane.normal, *up) <= options.max_tilt);
+}
+
+}  // namespace
+
+void SupportPlaneOptions::validate() const {
+  require_option(inlier_distance > 0.0 && inlier_distance < 1.0, "inlier_distance", "0 to 1 m",
+                 inlier_distance);
+  require_option(normal_angle > 0.0 && normal_angle < radians(90), "normal_angle", "an acute angle",
+                 normal_angle);
+  require_option(sample >= 100, "sample", "at least 100", sample);
+  require_option(hypotheses >= 1, "hypotheses", "at least 1", hypotheses);
+  require_option(max_planes >= 1, "max_planes", "at least 1", max_planes);
+  require_option(min_area >= 0.0, "min_area", "an area not below zero", min_area);
+  require_option(max_tilt > 0.0, "max_tilt", "a positive angle", max_tilt);
+  require_option(min_clearance >= 0.0, "min_clearance", "a length not below zero", min_clearance);
+  require_option(max_height > min_clearance, "max_height", "a length above min_clearance",
+                 max_height);
+  require_option(ambiguity > 0.0 && ambiguity <= 1.0, "ambiguity", "0 to 1", ambiguity);
+}
+
+SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOptions& options,
+                                  const std::optional<Eigen::Vector3d>& up) {
+  options.validate();
+  const PointIndices usable = usable_points(cloud);
+  std::vector<SupportPlane> planes;
+  for (const Plane& plane : dominant_planes(cloud, usable, options)) {
+    planes.push_back(measured(cloud, usable, refined(cloud, usable, plane, options), options));
+  }
+  const std::vector<bool> walls = points_of_walls(cloud, planes);
+  SupportPlanes result;
+  for (SupportPlane& plane : planes) {
+    if (!may_support(plane, options, up)) {
+      result.others.push_back(std::move(plane));
+      continue;
+    }
+    plane.object_area = covered_area(cloud, usable, plane, walls, options);
+    // A table with nothing on it is one still: as if one cell were covered.
+    plane.score = std::sqrt(plane.area * (plane.object_area + cell_edge * cell_edge));
+    result.supports.push_back(std::move(plane));
+  }
+  std::stable_sort(result.supports.begin(), result.supports.end(),
+                   [](const SupportPlane& a, const SupportPlane& b) { return a.score > b.score; });
+  if (result.supports.empty()) return result;
+  const bool rivals = result.supports.size() > 1 &&
+                      result.supports[1].score >= options.ambiguity * result.supports[0].score;
+  result.status = rivals ? SupportStatus::several : SupportStatus::found;
+  return result;
+}
+
+SupportPlane measure_support_plane(const PointCloud& cloud, const Plane& plane,
+                                   const SupportPlaneOptions& options) {
+  options.validate();
+  const double length = plane.normal.norm();
+  if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(plane.offset)) {
+    throw InputError("plane", "finite numbers a b c d with a normal", "others");
+  }
+  const PointIndices usable = usable_points(cloud);
+  SupportPlane support =
+      measured(cloud, usable, {plane.normal / length, plane.offset / length}, options);
+  support.object_area =
+      covered_area(cloud, usable, support, std::vector<bool>(cloud.size(), false), options);
+  support.score = std::sqrt(support.area * support.object_area);
+  return support;
+}
+
+}  // namespace symscene
