@@ -39,6 +39,11 @@ inline std::string_view take_line(std::string_view& text) {
   return std::exchange(text, {});
 }
 
+/// The line up to the first #.
+inline std::string_view without_comment(std::string_view line) {
+  return line.substr(0, line.find('#'));
+}
+
 inline std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {

@@ -1,0 +1,126 @@
+#include "io/image_sequence.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/log.hpp"
+#include "symscene/io/image.hpp"
+#include "symscene/io/intrinsics.hpp"
+
+namespace symscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string size_text(ImageSize size) { return fmt::format("{}×{}", size.width, size.height); }
+
+/// Values to metres, 0 where nothing was measured.
+std::vector<float> to_metres(const std::vector<std::uint16_t>& values, double scale,
+                             std::uint16_t invalid) {
+  std::vector<float> depth(values.size());
+  const auto divisor = static_cast<float>(scale);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    depth[i] = values[i] == invalid ? 0.0F : static_cast<float>(values[i]) / divisor;
+  }
+  return depth;
+}
+
+class ImageSequence final : public DepthSequence {
+ public:
+  explicit ImageSequence(ImageFrames content)
+      : content_(std::move(content)), camera_(*content_.calibration.intrinsics) {
+    const ImageSize size = read_image_size(content_.frames.front().depth);
+    if (camera_.width == 0) camera_.width = size.width, camera_.height = size.height;
+    leave_out_unregistered_colors();
+  }
+
+  std::string layout() const override { return content_.layout; }
+  const CameraIntrinsics& camera() const override { return camera_; }
+  std::size_t size() const override { return content_.frames.size(); }
+  double time(std::size_t i) const override { return content_.frames.at(i).time; }
+  bool has_color() const override { return first_color() != nullptr; }
+  std::optional<Eigen::Isometry3d> pose(std::size_t i) const override {
+    return content_.frames.at(i).T_world_camera;
+  }
+
+  DepthFrame read(std::size_t i) const override {
+    const ImageFrame& files = content_.frames.at(i);
+    const DepthImage image = read_depth_png(files.depth);
+    require_camera_size(image.size, files.depth);
+    DepthFrame frame;
+    frame.time = files.time;
+    frame.depth = to_metres(image.values, *content_.calibration.depth_scale, content_.invalid);
+    if (files.color.empty()) return frame;
+    ColorImage color = read_color_image(files.color);
+    require_camera_size(color.size, files.color);
+    frame.colors = std::move(color.pixels);
+    return frame;
+  }
+
+ private:
+  ImageSize camera_size() const { return {camera_.width, camera_.height}; }
+
+  void require_camera_size(ImageSize size, const fs::path& file) const {
+    if (size == camera_size()) return;
+    throw InputError(file.string(), "an image of the camera's size, " + size_text(camera_size()),
+                     size_text(size));
+  }
+
+  const ImageFrame* first_color() const {
+    for (const ImageFrame& frame : content_.frames) {
+      if (!frame.color.empty()) return &frame;
+    }
+    return nullptr;
+  }
+
+  void leave_out_unregistered_colors() {
+    const ImageFrame* colored = first_color();
+    if (colored == nullptr) return;
+    const ImageSize size = read_image_size(colored->color);
+    if (size == camera_size()) return;
+    log(LogLevel::warning,
+        fmt::format("{}: colour images of {} are not registered to depth images of {}: read "
+                    "without colour",
+                    content_.path.string(), size_text(size), size_text(camera_size())));
+    for (ImageFrame& frame : content_.frames) frame.color.clear();
+  }
+
+  ImageFrames content_;
+  CameraIntrinsics camera_;
+};
+
+}  // namespace
+
+Calibration resolve_calibration(const fs::path& path, const std::string& layout,
+                                const Calibration& known, const SequenceOptions& given) {
+  const Calibration used{given.intrinsics ? given.intrinsics : known.intrinsics,
+                         given.depth_scale ? given.depth_scale : known.depth_scale};
+  std::string missing;
+  if (!used.intrinsics) missing += " --intrinsics fx,fy,cx,cy";
+  if (!used.depth_scale) missing += " --depth-scale 1000";
+  if (!missing.empty()) {
+    throw InputError(path.string(),
+                     fmt::format("the camera, which the files of this layout ({}) do not give: "
+                                 "pass{}",
+                                 layout, missing),
+                     "none");
+  }
+  require_camera(*used.intrinsics, path.string() + ": intrinsics");
+  if (!(*used.depth_scale > 0.0) || !std::isfinite(1.0F / static_cast<float>(*used.depth_scale))) {
+    throw InputError(path.string() + ": depth scale", "a number above 0",
+                     fmt::format("{}", *used.depth_scale));
+  }
+  return used;
+}
+
+std::unique_ptr<DepthSequence> make_image_sequence(ImageFrames content) {
+  if (content.frames.empty()) {
+    throw InputError(content.path.string(),
+                     fmt::format("depth images in the layout {}", content.layout), "none");
+  }
+  return std::make_unique<ImageSequence>(std::move(content));
+}
+
+}  // namespace symscene

@@ -1,0 +1,43 @@
+#include "symscene/io/sequence.hpp"
+
+#include "io/sequence_layouts.hpp"
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* a_sequence =
+    "a sequence of depth images: a folder in the layout of SymScene, TUM RGB-D, ICL-NUIM, 7-Scenes "
+    "or Redwood, a ROS 1 bag, or images of 16-bit grey";
+
+struct Layout {
+  bool (*recognises)(const fs::path& path);
+  SequencePointer (*open)(const fs::path& path, const SequenceOptions& options);
+};
+
+/// The first that recognises a path opens it.
+constexpr Layout layouts[] = {
+    {is_own_layout, open_own_layout},
+    {is_icl_nuim, open_icl_nuim},
+    {is_tum, open_tum},
+    {is_seven_scenes, open_seven_scenes},
+    {is_redwood, open_redwood},
+    {is_own_layout_without_camera, open_own_layout},
+    {is_single_image, open_single_image},
+    {is_image_folder, open_image_folder},
+};
+
+}  // namespace
+
+SequencePointer open_sequence(const fs::path& path, const SequenceOptions& options) {
+  if (!fs::exists(path)) throw InputError(path.string(), a_sequence, "nothing of that name");
+  for (const Layout& layout : layouts) {
+    if (layout.recognises(path)) return layout.open(path, options);
+  }
+  throw InputError(path.string(), a_sequence,
+                   fs::is_directory(path) ? "another folder" : "another file");
+}
+
+}  // namespace symscene

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "symscene/io/sequence.hpp"
+
+namespace symscene {
+
+using SequencePointer = std::unique_ptr<DepthSequence>;
+
+// Whether a path looks like a layout, and the sequence that it is then. docs/formats.md describes
+// them.
+bool is_own_layout(const std::filesystem::path& path);
+SequencePointer open_own_layout(const std::filesystem::path& path, const SequenceOptions& options);
+bool is_own_layout_without_camera(const std::filesystem::path& path);
+
+bool is_tum(const std::filesystem::path& path);
+SequencePointer open_tum(const std::filesystem::path& path, const SequenceOptions& options);
+
+bool is_icl_nuim(const std::filesystem::path& path);
+SequencePointer open_icl_nuim(const std::filesystem::path& path, const SequenceOptions& options);
+
+bool is_seven_scenes(const std::filesystem::path& path);
+SequencePointer open_seven_scenes(const std::filesystem::path& path,
+                                  const SequenceOptions& options);
+
+bool is_redwood(const std::filesystem::path& path);
+SequencePointer open_redwood(const std::filesystem::path& path, const SequenceOptions& options);
+
+bool is_single_image(const std::filesystem::path& path);
+SequencePointer open_single_image(const std::filesystem::path& path,
+                                  const SequenceOptions& options);
+
+bool is_image_folder(const std::filesystem::path& path);
+SequencePointer open_image_folder(const std::filesystem::path& path,
+                                  const SequenceOptions& options);
+
+}  // namespace symscene

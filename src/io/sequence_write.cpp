@@ -1,0 +1,130 @@
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "io/image_files.hpp"
+#include "io/text.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/io/atomic_file.hpp"
+#include "symscene/io/image.hpp"
+#include "symscene/io/intrinsics.hpp"
+#include "symscene/io/sequence.hpp"
+#include "symscene/io/trajectory.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr const char* what = "sequence to write";
+
+/// Whether `name` is FOLDER/NUMBER and one of the endings.
+bool is_frame_file(const std::filesystem::path& name) {
+  const std::string folder = name.parent_path().string();
+  const std::string ending = name.extension().string();
+  const bool image = folder == "depth"
+                         ? ending == ".png"
+                         : folder == "color" && (ending == ".png" || ending == ".jpg");
+  return image && digits(name.stem().string());
+}
+
+/// Files that say more of a sequence: truth.json, table_plane.txt.
+bool is_file_beside(const std::string& name) {
+  return name.find('/') == std::string::npos && name.size() > 5 &&
+         (name.ends_with(".json") || name == "table_plane.txt");
+}
+
+bool belongs(const std::string& relative) {
+  static constexpr std::array<std::string_view, 5> own = {"depth/", "color/", "intrinsics.txt",
+                                                          "poses.txt", "times.txt"};
+  return std::find(own.begin(), own.end(), relative) != own.end() || is_file_beside(relative) ||
+         is_frame_file(relative);
+}
+
+/// Metres to whole millimetres, 0 where nothing was measured or 16 bits do not reach.
+std::vector<std::uint16_t> to_millimetres(const std::vector<float>& depth) {
+  std::vector<std::uint16_t> values(depth.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const float millimetres = std::round(depth[i] * 1000.0F);
+    const bool fits = millimetres >= 0.0F && millimetres <= 65535.0F;  // false for NaN
+    values[i] = fits ? static_cast<std::uint16_t>(millimetres) : std::uint16_t{0};
+  }
+  return values;
+}
+
+}  // namespace
+
+struct SequenceWriter::Implementation {
+  Implementation(const std::filesystem::path& dir, const CameraIntrinsics& of)
+      : camera(of), folder(dir, {"a sequence folder", "intrinsics.txt", belongs}) {}
+
+  CameraIntrinsics camera;
+  AtomicDirectory folder;
+  Trajectory frames;  ///< identity where there is no pose
+  bool posed = false;
+  bool finished = false;
+
+  ImageSize size() const { return {camera.width, camera.height}; }
+
+  void require(const DepthFrame& frame, bool pose) const {
+    if (finished) throw InputError(what, "no frame after the last", "one");
+    if (!frames.empty() && pose != posed) {
+      throw InputError(what, "a pose for all frames or for none", "some with and some without");
+    }
+    if (!std::isfinite(frame.time) || (!frames.empty() && frame.time < frames.back().time)) {
+      throw InputError(what, "frames by rising time", fmt::format("time {}", frame.time));
+    }
+    const auto colors = static_cast<std::size_t>(frame.colors.rows());
+    if (frame.depth.size() != camera.pixels() || (colors != 0 && colors != camera.pixels())) {
+      throw InputError(what, fmt::format("frames of {} pixels", camera.pixels()),
+                       fmt::format("{} of depth, {} of colour", frame.depth.size(), colors));
+    }
+  }
+
+  std::string format_times() const {
+    if (posed) return format_trajectory(frames);
+    std::string text;
+    for (const StampedPose& frame : frames) text += fmt::format("{}\n", frame.time);
+    return text;
+  }
+};
+
+SequenceWriter::SequenceWriter(const std::filesystem::path& dir, const CameraIntrinsics& camera) {
+  require_camera(camera, what);
+  if (camera.pixels() == 0) throw InputError(what, "a camera with pixels", "none");
+  implementation_ = std::make_unique<Implementation>(dir, camera);
+}
+
+SequenceWriter::~SequenceWriter() = default;
+
+void SequenceWriter::add(const DepthFrame& frame, const Eigen::Isometry3d* T_world_camera) {
+  Implementation& to = *implementation_;
+  to.require(frame, T_world_camera != nullptr);
+  const std::string name = fmt::format("{:06}.png", to.frames.size());
+  to.folder.write("depth/" + name, format_png(DepthImage{to.size(), to_millimetres(frame.depth)}));
+  if (frame.colors.rows() != 0) {
+    to.folder.write("color/" + name, format_png(ColorImage{to.size(), frame.colors}));
+  }
+  to.posed = T_world_camera != nullptr;
+  to.frames.push_back(
+      {frame.time, to.posed ? *T_world_camera : Eigen::Isometry3d(Eigen::Isometry3d::Identity())});
+}
+
+void SequenceWriter::add_file(const std::string& name, const std::string& content) {
+  if (!is_file_beside(name)) {
+    throw InputError(what, "a file named NAME.json or table_plane.txt beside the images",
+                     in_quotes(name));
+  }
+  implementation_->folder.write(name, content);
+}
+
+void SequenceWriter::finish() {
+  Implementation& to = *implementation_;
+  if (to.finished) return;
+  if (to.frames.empty()) throw InputError(what, "at least one frame", "none");
+  to.folder.write("intrinsics.txt", format_intrinsics(to.camera));
+  to.folder.write(to.posed ? "poses.txt" : "times.txt", to.format_times());
+  to.folder.commit();
+  to.finished = true;
+}
+
+}  // namespace symscene
