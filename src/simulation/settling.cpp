@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "simulation/paint.hpp"
 #include "simulation/physics_world.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/log.hpp"
@@ -25,10 +26,8 @@ Points moved(const Points& points, const Eigen::Isometry3d& pose) {
   return (points * T.linear().transpose()).rowwise() + T.translation().transpose();
 }
 
-double middle_extent(const TriangleMesh& mesh) {
-  Eigen::Vector3f extent = bounding_box(mesh.vertices).extent();
-  std::sort(extent.begin(), extent.end());
-  return extent.y();
+double thickness(const ObjectModel& model) {
+  return bounding_box(model.mesh.vertices).extent().minCoeff();
 }
 
 /// Things that fall onto the table and lie there.
@@ -127,22 +126,22 @@ Eigen::Isometry3d random_pose(const ObjectModel& model, const DropOptions& optio
   return Eigen::Translation3d(place) * orientation * Eigen::Translation3d(-middle);
 }
 
-/// Whether a model can be dropped and is large enough to be seen.
-bool is_usable(const ObjectModel& model, double min_size) {
-  if (is_solid(model.mesh)) return middle_extent(model.mesh) >= min_size;
+/// Whether a model can be dropped and is thick enough to be seen.
+bool is_usable(const ObjectModel& model, double min_thickness) {
+  if (is_solid(model.mesh)) return thickness(model) >= min_thickness;
   log(LogLevel::warning, fmt::format("{} is no solid and is not used", model.name));
   return false;
 }
 
 /// Which models fall, the largest first.
 std::vector<ObjectModel> chosen_models(std::span<const ObjectModel> models, int count,
-                                       double min_size, Random& random) {
+                                       double min_thickness, Random& random) {
   std::vector<const ObjectModel*> usable;
   for (const ObjectModel& model : models) {
-    if (is_usable(model, min_size)) usable.push_back(&model);
+    if (is_usable(model, min_thickness)) usable.push_back(&model);
   }
   if (usable.empty()) {
-    throw InputError("the meshes", fmt::format("a solid of {} m or more", min_size),
+    throw InputError("the meshes", fmt::format("a solid {} m thick or more", min_thickness),
                      fmt::format("none in {}", models.size()));
   }
   std::vector<ObjectModel> chosen;
@@ -150,6 +149,8 @@ std::vector<ObjectModel> chosen_models(std::span<const ObjectModel> models, int 
     if (left.empty()) left = usable;
     const std::size_t k = random.below(static_cast<std::uint32_t>(left.size()));
     chosen.push_back(*left[k]);
+    TriangleMesh& mesh = chosen.back().mesh;
+    if (mesh.colors.rows() == 0) mesh.colors = paint(mesh.vertices, random);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
   }
   const auto size = [](const ObjectModel& model) {
@@ -213,7 +214,7 @@ void DropOptions::validate() const {
   require_option(upright >= 0 && upright <= 1, "upright", "a share in [0, 1]", upright);
   require_option(tilt >= 0, "tilt", "an angle not below zero", tilt);
   require_option(area > spread, "area", "more than spread", area);
-  require_option(min_size >= 0, "min_size", "a number not below zero", min_size);
+  require_option(min_thickness >= 0, "min_thickness", "a number not below zero", min_thickness);
   require_option(fall_time > 0, "fall_time", "a positive number", fall_time);
   require_option(settle_time > 0, "settle_time", "a positive number", settle_time);
   require_option(still_speed > 0, "still_speed", "a positive number", still_speed);
@@ -228,7 +229,7 @@ Tabletop drop_tabletop(std::span<const ObjectModel> models, const TabletopOption
   options.validate();
   Random random(tabletop.seed, drop_stream);
   std::vector<ObjectModel> chosen =
-      chosen_models(models, tabletop.objects, options.min_size, random);
+      chosen_models(models, tabletop.objects, options.min_thickness, random);
   ConvexPartsCache own(options.parts);
   Pile pile(chosen, options, (cache != nullptr ? *cache : own).of(chosen));
   bool is_complete = false;

@@ -12,11 +12,11 @@ struct DropOptions {
   double spread = 0.16;       ///< radius of the disc that things are dropped over [m]
   double drop_height = 0.01;  ///< of the lowest point over what is below [m]
   double upright = 0.6;       ///< share that is dropped as modelled; others in any orientation
-  double tilt = 0.0523599;   ///< standard deviation of the tilt of those dropped upright, 3° [rad]
-  double area = 0.32;        ///< radius beyond which a thing has fallen off [m]
-  double min_size = 0.04;    ///< middle extent of the smallest model that is used [m]
-  double fall_time = 0.8;    ///< simulated at most before the next thing falls [s]
-  double settle_time = 4.0;  ///< simulated at most after the last has fallen [s]
+  double tilt = 0.0523599;  ///< standard deviation of the tilt of those dropped upright, 3° [rad]
+  double area = 0.32;       ///< radius beyond which a thing has fallen off [m]
+  double min_thickness = 0.03;     ///< least extent of the thinnest model that is used [m]
+  double fall_time = 0.8;          ///< simulated at most before the next thing falls [s]
+  double settle_time = 4.0;        ///< simulated at most after the last has fallen [s]
   double still_speed = 0.003;      ///< of any point of a thing that lies still [m/s]
   double max_penetration = 0.002;  ///< of two things that lie still [m]
   int attempts = 6;                ///< for each thing before it is left out
@@ -29,7 +29,7 @@ struct DropOptions {
     visit("upright", self.upright, "", "share that is dropped as modelled");
     visit("tilt", self.tilt, "rad", "standard deviation of the tilt of those dropped upright");
     visit("area", self.area, "m", "radius beyond which a thing has fallen off");
-    visit("min_size", self.min_size, "m", "middle extent of the smallest model that is used");
+    visit("min_thickness", self.min_thickness, "m", "least extent of models that are used");
     visit("fall_time", self.fall_time, "s", "simulated at most before the next thing falls");
     visit("settle_time", self.settle_time, "s", "simulated at most after the last has fallen");
     visit("still_speed", self.still_speed, "m/s", "of any point of a thing that lies still");
@@ -40,12 +40,12 @@ struct DropOptions {
   void validate() const;
 };
 
-/// Drops models that are chosen at random, the largest first, one after the other onto the table
-/// until they lie still. What falls off, rolls on or gets stuck in another is dropped again, and
-/// after some attempts left out with a warning. The number of objects, the seed and the frame are
-/// those of `tabletop`; a model is used twice only when there are too few. No object has a
-/// supporter: many rest on several.
-/// Throws InputError if no model is of use, or this build has no physics.
+/// Drops models that are chosen at random, painted where they have no colours, the largest first,
+/// one after the other onto the table until they lie still. What falls off, rolls on or gets stuck
+/// in another is dropped again, and after some attempts left out with a warning. The number of
+/// objects, the seed and the frame are those of `tabletop`; a model is used twice only when there
+/// are too few. No object has a supporter: many rest on several. Throws InputError if no model is
+/// of use, or this build has no physics.
 Tabletop drop_tabletop(std::span<const ObjectModel> models, const TabletopOptions& tabletop,
                        const DropOptions& options, ConvexPartsCache* cache = nullptr);
 

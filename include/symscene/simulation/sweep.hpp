@@ -14,7 +14,7 @@ namespace symscene {
 struct SweepOptions {
   TabletopOptions tabletop;
   DropOptions drop;
-  CameraArcOptions camera = {.frames = 200};
+  CameraArcOptions camera = {.frames = 200, .radius = 0.8};
   HandShakeOptions shake;
   SensorNoiseOptions sensor;
   double frame_rate = 30.0;  ///< [1/s]
