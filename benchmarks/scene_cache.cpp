@@ -51,7 +51,7 @@ TrueScene simulated_scene(const SimulationOptions& options, const std::filesyste
     return cached;
   }
   SimulatedScene simulated = simulate_tabletop(options);
-  if (!cache.empty()) write_scene(folder, simulated.scene, "", &simulated.truth);
+  if (!cache.empty()) write_scene(folder, simulated.scene, {.truth = &simulated.truth});
   return {std::move(simulated.scene), std::move(simulated.truth)};
 }
 

@@ -58,7 +58,7 @@ Run timed_segmentation(const Scene& scene) {
 
 void save(const std::filesystem::path& folder, const TrueScene& scene,
           const SegmentationResult& result) {
-  write_scene(folder / "scene", scene.scene, "", &scene.truth);
+  write_scene(folder / "scene", scene.scene, {.truth = &scene.truth});
   write_result(folder / "result", result);
 }
 

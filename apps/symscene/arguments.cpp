@@ -42,6 +42,14 @@ void Arguments::file(const char* flag, fs::path& value, const char* help) {
   command_.add_option(flag, value, help)->type_name("FILE");
 }
 
+void Arguments::folder(const char* flag, fs::path& value, const char* help) {
+  command_.add_option(flag, value, help)->type_name("FOLDER");
+}
+
+void Arguments::flag(const char* name, bool& value, const char* help) {
+  command_.add_flag(name, value, help);
+}
+
 void Arguments::text(const char* flag, std::string& value, const char* help) {
   command_.add_option(flag, value, help)->type_name("TEXT");
 }

@@ -33,6 +33,8 @@ class Arguments {
   void required_output(SharedOptions& shared, const char* help);
   void optional_output(SharedOptions& shared, const char* help);
   void file(const char* flag, std::filesystem::path& value, const char* help);
+  void folder(const char* flag, std::filesystem::path& value, const char* help);
+  void flag(const char* name, bool& value, const char* help);
   void text(const char* flag, std::string& value, const char* help);
   void count(const char* flag, std::optional<int>& value, const char* help);
   void seed(std::optional<std::uint64_t>& value);

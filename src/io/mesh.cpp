@@ -1,9 +1,14 @@
 #include "symscene/io/mesh.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
 
 #include "io/mesh_formats.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/log.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/ply.hpp"
 
@@ -29,6 +34,30 @@ TriangleMesh parse(std::string_view bytes, const std::string& extension, const s
                    extension.empty() ? "no extension" : "." + extension);
 }
 
+bool is_mesh_file(const std::filesystem::path& path) {
+  static constexpr std::array<std::string_view, 5> known = {"ply", "obj", "stl", "glb", "gltf"};
+  return std::filesystem::is_regular_file(path) &&
+         std::find(known.begin(), known.end(), lower_case_extension(path)) != known.end();
+}
+
+/// The meshes of a folder by name, one of each name.
+std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& dir) {
+  std::map<std::string, std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(dir, error)) {
+    if (!is_mesh_file(entry.path())) continue;
+    const auto [other, is_new] = files.try_emplace(entry.path().stem().string(), entry.path());
+    if (is_new) continue;
+    log(LogLevel::warning, fmt::format("{} and {} have one name: only one is used",
+                                       entry.path().string(), other->second.string()));
+    other->second = std::min(other->second, entry.path());
+  }
+  if (error) throw InputError(dir.string(), "a folder of meshes", error.message());
+  std::vector<std::filesystem::path> paths;
+  for (const auto& [name, path] : files) paths.push_back(path);
+  return paths;
+}
+
 }  // namespace
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
@@ -36,6 +65,20 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
     return read_file(path.parent_path() / relative);
   };
   return parse(read_file(path), lower_case_extension(path), path.string(), read_beside);
+}
+
+std::vector<NamedMesh> read_mesh_folder(const std::filesystem::path& dir) {
+  std::vector<NamedMesh> meshes;
+  for (const std::filesystem::path& file : mesh_files(dir)) {
+    try {
+      meshes.push_back({file.stem().string(), read_mesh(file)});
+    } catch (const InputError& error) {
+      log(LogLevel::warning, fmt::format("not used: {}", error.what()));
+    }
+  }
+  if (meshes.empty())
+    throw InputError(dir.string(), "a folder of meshes (PLY, OBJ, STL, GLB, glTF)", "none in it");
+  return meshes;
 }
 
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& extension,

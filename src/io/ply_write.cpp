@@ -9,6 +9,8 @@
 namespace symscene {
 namespace {
 
+constexpr const char* normal_properties =
+    "property float nx\nproperty float ny\nproperty float nz\n";
 constexpr const char* color_properties =
     "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
@@ -32,7 +34,7 @@ void append_row(std::string& out, const Colors& colors, Eigen::Index i) {
 std::string format_ply_marked(const PointCloud& cloud, std::span<const std::uint8_t> observed) {
   require_consistent(cloud, "point cloud to write");
   std::string out = header_begin(cloud.positions.rows());
-  if (cloud.has_normals()) out += "property float nx\nproperty float ny\nproperty float nz\n";
+  if (cloud.has_normals()) out += normal_properties;
   if (cloud.has_colors()) out += color_properties;
   if (!observed.empty()) out += "property uchar observed\n";
   out += "end_header\n";
@@ -49,14 +51,16 @@ std::string format_ply_marked(const PointCloud& cloud, std::span<const std::uint
 std::string format_ply(const PointCloud& cloud) { return format_ply_marked(cloud, {}); }
 
 std::string format_ply(const TriangleMesh& mesh) {
-  require_consistent({mesh.vertices, {}, mesh.colors}, "mesh to write");
+  require_consistent({mesh.vertices, mesh.normals, mesh.colors}, "mesh to write");
   std::string out = header_begin(mesh.vertices.rows());
-  const bool has_colors = mesh.colors.rows() != 0;
+  const bool has_normals = mesh.normals.rows() != 0, has_colors = mesh.colors.rows() != 0;
+  if (has_normals) out += normal_properties;
   if (has_colors) out += color_properties;
   out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
                      mesh.triangles.rows());
   for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
     append_row(out, mesh.vertices, i);
+    if (has_normals) append_row(out, mesh.normals, i);
     if (has_colors) append_row(out, mesh.colors, i);
   }
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {

@@ -10,8 +10,10 @@
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/octomap.hpp"
+#include "symscene/io/octomap_log_odds.hpp"
 #include "symscene/io/ply.hpp"
 #include "symscene/io/table_plane.hpp"
+#include "symscene/io/trajectory.hpp"
 #include "symscene/io/truth.hpp"
 
 namespace symscene {
@@ -23,9 +25,9 @@ constexpr const char* scene_folder =
     "a scene folder, which holds cloud.ply (or cloud.pcd), occupancy.bt and table_plane.txt";
 
 bool belongs(const std::string& relative) {
-  static constexpr std::array<std::string_view, 7> files = {
-      "cloud.ply", "occupancy.bt", "table_plane.txt", "mesh.ply",
-      "poses.txt", "scene.json",   "truth.json"};
+  static constexpr std::array<std::string_view, 8> files = {
+      "cloud.ply", "occupancy.bt", "occupancy.ot", "table_plane.txt",
+      "mesh.ply",  "poses.txt",    "scene.json",   "truth.json"};
   return std::find(files.begin(), files.end(), relative) != files.end();
 }
 
@@ -66,14 +68,17 @@ Scene read_scene(const fs::path& dir) {
   return scene;
 }
 
-void write_scene(const fs::path& dir, const Scene& scene, const std::string& scene_json,
-                 const SceneTruth* truth) {
+void write_scene(const fs::path& dir, const Scene& scene, const SceneExtras& extras) {
   AtomicDirectory folder(dir, {"a scene folder", "scene.json", belongs});
   folder.write("cloud.ply", format_ply(scene.cloud));
   if (scene.occupancy) folder.write("occupancy.bt", format_octomap(*scene.occupancy));
   if (scene.table) folder.write("table_plane.txt", format_table_plane(*scene.table));
-  folder.write("scene.json", scene_text(scene_json));
-  if (truth != nullptr) folder.write("truth.json", format_truth(*truth));
+  folder.write("scene.json", scene_text(extras.scene_json));
+  if (extras.truth != nullptr) folder.write("truth.json", format_truth(*extras.truth));
+  if (extras.mesh != nullptr) folder.write("mesh.ply", format_ply(*extras.mesh));
+  if (extras.trajectory != nullptr)
+    folder.write("poses.txt", format_trajectory(*extras.trajectory));
+  if (extras.log_odds != nullptr) folder.write("occupancy.ot", format_log_odds(*extras.log_odds));
   folder.commit();
 }
 

@@ -27,15 +27,21 @@ bool is_frame_file(const std::filesystem::path& name) {
   return image && digits(name.stem().string());
 }
 
-/// Files that say more of a sequence: truth.json, table_plane.txt.
+/// The mesh of an object that the truth names.
+bool is_true_mesh(const std::filesystem::path& name) {
+  return name.parent_path() == "meshes" && name.extension() == ".ply";
+}
+
+/// Files that say more of a sequence: truth.json, table_plane.txt, meshes/mug.ply.
 bool is_file_beside(const std::string& name) {
+  if (is_true_mesh(name)) return true;
   return name.find('/') == std::string::npos && name.size() > 5 &&
          (name.ends_with(".json") || name == "table_plane.txt");
 }
 
 bool belongs(const std::string& relative) {
-  static constexpr std::array<std::string_view, 5> own = {"depth/", "color/", "intrinsics.txt",
-                                                          "poses.txt", "times.txt"};
+  static constexpr std::array<std::string_view, 6> own = {
+      "depth/", "color/", "meshes/", "intrinsics.txt", "poses.txt", "times.txt"};
   return std::find(own.begin(), own.end(), relative) != own.end() || is_file_beside(relative) ||
          is_frame_file(relative);
 }
@@ -111,7 +117,8 @@ void SequenceWriter::add(const DepthFrame& frame, const Eigen::Isometry3d* T_wor
 
 void SequenceWriter::add_file(const std::string& name, const std::string& content) {
   if (!is_file_beside(name)) {
-    throw InputError(what, "a file named NAME.json or table_plane.txt beside the images",
+    throw InputError(what,
+                     "a file named NAME.json, table_plane.txt or meshes/NAME.ply beside the images",
                      in_quotes(name));
   }
   implementation_->folder.write(name, content);

@@ -5,6 +5,7 @@
 #include "io/json_cursor.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/atomic_file.hpp"
+#include "symscene/io/ply.hpp"
 
 namespace symscene {
 namespace {
@@ -24,22 +25,34 @@ TruePlane parse_plane(const JsonCursor& plane) {
   return {{plane.at("p").vector3(), plane.at("n").direction()}, is_strict(plane)};
 }
 
-void require_pose(const JsonCursor& pose) {
-  for (const JsonCursor& row : pose.items(4)) {
-    for (const JsonCursor& number : row.items(4)) number.number();
+/// A rigid 4×4 matrix, by rows.
+Eigen::Isometry3d parse_pose(const JsonCursor& pose) {
+  constexpr double tolerance = 1e-3;
+  Eigen::Matrix4d matrix;
+  const std::vector<JsonCursor> rows = pose.items(4);
+  for (int i = 0; i < 4; ++i) {
+    const std::vector<JsonCursor> numbers = rows[static_cast<std::size_t>(i)].items(4);
+    for (int k = 0; k < 4; ++k) matrix(i, k) = numbers[static_cast<std::size_t>(k)].number();
   }
+  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
+  if (!(turn * turn.transpose()).isIdentity(tolerance) || turn.determinant() < 0.0 ||
+      matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    pose.fail("a rotation and translation as a 4x4 matrix");
+  }
+  return Eigen::Isometry3d(matrix);
 }
 
-TrueObject parse_object(const JsonCursor& object, std::optional<Index> cloud_size) {
-  TrueObject result;
-  if (const auto mesh = object.find("mesh")) result.name = mesh->string();
-  if (const auto name = object.find("name")) result.name = name->string();
-  if (const auto pose = object.find("pose")) require_pose(*pose);
-  if (const auto points = object.find("points")) {
-    result.points = points->indices(cloud_size);
-  } else if (!object.find("mesh") || !object.find("pose")) {
-    object.fail("\"points\", or \"mesh\" and \"pose\"");
+Json format_pose(const Eigen::Isometry3d& pose) {
+  Json rows = Json::array();
+  for (int i = 0; i < 4; ++i) {
+    Json row = Json::array();
+    for (int k = 0; k < 4; ++k) row.push_back(to_json(pose.matrix()(i, k), what));
+    rows.push_back(std::move(row));
   }
+  return rows;
+}
+
+void parse_symmetries(const JsonCursor& object, TrueObject& result) {
   if (const auto axes = object.find("rot")) {
     for (const JsonCursor& axis : axes->items()) result.rotational.push_back(parse_axis(axis));
   }
@@ -49,11 +62,28 @@ TrueObject parse_object(const JsonCursor& object, std::optional<Index> cloud_siz
   }
   if (const auto sphere = object.find("sphere")) result.sphere = sphere->boolean();
   result.centroid = object.at("centroid").vector3();
+}
+
+TrueObject parse_object(const JsonCursor& object, std::optional<Index> cloud_size) {
+  TrueObject result;
+  if (const auto mesh = object.find("mesh")) result.name = result.mesh = mesh->string();
+  if (const auto name = object.find("name")) result.name = name->string();
+  if (const auto pose = object.find("pose")) result.T_world_mesh = parse_pose(*pose);
+  if (const auto points = object.find("points")) {
+    result.points = points->indices(cloud_size);
+  } else if (result.mesh.empty() || !result.T_world_mesh) {
+    object.fail("\"points\", or \"mesh\" and \"pose\"");
+  }
+  parse_symmetries(object, result);
   return result;
 }
 
 Json format_object(const TrueObject& object) {
-  Json json = {{"name", object.name}, {"points", object.points}};
+  Json json = {{"name", object.name}};
+  const bool has_model = !object.mesh.empty() && object.T_world_mesh.has_value();
+  if (!object.mesh.empty()) json["mesh"] = object.mesh;
+  if (object.T_world_mesh) json["pose"] = format_pose(*object.T_world_mesh);
+  if (!object.points.empty() || !has_model) json["points"] = object.points;
   json["rot"] = Json::array();
   for (const TrueAxis& axis : object.rotational) {
     json["rot"].push_back({{"p", to_json(axis.axis.point, what)},
@@ -97,6 +127,30 @@ std::string format_truth(const SceneTruth& truth) {
     document["objects"].push_back(format_object(object));
   }
   return format_json(document);
+}
+
+std::vector<TriangleMesh> read_truth_meshes(const std::filesystem::path& dir,
+                                            const SceneTruth& truth) {
+  std::vector<TriangleMesh> meshes;
+  for (const TrueObject& object : truth.objects) {
+    const std::filesystem::path name = object.mesh;
+    if (name.empty() || name != name.filename())
+      throw InputError(dir.string(), "truth that names each object's mesh", object.mesh);
+    meshes.push_back(read_ply_mesh(dir / "meshes" / (object.mesh + ".ply")));
+  }
+  return meshes;
+}
+
+std::vector<TrueObject> read_model_symmetries(const std::filesystem::path& path) {
+  const Json document = parse_json(read_file(path), path.string());
+  const std::string name = path.string();
+  std::vector<TrueObject> models;
+  for (const auto& [model, symmetries] : JsonCursor(document, name).members()) {
+    models.emplace_back();
+    parse_symmetries(symmetries, models.back());
+    models.back().name = model;
+  }
+  return models;
 }
 
 void write_truth(const std::filesystem::path& path, const SceneTruth& truth) {

@@ -1,49 +1,15 @@
 #include "symscene/simulation/depth_renderer.hpp"
 
-#if __has_include(<embree4/rtcore.h>)  // Ubuntu 24.04; Debian 12 has Embree 3
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "simulation/embree_scene.hpp"
 
 namespace symscene {
 
-struct DepthRenderer::Implementation {
-  std::vector<TriangleMesh> meshes;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-
-  ~Implementation() {
-    if (scene != nullptr) rtcReleaseScene(scene);
-    if (device != nullptr) rtcReleaseDevice(device);
-  }
-
-  void attach(const TriangleMesh& mesh) {
-    const auto vertices = static_cast<std::size_t>(mesh.vertices.rows());
-    const auto triangles = static_cast<std::size_t>(mesh.triangles.rows());
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices));
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles));
-    if (positions == nullptr || indices == nullptr) {
-      rtcReleaseGeometry(geometry);
-      throw std::runtime_error("no memory for the ray caster's geometry");
-    }
-    for (std::size_t i = 0; i < vertices; ++i) {
-      const Eigen::Vector3f p = mesh.vertices.row(static_cast<Eigen::Index>(i)).transpose();
-      std::copy_n(p.data(), 3, positions + 3 * i);
-    }
-    std::copy_n(mesh.triangles.data(), 3 * triangles, indices);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-  }
+struct DepthRenderer::Implementation : EmbreeScene {
+  using EmbreeScene::EmbreeScene;
 
   RTCHit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
     RTCRayHit query{};
@@ -57,29 +23,18 @@ struct DepthRenderer::Implementation {
     query.ray.mask = ~0U;  // builds that honour masks never hit with 0
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 #if RTC_VERSION_MAJOR >= 4
-    rtcIntersect1(scene, &query);
+    rtcIntersect1(scene(), &query);
 #else
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect1(scene, &context, &query);
+    rtcIntersect1(scene(), &context, &query);
 #endif
     return query.hit;
   }
 };
 
 namespace {
-
-struct Triangle {
-  Eigen::Vector3d a, b, c;
-};
-
-Triangle triangle(const TriangleMesh& mesh, Index t) {
-  const auto corner = [&](int k) -> Eigen::Vector3d {
-    return mesh.vertices.row(mesh.triangles(t, k)).transpose().cast<double>();
-  };
-  return {corner(0), corner(1), corner(2)};
-}
 
 Eigen::Vector3d interpolated_color(const TriangleMesh& mesh, const RTCHit& hit) {
   if (mesh.colors.rows() == 0) return Eigen::Vector3d::Constant(200.0);
@@ -93,15 +48,7 @@ Eigen::Vector3d interpolated_color(const TriangleMesh& mesh, const RTCHit& hit) 
 }  // namespace
 
 DepthRenderer::DepthRenderer(std::span<const TriangleMesh> meshes)
-    : implementation_(std::make_unique<Implementation>()) {
-  implementation_->meshes.assign(meshes.begin(), meshes.end());
-  implementation_->device = rtcNewDevice(nullptr);
-  if (implementation_->device == nullptr) throw std::runtime_error("the ray caster does not start");
-  implementation_->scene = rtcNewScene(implementation_->device);
-  rtcSetSceneFlags(implementation_->scene, RTC_SCENE_FLAG_ROBUST);
-  for (const TriangleMesh& mesh : meshes) implementation_->attach(mesh);
-  rtcCommitScene(implementation_->scene);
-}
+    : implementation_(std::make_unique<Implementation>(meshes)) {}
 
 DepthRenderer::~DepthRenderer() = default;
 DepthRenderer::DepthRenderer(DepthRenderer&&) noexcept = default;
@@ -121,10 +68,10 @@ SensorFrame DepthRenderer::render(const CameraIntrinsics& camera,
       const Eigen::Vector3d ray = T_world_camera.linear() * camera.ray(u, v);
       const RTCHit hit = implementation_->cast(origin, ray);
       if (hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-      const TriangleMesh& mesh = implementation_->meshes[hit.geomID];
+      const TriangleMesh& mesh = implementation_->mesh(hit.geomID);
       // The caster says which triangle; the depth is computed here, in double, because the caster's
       // own differs in its last bits with the processor.
-      const auto [a, b, c] = triangle(mesh, hit.primID);
+      const auto [a, b, c] = implementation_->corners(hit.geomID, hit.primID);
       const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
       const double along = normal.dot(ray);
       if (along == 0.0) continue;

@@ -20,7 +20,7 @@ TruePlane plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, boo
 /// The mesh, outline and height that every kind has.
 HouseholdObject standing(ObjectKind kind, TriangleMesh mesh) {
   HouseholdObject object;
-  object.kind = kind;
+  object.name = to_string(kind);
   object.footprint = convex_outline(mesh.vertices);
   object.height = mesh.vertices.col(2).maxCoeff();
   object.mesh = std::move(mesh);

@@ -1,9 +1,9 @@
 #include "symscene/simulation/simulation.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
+#include <limits>
 
+#include "simulation/tabletop_meshes.hpp"
+#include "simulation/thinned_size.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
 #include "symscene/simulation/depth_renderer.hpp"
@@ -11,41 +11,6 @@
 
 namespace symscene {
 namespace {
-
-constexpr double table_size = 2.4;        // [m]
-constexpr double table_thickness = 0.03;  // [m]
-
-/// A camera at `eye` that looks at `target` with the table's up in its image.
-Eigen::Isometry3d looking_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
-  const Eigen::Vector3d forward = (target - eye).normalized();
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  return pose;
-}
-
-/// Along the arc the camera rises from its lowest to its highest elevation and comes back, as a
-/// hand would.
-Eigen::Isometry3d arc_pose(const CameraArcOptions& options, int frame) {
-  const double t = options.frames > 1 ? static_cast<double>(frame) / (options.frames - 1) : 0.5;
-  const double heading = options.arc * (t - 0.5);
-  const double elevation = options.min_elevation + (options.max_elevation - options.min_elevation) *
-                                                       std::sin(std::numbers::pi * t);
-  const Eigen::Vector3d target(0, 0, options.target_height);
-  const Eigen::Vector3d back(std::cos(elevation) * std::cos(heading),
-                             std::cos(elevation) * std::sin(heading), std::sin(elevation));
-  return looking_at(target + options.radius * back, target);
-}
-
-TriangleMesh table_mesh(const Tabletop& tabletop) {
-  Eigen::Isometry3d below = tabletop.T_world_table;
-  below.translate(Eigen::Vector3d(0, 0, -table_thickness));
-  TriangleMesh mesh =
-      transformed(make_box({table_size, table_size, table_thickness}, table_size), below);
-  mesh.colors = Colors::Constant(mesh.vertices.rows(), 3, 170);
-  return mesh;
-}
 
 /// The box around all objects, standing on the table.
 OrientedBox object_box(const Tabletop& tabletop) {
@@ -71,19 +36,6 @@ OrientedBox padded(OrientedBox box, double sides, double below) {
   return box;
 }
 
-/// Points that are left after thinning to 5 mm.
-std::size_t thinned_size(const Points& points, const PointIndices& indices) {
-  constexpr float edge = 0.005F;
-  std::set<std::array<int, 3>> cells;
-  for (const Index i : indices) {
-    const auto cell = [&](int axis) {
-      return static_cast<int>(std::floor(points(i, axis) / edge));
-    };
-    cells.insert({cell(0), cell(1), cell(2)});
-  }
-  return cells.size();
-}
-
 void add_truth(const Tabletop& tabletop, const FusedCloud& fused, int min_points,
                SimulatedScene& result) {
   std::vector<PointIndices> masks(tabletop.objects.size());
@@ -104,26 +56,10 @@ void add_truth(const Tabletop& tabletop, const FusedCloud& fused, int min_points
 
 }  // namespace
 
-void CameraArcOptions::validate() const {
-  require_option(frames >= 1 && frames <= 64, "frames", "1 to 64", frames);
-  require_option(arc >= 0, "arc", "an angle not below zero", arc);
-  require_option(radius > 0, "radius", "a positive number", radius);
-  require_option(min_elevation > 0, "min_elevation", "a positive angle", min_elevation);
-  require_option(max_elevation >= min_elevation && max_elevation < radians(89), "max_elevation",
-                 "at least min_elevation and below 89 degrees", max_elevation);
-  require_option(width >= 16, "width", "at least 16 px", width);
-  require_option(height >= 16, "height", "at least 16 px", height);
-  require_option(focal_length > 0, "focal_length", "a positive number", focal_length);
-}
-
-CameraIntrinsics CameraArcOptions::intrinsics() const {
-  return {static_cast<Index>(width), static_cast<Index>(height), focal_length, focal_length,
-          0.5 * (width - 1),         0.5 * (height - 1)};
-}
-
 void SimulationOptions::validate() const {
   tabletop.validate();
   camera.validate();
+  require_option(camera.frames <= 64, "frames", "1 to 64", camera.frames);
   sensor.validate();
   cloud.validate();
   occupancy.validate();
@@ -136,15 +72,12 @@ void SimulationOptions::validate() const {
 std::vector<SensorFrame> capture_frames(const Tabletop& tabletop,
                                         const SimulationOptions& options) {
   options.validate();
-  std::vector<TriangleMesh> meshes;
-  for (const PlacedObject& placed : tabletop.objects) meshes.push_back(world_mesh(placed));
-  meshes.push_back(table_mesh(tabletop));
-  const DepthRenderer renderer(meshes);
+  const DepthRenderer renderer(tabletop_meshes(tabletop));
   const CameraIntrinsics camera = options.camera.intrinsics();
-  std::vector<SensorFrame> frames(static_cast<std::size_t>(options.camera.frames));
+  const std::vector<Eigen::Isometry3d> poses = camera_arc(options.camera);
+  std::vector<SensorFrame> frames(poses.size());
   parallel_for_each(frames.size(), [&](std::size_t i) {
-    const Eigen::Isometry3d pose =
-        tabletop.T_world_table * arc_pose(options.camera, static_cast<int>(i));
+    const Eigen::Isometry3d pose = tabletop.T_world_table * poses[i];
     // Streams 0 and 1 of the seed arrange the tabletop.
     frames[i] = add_sensor_noise(renderer.render(camera, pose), camera, options.sensor,
                                  Random(options.tabletop.seed, i + 2));

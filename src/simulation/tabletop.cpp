@@ -7,6 +7,7 @@
 
 #include "symscene/core/error.hpp"
 #include "symscene/simulation/footprint.hpp"
+#include "symscene/simulation/household_object.hpp"
 #include "symscene/simulation/shapes.hpp"
 
 namespace symscene {
@@ -223,19 +224,25 @@ Plane Tabletop::plane() const {
   return {normal, -normal.dot(T_world_table.translation())};
 }
 
-Tabletop arrange_tabletop(const TabletopOptions& options) {
-  options.validate();
+Tabletop empty_tabletop(const TabletopOptions& options) {
   Tabletop tabletop;
   if (options.random_frame) {
     Random random(options.seed, 1);
     tabletop.T_world_table = random_frame(random);
   }
+  return tabletop;
+}
+
+Tabletop arrange_tabletop(const TabletopOptions& options) {
+  options.validate();
+  Tabletop tabletop = empty_tabletop(options);
   for (Standing& standing : Arranger(options).arrange()) {
     Eigen::Isometry3d T_table_object(
         Eigen::AngleAxisd(standing.place.yaw, Eigen::Vector3d::UnitZ()));
     T_table_object.pretranslate(standing.place.position);
-    tabletop.objects.push_back({std::move(standing.object), tabletop.T_world_table * T_table_object,
-                                standing.place.supporter});
+    ObjectModel& model = standing.object;
+    tabletop.objects.push_back(
+        {std::move(model), tabletop.T_world_table * T_table_object, standing.place.supporter});
   }
   return tabletop;
 }
@@ -247,7 +254,8 @@ TriangleMesh world_mesh(const PlacedObject& placed) {
 TrueObject true_object(const PlacedObject& placed) {
   const Eigen::Isometry3d& T = placed.T_world_object;
   TrueObject truth;
-  truth.name = to_string(placed.object.kind);
+  truth.name = placed.object.name;
+  truth.sphere = placed.object.sphere;
   truth.centroid = T * volume_centroid(placed.object.mesh);
   for (const TrueAxis& own : placed.object.rotational) {
     truth.rotational.push_back({{T * own.axis.point, T.linear() * own.axis.direction}, own.strict});

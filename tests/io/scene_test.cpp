@@ -92,7 +92,7 @@ TEST(Scene, AFailedWriteLeavesTheOldSceneAsItWas) {
   wrong = small_scene();
   wrong.occupancy->leaves.push_back(wrong.occupancy->leaves.front());
   EXPECT_THROW(write_scene(folder / "scene", wrong), InputError);
-  EXPECT_THROW(write_scene(folder / "scene", scene, "{not JSON"), InputError);
+  EXPECT_THROW(write_scene(folder / "scene", scene, {.scene_json = "{not JSON"}), InputError);
   EXPECT_EQ(folder.names(), std::vector<std::string>{"scene"});
   expect_same(read_scene(folder / "scene").cloud, scene.cloud);
 }
@@ -110,7 +110,7 @@ TEST(Scene, TruthAndParametersLieBeside) {
   const TemporaryFolder folder;
   SceneTruth truth;
   truth.objects.push_back({"mug", {1, 2}, {}, {}, false, Eigen::Vector3d::Zero()});
-  write_scene(folder / "scene", small_scene(), "{\"seed\": 7}", &truth);
+  write_scene(folder / "scene", small_scene(), {.scene_json = "{\"seed\": 7}", .truth = &truth});
   EXPECT_EQ(read_text(folder / "scene/scene.json"), "{\"seed\": 7}");
   EXPECT_EQ(read_truth(folder / "scene/truth.json", 30).objects.front().name, "mug");
 }

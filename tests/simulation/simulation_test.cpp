@@ -222,7 +222,7 @@ TEST(Simulation, FreeVoxelsHoldNothingOfTheTrueSolids) {
         ++tried;
         inside += is_inside(mesh, p) ? 1 : 0;
       });
-      EXPECT_LE(inside, tried / 100) << to_string(placed.object.kind) << " of " << tried;
+      EXPECT_LE(inside, tried / 100) << placed.object.name << " of " << tried;
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/occupancy_map.hpp"
 #include "symscene/core/point_cloud.hpp"
@@ -84,6 +86,8 @@ struct TrueObject {
   std::vector<TruePlane> reflectional;
   bool sphere = false;  ///< any axis through the centroid is right
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  std::string mesh = {};  ///< the name of its model, where that is known
+  std::optional<Eigen::Isometry3d> T_world_mesh = std::nullopt;  ///< where that stands
 };
 
 struct SceneTruth {

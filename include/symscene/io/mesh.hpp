@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "symscene/core/triangle_mesh.hpp"
 
@@ -14,7 +15,17 @@ namespace symscene {
 /// says or has no triangle.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-/// The same from bytes; files that they refer to are not looked for. `extension` is "ply", "obj",
+/// A mesh and what its file is called, less the ending.
+struct NamedMesh {
+  std::string name;
+  TriangleMesh mesh;
+};
+
+/// All meshes in a folder by name; a warning in the log for those that cannot be read.
+/// Throws InputError if `dir` is no folder or holds no mesh that can be read.
+std::vector<NamedMesh> read_mesh_folder(const std::filesystem::path& dir);
+
+/// A mesh from bytes; files that they refer to are not looked for. `extension` is "ply", "obj",
 /// "stl", "glb" or "gltf"; `name` stands for the file in messages.
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& extension,
                         const std::string& name);

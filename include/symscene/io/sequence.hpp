@@ -52,7 +52,7 @@ class SequenceWriter {
   /// Depth is rounded to whole millimetres. Either all frames have a pose or none.
   void add(const DepthFrame& frame, const Eigen::Isometry3d* T_world_camera = nullptr);
 
-  /// Puts a file of this name and content beside the images, e.g. truth.json.
+  /// Puts a file of this name and content beside the images, e.g. truth.json or meshes/mug.ply.
   void add_file(const std::string& name, const std::string& content);
 
   void finish();

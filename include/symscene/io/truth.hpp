@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "symscene/core/scene.hpp"
+#include "symscene/core/triangle_mesh.hpp"
 
 namespace symscene {
 
@@ -18,6 +19,15 @@ SceneTruth parse_truth(std::string_view text, const std::string& name,
                        std::optional<Index> cloud_size = std::nullopt);
 SceneTruth read_truth(const std::filesystem::path& path,
                       std::optional<Index> cloud_size = std::nullopt);
+
+/// The meshes of a truth's objects, one each, from the folder "meshes" beside it (docs/formats.md).
+/// Throws InputError if an object names no mesh or its file is not there.
+std::vector<TriangleMesh> read_truth_meshes(const std::filesystem::path& dir,
+                                            const SceneTruth& truth);
+
+/// Symmetries of models by name, each in the model's own frame (docs/formats.md).
+/// Throws InputError if the file is no such file.
+std::vector<TrueObject> read_model_symmetries(const std::filesystem::path& path);
 
 /// The text of truth.json. Throws InputError if a number is not finite.
 std::string format_truth(const SceneTruth& truth);

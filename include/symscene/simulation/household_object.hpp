@@ -1,12 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "symscene/core/random.hpp"
-#include "symscene/core/scene.hpp"
-#include "symscene/core/triangle_mesh.hpp"
+#include "symscene/simulation/object_model.hpp"
 
 namespace symscene {
 
@@ -21,12 +18,8 @@ struct Cavity {
   double floor = 0.0;   ///< height of the floor [m]
 };
 
-/// An object of a household in its own frame: it stands on z = 0, about the z axis.
-struct HouseholdObject {
-  ObjectKind kind = ObjectKind::box;
-  TriangleMesh mesh;                    ///< closed, coloured
-  std::vector<TrueAxis> rotational;     ///< as built
-  std::vector<TruePlane> reflectional;  ///< as built
+/// An object of a household, named for its kind: it stands on z = 0, about the z axis.
+struct HouseholdObject : ObjectModel {
   std::vector<Eigen::Vector2d>
       footprint;            ///< convex outline seen from above, counter-clockwise [m]
   double height = 0.0;      ///< [m]

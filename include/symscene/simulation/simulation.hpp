@@ -1,40 +1,12 @@
 #pragma once
 
 #include "symscene/core/scene.hpp"
+#include "symscene/simulation/camera_path.hpp"
 #include "symscene/simulation/occupancy_fusion.hpp"
 #include "symscene/simulation/sensor_noise.hpp"
 #include "symscene/simulation/tabletop.hpp"
 
 namespace symscene {
-
-/// How the camera goes around the table: the arc of section 2.2.
-struct CameraArcOptions {
-  int frames = 20;                   ///< along the arc, at most 64
-  double arc = 2.0943951;            ///< horizontal angle of the arc, 120° [rad]
-  double radius = 1.0;               ///< distance to the point looked at [m]
-  double min_elevation = 0.6108652;  ///< lowest above the table, 35° [rad]
-  double max_elevation = 0.8726646;  ///< highest above the table, 50° [rad]
-  double target_height = 0.06;       ///< of the point looked at, over the table [m]
-  int width = 640;                   ///< [px]
-  int height = 480;                  ///< [px]
-  double focal_length = 525.0;       ///< [px]
-
-  template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit("frames", self.frames, "", "frames along the arc, at most 64");
-    visit("arc", self.arc, "rad", "horizontal angle of the arc");
-    visit("radius", self.radius, "m", "distance to the point looked at");
-    visit("min_elevation", self.min_elevation, "rad", "lowest elevation above the table");
-    visit("max_elevation", self.max_elevation, "rad", "highest elevation above the table");
-    visit("target_height", self.target_height, "m", "height of the point looked at");
-    visit("width", self.width, "px", "width of the images");
-    visit("height", self.height, "px", "height of the images");
-    visit("focal_length", self.focal_length, "px", "focal length");
-  }
-  void validate() const;
-
-  CameraIntrinsics intrinsics() const;
-};
 
 struct SimulationOptions {
   TabletopOptions tabletop;

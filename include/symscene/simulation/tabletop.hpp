@@ -7,7 +7,7 @@
 
 #include "symscene/core/options.hpp"
 #include "symscene/core/scene.hpp"
-#include "symscene/simulation/household_object.hpp"
+#include "symscene/simulation/object_model.hpp"
 
 namespace symscene {
 
@@ -38,7 +38,7 @@ struct TabletopOptions {
 struct PlacedObject {
   static constexpr Index on_table = ~Index{0};
 
-  HouseholdObject object;
+  ObjectModel object;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();
   Index supporter = on_table;  ///< the object that it stands on or in
 };
@@ -54,6 +54,9 @@ struct Tabletop {
 /// Puts random household objects on a table, side by side and on top of each other, so that they
 /// rest on what is below them and nowhere run into each other.
 Tabletop arrange_tabletop(const TabletopOptions& options);
+
+/// A table whose origin is the world's, or is turned and shifted at random if `options` ask for it.
+Tabletop empty_tabletop(const TabletopOptions& options);
 
 /// The mesh of a placed object. World frame.
 TriangleMesh world_mesh(const PlacedObject& placed);

@@ -1,0 +1,73 @@
+#include "frame_log.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace symscene::app {
+
+void FrameLog::add(std::size_t frame, const FrameReport& report) {
+  const TrackingResult& tracking = report.tracking;
+  fused_ += report.fused ? 1 : 0;
+  relocalized_ += report.relocalized ? 1 : 0;
+  const bool free = tracking.status == TrackingStatus::degenerate;
+  add(frame, to_string(tracking.status),
+      free ? fmt::format("nothing holds {}", fmt::join(tracking.unconstrained, ", "))
+           : std::string(tracking.reason));
+}
+
+void FrameLog::add_unreadable(std::size_t frame) { add(frame, "unreadable", ""); }
+
+void FrameLog::add(std::size_t frame, const std::string& status, const std::string& detail) {
+  ++frames_;
+  if (runs_.empty() || runs_.back().status != status) {
+    runs_.push_back({status, detail, frame, frame});
+  }
+  runs_.back().last = frame;
+}
+
+std::size_t FrameLog::count(const std::string& status) const {
+  std::size_t sum = 0;
+  for (const Run& run : runs_) {
+    if (run.status == status) sum += run.last - run.first + 1;
+  }
+  return sum;
+}
+
+std::vector<std::string> FrameLog::lines() const {
+  constexpr std::size_t most = 12;
+  std::vector<std::string> lines{fmt::format(
+      "{} frames: {} fused, {} of them degenerate; {} lost, {} unreadable; found again {} times",
+      frames_, fused_, count("degenerate"), count("lost"), count("unreadable"), relocalized_)};
+  for (const Run& run : runs_) {
+    if (run.status == "converged") continue;
+    if (lines.size() > most) {
+      lines.emplace_back("  ... (all in scene.json)");
+      break;
+    }
+    const std::string frames = run.first == run.last
+                                   ? fmt::format("frame {}", run.first)
+                                   : fmt::format("frames {} to {}", run.first, run.last);
+    lines.push_back(fmt::format("  {}: {}{}{}", frames, run.status, run.detail.empty() ? "" : ", ",
+                                run.detail));
+  }
+  return lines;
+}
+
+std::string FrameLog::json() const {
+  nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+  for (const Run& run : runs_) {
+    nlohmann::ordered_json entry = {
+        {"first", run.first}, {"last", run.last}, {"status", run.status}};
+    if (!run.detail.empty()) entry["detail"] = run.detail;
+    runs.push_back(std::move(entry));
+  }
+  const nlohmann::ordered_json object = {
+      {"count", frames_},         {"fused", fused_},
+      {"degenerate", count("degenerate")}, {"lost", count("lost")},
+      {"unreadable", count("unreadable")}, {"relocalized", relocalized_},
+      {"runs", std::move(runs)}};
+  return object.dump();
+}
+
+}  // namespace symscene::app

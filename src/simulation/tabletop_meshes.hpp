@@ -1,0 +1,12 @@
+#pragma once
+
+#include "symscene/simulation/tabletop.hpp"
+
+namespace symscene {
+
+inline constexpr double table_thickness = 0.03;  // [m]
+
+/// The objects' meshes and last the table's. World frame.
+std::vector<TriangleMesh> tabletop_meshes(const Tabletop& tabletop);
+
+}  // namespace symscene
