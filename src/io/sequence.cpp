@@ -30,13 +30,21 @@ constexpr Layout layouts[] = {
     {is_image_folder, open_image_folder},
 };
 
+/// Nothing where no layout recognises the path.
+const Layout* layout_of(const fs::path& path) {
+  for (const Layout& layout : layouts) {
+    if (layout.recognises(path)) return &layout;
+  }
+  return nullptr;
+}
+
 }  // namespace
+
+bool is_sequence(const fs::path& path) { return layout_of(path) != nullptr; }
 
 SequencePointer open_sequence(const fs::path& path, const SequenceOptions& options) {
   if (!fs::exists(path)) throw InputError(path.string(), a_sequence, "nothing of that name");
-  for (const Layout& layout : layouts) {
-    if (layout.recognises(path)) return layout.open(path, options);
-  }
+  if (const Layout* layout = layout_of(path)) return layout->open(path, options);
   throw InputError(path.string(), a_sequence,
                    fs::is_directory(path) ? "another folder" : "another file");
 }
