@@ -32,7 +32,7 @@ class DepthHistogram {
     std::size_t seen = 0;
     for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
       seen += counts_[bin];
-      if (static_cast<double>(seen) >= wanted) return 1e-3 * static_cast<double>(bin);
+      if (static_cast<double>(seen) >= wanted) return static_cast<double>(bin) / 1000.0;
     }
     return 0.0;
   }

@@ -285,8 +285,8 @@ TEST_F(Command, TellsWhatIsInASequenceAndWhichFramesCannotBeRead) {
 }
 
 TEST_F(Command, TellsOfNothingElse) {
-  fs::create_directories(file("other"));
-  expect_refusal("info other", 1, "found another folder");
+  fs::create_directories(file("something"));
+  expect_refusal("info something", 1, "found another folder");
   expect_refusal("info nowhere", 1, "found nothing of that name");
 }
 
