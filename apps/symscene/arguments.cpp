@@ -1,6 +1,7 @@
 #include "arguments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -23,10 +24,10 @@ std::string check_whole(const std::string& text) {
 
 /// The four numbers of "fx,fy,cx,cy", or nothing.
 std::optional<CameraIntrinsics> parse_intrinsics_option(const std::string& text) {
-  double numbers[4];
+  std::array<double, 4> numbers{};
   const char* rest = text.data();
   const char* const end = rest + text.size();
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (i > 0 && (rest == end || *rest++ != ',')) return std::nullopt;
     const auto [after, error] = std::from_chars(rest, end, numbers[i]);
     if (error != std::errc{} || !std::isfinite(numbers[i])) return std::nullopt;

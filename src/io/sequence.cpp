@@ -1,5 +1,7 @@
 #include "symscene/io/sequence.hpp"
 
+#include <array>
+
 #include "io/sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 
@@ -18,7 +20,7 @@ struct Layout {
 };
 
 /// The first that recognises a path opens it.
-constexpr Layout layouts[] = {
+constexpr std::array<Layout, 9> layouts = {{
     {is_own_layout, open_own_layout},
     {is_icl_nuim, open_icl_nuim},
     {is_tum, open_tum},
@@ -28,7 +30,7 @@ constexpr Layout layouts[] = {
     {is_bag, open_bag},
     {is_single_image, open_single_image},
     {is_image_folder, open_image_folder},
-};
+}};
 
 /// Nothing where no layout recognises the path.
 const Layout* layout_of(const fs::path& path) {
