@@ -191,11 +191,13 @@ std::string format_config(const OptionFields& fields) {
   return text;
 }
 
-std::string describe_run(const std::string& command, const OptionFields& fields) {
-  const ordered_json run = {{"version", 1},
-                            {"symscene", SYMSCENE_VERSION},
-                            {"command", command},
-                            {"options", config_values(fields)}};
+std::string describe_run(const std::string& command, const OptionFields& fields,
+                         const std::string& frames) {
+  ordered_json run = {{"version", 1},
+                      {"symscene", SYMSCENE_VERSION},
+                      {"command", command},
+                      {"options", config_values(fields)}};
+  if (!frames.empty()) run["frames"] = ordered_json::parse(frames);
   return run.dump(2) + "\n";
 }
 

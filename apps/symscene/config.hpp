@@ -54,7 +54,9 @@ void parse_config(const std::string& text, const std::string& name, const Option
 /// All fields as JSON, with unit and help in a comment behind each: what read_config reads back.
 std::string format_config(const OptionFields& fields);
 
-/// What made an output, as JSON: version, command and all options.
-std::string describe_run(const std::string& command, const OptionFields& fields);
+/// What made an output, as JSON: version, command and all options; `frames`, JSON too, says what
+/// became of its frames.
+std::string describe_run(const std::string& command, const OptionFields& fields,
+                         const std::string& frames = "");
 
 }  // namespace symscene::app

@@ -62,11 +62,13 @@ std::string FrameLog::json() const {
     if (!run.detail.empty()) entry["detail"] = run.detail;
     runs.push_back(std::move(entry));
   }
-  const nlohmann::ordered_json object = {
-      {"count", frames_},         {"fused", fused_},
-      {"degenerate", count("degenerate")}, {"lost", count("lost")},
-      {"unreadable", count("unreadable")}, {"relocalized", relocalized_},
-      {"runs", std::move(runs)}};
+  const nlohmann::ordered_json object = {{"count", frames_},
+                                         {"fused", fused_},
+                                         {"degenerate", count("degenerate")},
+                                         {"lost", count("lost")},
+                                         {"unreadable", count("unreadable")},
+                                         {"relocalized", relocalized_},
+                                         {"runs", std::move(runs)}};
   return object.dump();
 }
 

@@ -43,9 +43,11 @@ void add_commands(CLI::App& app) {
       "  symscene simulate -o scene && symscene segment scene -o result &&\n"
       "    symscene view result -o page.html");
   symscene::app::add_simulate(app);
+  symscene::app::add_reconstruct(app);
   symscene::app::add_segment(app);
   symscene::app::add_symmetry(app);
   symscene::app::add_view(app);
+  symscene::app::add_info(app);
 }
 
 /// What was printed has to arrive: a full disk is an error, not a short file.

@@ -39,8 +39,7 @@ Session::Session(std::string command, const SharedOptions& shared)
       threads_(shared.threads),
       progress_(!shared.quiet && stderr_is_terminal()) {
   previous_sink_ = set_log_sink([this](LogLevel level, std::string_view message) {
-    if (level == LogLevel::warning)
-      progress_.print_line(fmt::format("symscene {}: warning: {}", command_, message));
+    if (level == LogLevel::warning) warn(std::string(message));
   });
 }
 
@@ -57,6 +56,10 @@ void Session::print(const std::string& text) {
 
 void Session::say(const std::string& line) {
   if (!shared_.quiet) print(line + "\n");
+}
+
+void Session::warn(const std::string& line) {
+  progress_.print_line(fmt::format("symscene {}: warning: {}", command_, line));
 }
 
 void Session::finish(const std::vector<ReportMember>& members,

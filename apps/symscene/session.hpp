@@ -52,6 +52,8 @@ class Session {
   void print(const std::string& text);
   /// A line for a person to read; none with --quiet.
   void say(const std::string& line);
+  /// A warning, as the library's are shown.
+  void warn(const std::string& line);
   /// What comes last: with -v the table of stage times, with --json one line with these members.
   void finish(const std::vector<ReportMember>& members, const std::vector<StageTime>& times);
 

@@ -50,8 +50,7 @@ TrajectoryError trajectory_error(std::span<const Eigen::Isometry3d> estimated,
   for (std::size_t i = 1; i < truth.size(); ++i) {
     error.length += (truth[i].translation() - truth[i - 1].translation()).norm();
   }
-  const Eigen::VectorXd distances =
-      distances_when_aligned(places_of(estimated), places_of(truth));
+  const Eigen::VectorXd distances = distances_when_aligned(places_of(estimated), places_of(truth));
   error.absolute = std::sqrt(distances.squaredNorm() / static_cast<double>(distances.size()));
   error.absolute_max = distances.maxCoeff();
   error.drift = motion_error(estimated, truth, 0, truth.size() - 1).translation().norm();

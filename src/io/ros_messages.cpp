@@ -1,5 +1,6 @@
 #include "io/ros_messages.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -94,10 +95,10 @@ RosCameraInfo parse_ros_camera_info(std::string_view bytes, const std::string& n
   for (auto left = rest.number<std::uint32_t>(); left > 0; --left) {
     if (rest.number<double>() != 0.0) info.distorted = true;
   }
-  double k[9];
+  std::array<double, 9> k{};
   for (double& value : k) value = rest.number<double>();
   rest.take(9 * sizeof(double));  // R
-  double p[12];
+  std::array<double, 12> p{};
   for (double& value : p) value = rest.number<double>();
   info.raw = {width, height, k[0], k[4], k[2], k[5]};
   info.rectified = {width, height, p[0], p[5], p[2], p[6]};

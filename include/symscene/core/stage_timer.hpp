@@ -31,6 +31,9 @@ class StageTimer {
     return std::forward<Body>(body)();
   }
 
+  /// Adds time that was taken elsewhere.
+  void add(std::string stage, double seconds) { stages_.push_back({std::move(stage), seconds}); }
+
   const std::vector<StageTime>& stages() const { return stages_; }
   double total() const {
     double sum = 0.0;

@@ -10,12 +10,12 @@ namespace symscene {
 /// evaluation of RGB-D SLAM systems").
 struct TrajectoryError {
   std::size_t poses = 0;
-  double absolute = 0.0;       ///< root mean square distance after rigid alignment [m]
-  double absolute_max = 0.0;   ///< the largest of these [m]
-  double relative = 0.0;       ///< root mean square error of the motion over `interval` [m]
+  double absolute = 0.0;        ///< root mean square distance after rigid alignment [m]
+  double absolute_max = 0.0;    ///< the largest of these [m]
+  double relative = 0.0;        ///< root mean square error of the motion over `interval` [m]
   double relative_angle = 0.0;  ///< the same of its rotation [rad]
-  double drift = 0.0;          ///< error of the motion from the first to the last pose [m]
-  double length = 0.0;         ///< of the true path [m]
+  double drift = 0.0;           ///< error of the motion from the first to the last pose [m]
+  double length = 0.0;          ///< of the true path [m]
 };
 
 /// Compares pose by pose. The relative error is over `interval` poses.
