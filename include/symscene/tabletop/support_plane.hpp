@@ -17,11 +17,12 @@ struct SupportPlaneOptions {
   int hypotheses = 300;             ///< planes that are tried for each that is found
   int max_planes = 6;               ///< that are looked for, walls too
   double min_area = 0.03;           ///< of a plane that supports something [m²]
-  double max_tilt = 0.5235988;      ///< of its normal from up, where up is known, 30° [rad]
-  double min_clearance = 0.005;     ///< height over the plane from which points are not its own [m]
-  double max_height = 0.6;          ///< up to which a plane supports what is above it [m]
-  double ambiguity = 0.5;           ///< share of the best plane's score that makes another a rival
-  std::uint64_t seed = 1;           ///< of the hypotheses
+  double max_tilt = 1.2217305;   ///< of its normal from up, where up is known, 70°: a camera that
+                                 ///< looks down on a table is tilted itself [rad]
+  double min_clearance = 0.005;  ///< height over the plane from which points are not its own [m]
+  double max_height = 0.6;       ///< up to which a plane supports what is above it [m]
+  double ambiguity = 0.5;        ///< share of the best plane's score that makes another a rival
+  std::uint64_t seed = 1;        ///< of the hypotheses
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
