@@ -98,27 +98,40 @@ class Matcher {
     }
   }
 
+  /// What the matches ask of the motion, from the model's normals n.
   Sums match(const Eigen::Isometry3d& T_model_measured) const {
-    const Eigen::Isometry3f T = T_model_measured.cast<float>();
+    return sum_rows<false>(T_model_measured.cast<float>());
+  }
+
+  /// What they constrain: as match(), but with n mᵀ in place of n nᵀ, m being the measured normals.
+  /// The noise of both is independent, so that it does not add up to constraints that are not
+  /// there.
+  Sums match_constraints(const Eigen::Isometry3d& T_model_measured) const {
+    return sum_rows<true>(T_model_measured.cast<float>());
+  }
+
+ private:
+  template <bool constraints>
+  Sums sum_rows(const Eigen::Isometry3f& T) const {
     return reduce_blocks(
         measured_.camera.height, rows_a_task, Sums{},
         [&](std::size_t begin, std::size_t end) {
           Sums sums;
-          for (std::size_t v = begin; v < end; ++v) match_row(v, T, sums);
+          for (std::size_t v = begin; v < end; ++v) match_row<constraints>(v, T, sums);
           sums.fold();
           return sums;
         },
         combined);
   }
 
- private:
+  template <bool constraints>
   void match_row(std::size_t v, const Eigen::Isometry3f& T, Sums& sums) const {
     const SurfacePixel* row = measured_.pixels.data() + v * measured_.camera.width;
     Batch batch;
     std::size_t lane = 0;
     for (std::size_t u = 0; u < measured_.camera.width; ++u) {
-      if (!add_match(row[u], ray_x_[u], ray_y_[v], T, batch, lane, sums)) continue;
-      if (++lane < lanes) continue;
+      if (!add_match<constraints>(row[u], ray_x_[u], ray_y_[v], T, batch, lane, sums)) continue;
+      if (lane < lanes) continue;
       add_batch(batch, sums.product);
       lane = 0;
     }
@@ -130,8 +143,9 @@ class Matcher {
     add_batch(batch, sums.product);
   }
 
+  template <bool constraints>
   bool add_match(const SurfacePixel& pixel, float ray_x, float ray_y, const Eigen::Isometry3f& T,
-                 Batch& batch, std::size_t lane, Sums& sums) const {
+                 Batch& batch, std::size_t& lane, Sums& sums) const {
     if (!(pixel.nz < 0.0F)) return false;
     const Eigen::Vector3f p =
         T * Eigen::Vector3f(ray_x * pixel.depth, ray_y * pixel.depth, pixel.depth);
@@ -160,20 +174,33 @@ class Matcher {
     const float robust = 1.0F / (1.0F + ratio * ratio);
     // Relative to the deviation at 1 m, so that weights stay about 1.
     const float scale = (gates_.floor + gates_.noise) / deviation;
+    const float weight = robust * scale * scale;
+    if constexpr (constraints) {
+      // ½ (n mᵀ + m nᵀ) = ¼ (n + m)(n + m)ᵀ − ¼ (n − m)(n − m)ᵀ
+      add_lane(p, 0.5F * (n + m), 0.0F, weight, batch, lane);
+      add_lane(p, 0.5F * (n - m), 0.0F, -weight, batch, lane);
+    } else {
+      add_lane(p, n, r, weight, batch, lane);
+    }
+    sums.matches += 1.0;
+    sums.weight += static_cast<double>(weight);
+    if (std::abs(r) < 3.0F * deviation) {
+      sums.inliers += 1.0;
+      sums.squares += static_cast<double>(r) * static_cast<double>(r);
+    }
+    return true;
+  }
+
+  static void add_lane(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float r, float weight,
+                       Batch& batch, std::size_t& lane) {
     const Eigen::Vector3f turn = p.cross(n);
     for (std::size_t a = 0; a < 3; ++a) {
       batch.j[a][lane] = turn[static_cast<Eigen::Index>(a)];
       batch.j[a + 3][lane] = n[static_cast<Eigen::Index>(a)];
     }
     batch.r[lane] = r;
-    batch.weight[lane] = robust * scale * scale;
-    sums.matches += 1.0;
-    sums.weight += static_cast<double>(batch.weight[lane]);
-    if (std::abs(r) < 3.0F * deviation) {
-      sums.inliers += 1.0;
-      sums.squares += static_cast<double>(r) * static_cast<double>(r);
-    }
-    return true;
+    batch.weight[lane] = weight;
+    ++lane;
   }
 
   const SurfaceImage& measured_;
@@ -198,63 +225,73 @@ Eigen::Isometry3d orthonormal(Eigen::Isometry3d T) {
   return T;
 }
 
-/// The normal equations with rotations about the centre of what is seen and scaled by its size, so
-/// that all six motions compare: eigenvalues of H over the sum of the weights lie in [0, 1].
-struct Conditioned {
-  Matrix6d directions;  ///< eigenvectors, in the conditioned motions
-  Vector6d constraint;  ///< eigenvalues over the sum of the weights, ascending
-  Vector6d along;       ///< Jᵀr along them
-  Matrix6d to_twist;    ///< from conditioned motions to twists
-  double weight = 0.0;
-};
+/// From motions that compare with each other to twists: rotations are about the centre of what is
+/// seen, at (0, 0, range), and measured by how far they move points about it.
+Matrix6d comparable_motions(double range) {
+  const double radius = 0.3 * range;
+  const Eigen::Vector3d center(0, 0, range);
+  Matrix6d to_twist = Matrix6d::Identity();
+  for (int a = 0; a < 3; ++a) {
+    const Eigen::Vector3d omega = Eigen::Vector3d::Unit(a) / radius;
+    to_twist.col(a).head<3>() = omega;
+    to_twist.col(a).tail<3>() = -omega.cross(center);
+  }
+  return to_twist;
+}
 
-Conditioned condition(const Sums& sums, double range) {
+Matrix6d normal_matrix(const Sums& sums) {
   Matrix6d H;
-  Vector6d g;
   std::size_t k = 0;
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b, ++k) H(a, b) = H(b, a) = sums.normal[k];
   }
-  for (int a = 0; a < 6; ++a, ++k) g[a] = sums.normal[k];
-  // A turn ω about c = (0, 0, range) moves c not at all: t = −ω × c.
-  const double radius = 0.3 * range;
-  Conditioned result;
-  result.to_twist = Matrix6d::Identity();
-  const Eigen::Vector3d c(0, 0, range);
-  for (int a = 0; a < 3; ++a) {
-    const Eigen::Vector3d omega = Eigen::Vector3d::Unit(a) / radius;
-    result.to_twist.col(a).head<3>() = omega;
-    result.to_twist.col(a).tail<3>() = -omega.cross(c);
-  }
-  const Matrix6d conditioned = result.to_twist.transpose() * H * result.to_twist;
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(conditioned);
-  result.directions = solver.eigenvectors();
-  result.constraint = solver.eigenvalues() / sums.weight;
-  result.along = result.directions.transpose() * (result.to_twist.transpose() * g);
-  result.weight = sums.weight;
-  return result;
+  return H;
+}
+
+Vector6d right_side(const Sums& sums) {
+  return Eigen::Map<const Vector6d>(sums.normal + products - 6);
+}
+
+/// The motions that the surface constrains, and how much: all of them together by 1.
+struct Constraints {
+  Matrix6d motions;  ///< orthonormal columns, comparable motions, the freest first
+  Vector6d amounts;  ///< ascending
+  int free = 0;      ///< how many of them are not constrained
+};
+
+Constraints find_constraints(const Sums& sums, const Matrix6d& to_twist, double least) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(to_twist.transpose() * normal_matrix(sums) *
+                                                       to_twist / sums.weight);
+  Constraints found{solver.eigenvectors(), solver.eigenvalues(), 0};
+  found.free = static_cast<int>((found.amounts.array() < least).count());
+  return found;
 }
 
 /// The step along the motions that are constrained.
-Vector6d solve(const Conditioned& system, double degenerate_ratio) {
-  Vector6d step = Vector6d::Zero();
-  for (int k = 0; k < 6; ++k) {
-    if (system.constraint[k] < degenerate_ratio) continue;
-    step += system.along[k] / (system.constraint[k] * system.weight) * system.directions.col(k);
-  }
-  return system.to_twist * step;
+Vector6d solve(const Sums& sums, const Matrix6d& to_twist, const Constraints& constraints) {
+  if (constraints.free == 6) return Vector6d::Zero();
+  const Eigen::MatrixXd basis = to_twist * constraints.motions.rightCols(6 - constraints.free);
+  return basis * (basis.transpose() * normal_matrix(sums) * basis)
+                     .ldlt()
+                     .solve(basis.transpose() * right_side(sums));
 }
 
-std::vector<std::string> unconstrained_motions(const Conditioned& system, double ratio) {
+/// The free motions as near to those along and about the camera's axes as they can be named.
+std::vector<std::string> names_of_free_motions(const Constraints& constraints) {
   constexpr const char* names[6] = {"rotation about x",    "rotation about y",
                                     "rotation about z",    "translation along x",
                                     "translation along y", "translation along z"};
+  Matrix6d left = constraints.motions.leftCols(constraints.free) *
+                  constraints.motions.leftCols(constraints.free).transpose();
   std::vector<std::string> motions;
-  for (int k = 0; k < 6; ++k) {
-    if (system.constraint[k] >= ratio) continue;
+  for (int k = 0; k < constraints.free; ++k) {
+    int nearest = 0;
+    const double length = std::sqrt(left.diagonal().maxCoeff(&nearest));
+    const Vector6d direction = left.col(nearest) / length;
+    left -= direction * direction.transpose();
     std::string motion;
     for (int a = 0; a < 6; ++a) {
-      if (std::abs(system.directions(a, k)) < 0.4) continue;
+      if (std::abs(direction[a]) < 0.4) continue;
       motion += (motion.empty() ? "" : " with ") + std::string(names[a]);
     }
     motions.push_back(motion);
@@ -357,18 +394,22 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
   const double range = mean_depth(measurement.pyramid.back());
   Eigen::Isometry3d T = view.T_world_camera.inverse() * T_world_guess;  // T_model_measured
   Sums sums;
-  Conditioned system;
+  const Matrix6d to_twist = comparable_motions(range);
+  Constraints constraints;
   for (std::size_t level = measurement.pyramid.size(); level-- > 0;) {
     const double distance = options.max_distance * std::pow(0.5, 2.0 - static_cast<double>(level));
     const Matcher matcher(
         measurement.pyramid[level], models[level],
         {static_cast<float>(distance * distance), static_cast<float>(std::cos(options.max_angle)),
          static_cast<float>(sensor.noise), 5e-4F, static_cast<float>(options.robust_sigmas)});
+    if (iterations[level] == 0) continue;
+    const Sums constraining = matcher.match_constraints(T);
+    if (constraining.matches < 50.0) return lost(T_world_guess, "the model is not in view");
+    constraints = find_constraints(constraining, to_twist, options.degenerate_ratio);
     for (int k = 0; k < iterations[level]; ++k) {
       sums = matcher.match(T);
       if (sums.matches < 50.0) return lost(T_world_guess, "the model is not in view");
-      system = condition(sums, range);
-      const Vector6d step = solve(system, options.degenerate_ratio);
+      const Vector6d step = solve(sums, to_twist, constraints);
       if (!step.allFinite()) return lost(T_world_guess, "the alignment diverged");
       T = motion(step) * T;
       if (level > 0 && step.head<3>().norm() < 1e-4 && step.tail<3>().norm() < 1e-4) break;
@@ -379,7 +420,6 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
   result.overlap = sums.matches / static_cast<double>(measurement.measured);
   result.inliers = sums.inliers / sums.matches;
   result.residual = std::sqrt(sums.squares / std::max(sums.inliers, 1.0));
-  result.unconstrained = unconstrained_motions(system, options.degenerate_ratio);
   if (result.overlap < options.min_overlap) {
     result.reason = "too little of the image agrees with the model";
   } else if (result.inliers < options.min_inliers) {

@@ -66,8 +66,10 @@ FrameReport Reconstruction::add(const DepthFrame& frame,
     return report;
   }
   const Eigen::Isometry3d& pose = report.tracking.T_world_camera;
-  motion_ = volume_.empty() || report.relocalized ? Eigen::Isometry3d::Identity()
-                                                  : view_.T_world_camera.inverse() * pose;
+  // A motion that nothing confirms does not go on by itself.
+  const bool is_known = !volume_.empty() && !report.relocalized &&
+                        report.tracking.status == TrackingStatus::converged;
+  motion_ = is_known ? view_.T_world_camera.inverse() * pose : Eigen::Isometry3d::Identity();
   fuse(frame, measurement, pose);
   report.fused = true;
   return report;
