@@ -420,6 +420,7 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
   result.overlap = sums.matches / static_cast<double>(measurement.measured);
   result.inliers = sums.inliers / sums.matches;
   result.residual = std::sqrt(sums.squares / std::max(sums.inliers, 1.0));
+  result.unconstrained = names_of_free_motions(constraints);
   if (result.overlap < options.min_overlap) {
     result.reason = "too little of the image agrees with the model";
   } else if (result.inliers < options.min_inliers) {
