@@ -95,6 +95,22 @@ SupportPlane measured(const PointCloud& cloud, const PointIndices& usable, const
   return support;
 }
 
+/// The planes of the cloud. Two that the search took apart may be refined into one.
+std::vector<SupportPlane> distinct_planes(const PointCloud& cloud, const PointIndices& usable,
+                                          const SupportPlaneOptions& options) {
+  std::vector<SupportPlane> planes;
+  std::vector<bool> taken(cloud.size(), false);
+  for (const Plane& start : dominant_planes(cloud, usable, options)) {
+    SupportPlane plane = measured(cloud, usable, refined(cloud, usable, start, options), options);
+    const auto known = std::count_if(plane.inliers.begin(), plane.inliers.end(),
+                                     [&](Index i) { return taken[i]; });
+    if (2 * static_cast<std::size_t>(known) > plane.inliers.size()) continue;
+    for (const Index i : plane.inliers) taken[i] = true;
+    planes.push_back(std::move(plane));
+  }
+  return planes;
+}
+
 /// Points of planes too large for objects.
 std::vector<bool> points_of_walls(const PointCloud& cloud,
                                   const std::vector<SupportPlane>& planes) {
@@ -155,13 +171,10 @@ SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOpt
                                   const std::optional<Eigen::Vector3d>& up) {
   options.validate();
   const PointIndices usable = usable_points(cloud);
-  std::vector<SupportPlane> planes;
-  for (const Plane& plane : dominant_planes(cloud, usable, options)) {
-    planes.push_back(measured(cloud, usable, refined(cloud, usable, plane, options), options));
-  }
+  const std::vector<SupportPlane> planes = distinct_planes(cloud, usable, options);
   const std::vector<bool> walls = points_of_walls(cloud, planes);
   SupportPlanes result;
-  for (SupportPlane& plane : planes) {
+  for (SupportPlane plane : planes) {
     if (!may_support(plane, options, up)) {
       result.others.push_back(std::move(plane));
       continue;
