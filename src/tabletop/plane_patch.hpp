@@ -8,6 +8,9 @@
 
 namespace symscene {
 
+/// From which area on a plane is a wall or a floor, and its points none of the objects'. [m²]
+constexpr double wall_area = 0.25;
+
 /// Coordinates within a plane.
 class PlaneFrame {
  public:

@@ -11,7 +11,6 @@ namespace symscene {
 namespace {
 
 constexpr double cell_edge = 0.02;        ///< of the cells that areas are counted in [m]
-constexpr double wall_area = 0.25;        ///< from which a plane is none of the objects [m²]
 constexpr double least_distance = 0.003;  ///< that refinement keeps inliers within [m]
 constexpr double residuals_kept = 2.5;    ///< of the residual, within which refinement keeps points
 constexpr int refinements = 2;

@@ -12,7 +12,6 @@ namespace symscene {
 namespace {
 
 constexpr double residuals_cleared = 3.0;  ///< of the table's roughness, below the clearance
-constexpr double wall_area = 0.25;         ///< from which a plane is none of the objects [m²]
 constexpr Index points_for_bend = 20000;
 
 ConvexOutline outline_of(const SupportPlane& table, const PlaneFrame& frame) {
