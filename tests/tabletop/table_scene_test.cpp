@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -118,10 +119,9 @@ PointCloud ball(Index count) {
 Eigen::Isometry3d random_motion(std::uint64_t seed) {
   Random random(seed, 7);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() =
-      Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal())
-          .normalized()
-          .toRotationMatrix();
+  std::array<double, 4> q{};
+  for (double& value : q) value = random.normal();  // in this order, whatever the compiler
+  motion.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
   motion.translation() << random.normal(), random.normal(), random.normal();
   return motion;
 }
