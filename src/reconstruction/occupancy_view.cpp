@@ -131,49 +131,51 @@ OccupancyView::OccupancyView(const DepthFrame& frame, const CameraIntrinsics& ca
   }
 }
 
-Sight OccupancyView::look_at(const Eigen::Vector3f& first, int level) const {
-  // Voxels and corners round differently.
-  constexpr float depth_slack = 1e-5F;  // [m]
-  constexpr float pixel_slack = 0.02F;
-  const Offsets<8>& corners = corners_[static_cast<std::size_t>(level)];
-  const float first_x = first.x() * fx_;
-  const float first_y = first.y() * fy_;
-  float low_z = infinite, high_z = -infinite;
-  for (std::size_t k = 0; k < 8; ++k) {
-    const float z = first.z() + corners.z[k];
-    low_z = std::min(low_z, z);
-    high_z = std::max(high_z, z);
+OccupancyView::Bounds OccupancyView::depths(const Eigen::Vector3f& first,
+                                            const Offsets<8>& corners) const {
+  Bounds z{infinite, -infinite};
+  for (const float offset : corners.z) {
+    z.low = std::min(z.low, first.z() + offset);
+    z.high = std::max(z.high, first.z() + offset);
   }
-  low_z -= depth_slack;
-  high_z += depth_slack;
-  if (high_z <= 0.0F || low_z >= limits_.max()) return Sight::none;
-  constexpr float least_z = 1e-3F;
-  if (low_z < least_z) return Sight::some;
+  constexpr float slack = 1e-5F;  // voxels and corners round differently [m]
+  return {z.low - slack, z.high + slack};
+}
 
-  float low_u = infinite, high_u = -infinite, low_v = infinite, high_v = -infinite;
+OccupancyView::ImageBounds OccupancyView::project(const Eigen::Vector3f& first,
+                                                  const Offsets<8>& corners) const {
+  ImageBounds bounds{{infinite, -infinite}, {infinite, -infinite}};
   for (std::size_t k = 0; k < 8; ++k) {
     const float inverse = 1.0F / (first.z() + corners.z[k]);
-    const float u = (first_x + corners.x[k]) * inverse;
-    const float v = (first_y + corners.y[k]) * inverse;
-    low_u = std::min(low_u, u);
-    high_u = std::max(high_u, u);
-    low_v = std::min(low_v, v);
-    high_v = std::max(high_v, v);
+    const float u = (first.x() * fx_ + corners.x[k]) * inverse;
+    const float v = (first.y() * fy_ + corners.y[k]) * inverse;
+    bounds.u = {std::min(bounds.u.low, u), std::max(bounds.u.high, u)};
+    bounds.v = {std::min(bounds.v.low, v), std::max(bounds.v.high, v)};
   }
-  low_u += cx_ - pixel_slack;
-  high_u += cx_ + pixel_slack;
-  low_v += cy_ - pixel_slack;
-  high_v += cy_ + pixel_slack;
+  constexpr float slack = 0.02F;  // [px]
+  bounds.u = {bounds.u.low + cx_ - slack, bounds.u.high + cx_ + slack};
+  bounds.v = {bounds.v.low + cy_ - slack, bounds.v.high + cy_ + slack};
+  return bounds;
+}
+
+Sight OccupancyView::look_at(const Eigen::Vector3f& first, int level) const {
+  const Offsets<8>& corners = corners_[static_cast<std::size_t>(level)];
+  const Bounds z = depths(first, corners);
+  if (z.high <= 0.0F || z.low >= limits_.max()) return Sight::none;
+  constexpr float least_z = 1e-3F;
+  if (z.low < least_z) return Sight::some;
+
+  const auto [u, v] = project(first, corners);
   const auto last_u = static_cast<float>(limits_.width() - 1);
   const auto last_v = static_cast<float>(limits_.height() - 1);
-  if (high_u < 1.0F || high_v < 1.0F || low_u >= last_u || low_v >= last_v) return Sight::none;
+  if (u.high < 1.0F || v.high < 1.0F || u.low >= last_u || v.low >= last_v) return Sight::none;
 
-  const bool inside = low_u >= 1.0F && low_v >= 1.0F && high_u < last_u && high_v < last_v;
   const RangePyramid::Range limit = limits_.bounds(
-      {static_cast<int>(std::max(low_u, 1.0F)), static_cast<int>(std::max(low_v, 1.0F)),
-       static_cast<int>(std::min(high_u, last_u)), static_cast<int>(std::min(high_v, last_v))});
-  if (low_z >= limit.max) return Sight::none;
-  return inside && high_z < limit.min ? Sight::all : Sight::some;
+      {static_cast<int>(std::max(u.low, 1.0F)), static_cast<int>(std::max(v.low, 1.0F)),
+       static_cast<int>(std::min(u.high, last_u)), static_cast<int>(std::min(v.high, last_v))});
+  if (z.low >= limit.max) return Sight::none;
+  const bool inside = u.low >= 1.0F && v.low >= 1.0F && u.high < last_u && v.high < last_v;
+  return inside && z.high < limit.min ? Sight::all : Sight::some;
 }
 
 void OccupancyView::look_through(const Eigen::Vector3f& first, std::uint8_t* looks) const {

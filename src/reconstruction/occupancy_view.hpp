@@ -45,6 +45,17 @@ class OccupancyView {
   template <std::size_t count>
   void fill_offsets(Offsets<count>& offsets, int spacing) const;
 
+  struct Bounds {
+    float low, high;
+  };
+  struct ImageBounds {
+    Bounds u, v;
+  };
+  /// Between which depths, and which pixels, the centres of a cube's voxels are. Pixels are half a
+  /// pixel up, so that cutting off rounds.
+  Bounds depths(const Eigen::Vector3f& first, const Offsets<8>& corners) const;
+  ImageBounds project(const Eigen::Vector3f& first, const Offsets<8>& corners) const;
+
   Eigen::Isometry3d T_camera_world_;
   double resolution_;
   float fx_, fy_, cx_, cy_;

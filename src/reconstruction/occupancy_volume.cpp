@@ -239,6 +239,13 @@ struct OccupancyVolume::Implementation {
     });
   }
 
+  VoxelState label(LogOdds value) const {
+    constexpr double rounding = 1e-9;
+    if (value == unseen) return VoxelState::never_seen;
+    const bool occupied = value * log_odds_step >= options.threshold - rounding;
+    return occupied ? VoxelState::occupied : VoxelState::free;
+  }
+
   using PlacedBrick = std::pair<std::uint64_t, const OccupancyBrick*>;
 
   /// The bricks in depth-first order, by the place of their first voxel.
@@ -319,11 +326,7 @@ void OccupancyVolume::integrate(const DepthFrame& frame, const CameraIntrinsics&
 
 OccupancyMap OccupancyVolume::map(const std::optional<OrientedBox>& region) const {
   const OccupancyVolumeOptions& options = implementation_->options;
-  const auto state = [&](LogOdds value) {
-    if (value == unseen) return VoxelState::never_seen;
-    return value * log_odds_step >= options.threshold - 1e-9 ? VoxelState::occupied
-                                                             : VoxelState::free;
-  };
+  const auto state = [&](LogOdds value) { return implementation_->label(value); };
   const auto leaf = [](std::uint64_t code, int level, VoxelState value) {
     return OccupancyLeaf{octree_key(code), static_cast<std::uint8_t>(level), value};
   };
@@ -354,9 +357,7 @@ VoxelState OccupancyVolume::at(const Eigen::Vector3d& point_world) const {
   const LogOdds value = found->second.is_uniform(block)
                             ? found->second.value(block)
                             : found->second.voxels(block)[voxel % block_voxels];
-  if (value == unseen) return VoxelState::never_seen;
-  return value * log_odds_step >= implementation_->options.threshold - 1e-9 ? VoxelState::occupied
-                                                                            : VoxelState::free;
+  return implementation_->label(value);
 }
 
 std::size_t OccupancyVolume::memory() const {

@@ -8,7 +8,7 @@
 namespace symscene {
 namespace {
 
-/// The lesser of neighbours a pair of rows at a time; `count` pairs.
+/// The least value of every 2×2 pixels of two rows.
 SYMSCENE_MULTIVERSION
 void least_of_four(const float* upper, const float* lower, std::size_t count, float* out) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -18,6 +18,7 @@ void least_of_four(const float* upper, const float* lower, std::size_t count, fl
   }
 }
 
+/// The greatest one.
 SYMSCENE_MULTIVERSION
 void greatest_of_four(const float* upper, const float* lower, std::size_t count, float* out) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -77,6 +77,30 @@ std::int32_t PlaneCells::cell_of(const Eigen::Vector2d& point) const {
   return row * columns_ + column;
 }
 
+bool PlaneCells::is_surrounded(std::int32_t cell) const {
+  const std::int32_t row = cell / columns_;
+  const std::int32_t column = cell % columns_;
+  if (row == 0 || column == 0 || row + 1 == rows_ || column + 1 == columns_) return false;
+  for (std::int32_t r = row - 1; r <= row + 1; ++r) {
+    for (std::int32_t c = column - 1; c <= column + 1; ++c) {
+      if (holds_points_[static_cast<std::size_t>(r * columns_ + c)] == 0) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<std::size_t> PlaneCells::border() const {
+  std::vector<bool> surrounded(holds_points_.size());
+  for (std::size_t cell = 0; cell < holds_points_.size(); ++cell) {
+    surrounded[cell] = holds_points_[cell] != 0 && is_surrounded(static_cast<std::int32_t>(cell));
+  }
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < cell_of_point_.size(); ++i) {
+    if (!surrounded[static_cast<std::size_t>(cell_of_point_[i])]) points.push_back(i);
+  }
+  return points;
+}
+
 std::size_t PlaneCells::occupied() const {
   return static_cast<std::size_t>(
       std::count(holds_points_.begin(), holds_points_.end(), std::uint8_t{1}));

@@ -8,6 +8,9 @@
 
 namespace symscene {
 
+/// From which area on a plane is a wall or a floor, and its points none of the objects'. [m²]
+constexpr double wall_area = 0.25;
+
 /// Coordinates within a plane.
 class PlaneFrame {
  public:
@@ -51,12 +54,17 @@ class PlaneCells {
   /// across gaps of one cell.
   std::vector<std::size_t> largest_patch() const;
 
+  /// The points that may be corners of the hull: a point of a cell with eight neighbours that hold
+  /// points is inside the hull of those.
+  std::vector<std::size_t> border() const;
+
   double area(std::size_t cells) const { return static_cast<double>(cells) * edge_ * edge_; }
   /// The number of cells with points.
   std::size_t occupied() const;
 
  private:
   std::int32_t cell_of(const Eigen::Vector2d& point) const;
+  bool is_surrounded(std::int32_t cell) const;
 
   double edge_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();

@@ -11,10 +11,10 @@ namespace symscene {
 namespace {
 
 constexpr double cell_edge = 0.02;        ///< of the cells that areas are counted in [m]
-constexpr double wall_area = 0.25;        ///< from which a plane is none of the objects [m²]
 constexpr double least_distance = 0.003;  ///< that refinement keeps inliers within [m]
 constexpr double residuals_kept = 2.5;    ///< of the residual, within which refinement keeps points
 constexpr int refinements = 2;
+constexpr Index points_for_fit = 50000;
 
 PointIndices usable_points(const PointCloud& cloud) {
   if (cloud.size() > 0 && !cloud.has_normals()) {
@@ -58,41 +58,83 @@ PlaneMoments moments_of(const PointCloud& cloud, const PointIndices& points) {
   return moments;
 }
 
-/// Least squares on all points of the patch, without what lies on it: points farther off than the
-/// patch is rough.
-Plane refined(const PointCloud& cloud, const PointIndices& usable, Plane plane,
-              const SupportPlaneOptions& options) {
-  double distance = options.inlier_distance;
+/// A plane, and within which distance points make it. [m]
+struct PlaneFit {
+  Plane plane;
+  double distance = 0.0;
+};
+
+/// Least squares on the patch of some of the points. What lies on the table drops out: points
+/// farther off than the patch is rough.
+PlaneFit fitted(const PointCloud& cloud, const PointIndices& some, const Plane& start,
+                const SupportPlaneOptions& options) {
+  PlaneFit fit{start, options.inlier_distance};
   for (int round = 0; round < refinements; ++round) {
     const PlaneMoments moments =
-        moments_of(cloud, patch_of(cloud, usable, plane, distance, options.normal_angle));
-    plane = moments.plane(plane);
-    distance =
-        std::clamp(residuals_kept * moments.residual(plane),
+        moments_of(cloud, patch_of(cloud, some, fit.plane, fit.distance, options.normal_angle));
+    fit.plane = moments.plane(fit.plane);
+    fit.distance =
+        std::clamp(residuals_kept * moments.residual(fit.plane),
                    std::min(least_distance, options.inlier_distance), options.inlier_distance);
   }
-  return moments_of(cloud, patch_of(cloud, usable, plane, distance, options.normal_angle))
-      .plane(plane);
+  return fit;
 }
 
-SupportPlane measured(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
-                      const SupportPlaneOptions& options) {
+/// Least squares on all points that make the plane.
+Plane refined(const PointCloud& cloud, const PointIndices& patch, const PlaneFit& fit) {
+  PlaneMoments moments;
+  for (const Index i : patch) {
+    const Eigen::Vector3d point = cloud.position(i).cast<double>();
+    if (std::abs(fit.plane.signed_distance(point)) < fit.distance) moments.add(point);
+  }
+  return moments.plane(fit.plane);
+}
+
+/// What there is to say of a plane with these inliers.
+SupportPlane described(const PointCloud& cloud, const Plane& plane, PointIndices inliers) {
   SupportPlane support;
   support.plane = plane;
-  support.inliers = patch_of(cloud, usable, plane, options.inlier_distance, options.normal_angle);
+  support.inliers = std::move(inliers);
   support.residual = moments_of(cloud, support.inliers).residual(plane);
   const PlaneFrame frame(plane);
   std::vector<Eigen::Vector2d> within;
+  within.reserve(support.inliers.size());
   for (const Index i : support.inliers) {
     within.push_back(frame.within(cloud.position(i).cast<double>()));
   }
   const PlaneCells cells(within, cell_edge);
   support.area = cells.area(cells.occupied());
-  const ConvexOutline outline(std::move(within));
+  std::vector<Eigen::Vector2d> border;
+  for (const std::size_t k : cells.border()) border.push_back(within[k]);
+  const ConvexOutline outline(std::move(border));
   for (const Eigen::Vector2d& corner : outline.corners()) {
     support.outline.push_back(frame.lift(corner));
   }
   return support;
+}
+
+/// The planes of the cloud. Two that the search took apart may be refined into one.
+std::vector<SupportPlane> distinct_planes(const PointCloud& cloud, const PointIndices& usable,
+                                          const SupportPlaneOptions& options) {
+  std::vector<SupportPlane> planes;
+  std::vector<bool> taken(cloud.size(), false);
+  PointIndices some;
+  for (const Index k : evenly_spread(static_cast<Index>(usable.size()), points_for_fit)) {
+    some.push_back(usable[k]);
+  }
+  for (const Plane& start : dominant_planes(cloud, usable, options)) {
+    const PlaneFit fit = fitted(cloud, some, start, options);
+    PointIndices patch =
+        patch_of(cloud, usable, fit.plane, options.inlier_distance, options.normal_angle);
+    const Plane whole = refined(cloud, patch, fit);
+    SupportPlane plane = described(cloud, whole, std::move(patch));
+    const auto known = std::count_if(plane.inliers.begin(), plane.inliers.end(),
+                                     [&](Index i) { return taken[i]; });
+    if (2 * static_cast<std::size_t>(known) > plane.inliers.size()) continue;
+    for (const Index i : plane.inliers) taken[i] = true;
+    planes.push_back(std::move(plane));
+  }
+  return planes;
 }
 
 /// Points of planes too large for objects.
@@ -155,13 +197,10 @@ SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOpt
                                   const std::optional<Eigen::Vector3d>& up) {
   options.validate();
   const PointIndices usable = usable_points(cloud);
-  std::vector<SupportPlane> planes;
-  for (const Plane& plane : dominant_planes(cloud, usable, options)) {
-    planes.push_back(measured(cloud, usable, refined(cloud, usable, plane, options), options));
-  }
+  const std::vector<SupportPlane> planes = distinct_planes(cloud, usable, options);
   const std::vector<bool> walls = points_of_walls(cloud, planes);
   SupportPlanes result;
-  for (SupportPlane& plane : planes) {
+  for (SupportPlane plane : planes) {
     if (!may_support(plane, options, up)) {
       result.others.push_back(std::move(plane));
       continue;
@@ -188,8 +227,9 @@ SupportPlane measure_support_plane(const PointCloud& cloud, const Plane& plane,
     throw InputError("plane", "finite numbers a b c d with a normal", "others");
   }
   const PointIndices usable = usable_points(cloud);
-  SupportPlane support =
-      measured(cloud, usable, {plane.normal / length, plane.offset / length}, options);
+  const Plane unit{plane.normal / length, plane.offset / length};
+  SupportPlane support = described(
+      cloud, unit, patch_of(cloud, usable, unit, options.inlier_distance, options.normal_angle));
   support.object_area =
       covered_area(cloud, usable, support, std::vector<bool>(cloud.size(), false), options);
   support.score = std::sqrt(support.area * support.object_area);

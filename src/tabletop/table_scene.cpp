@@ -12,7 +12,7 @@ namespace symscene {
 namespace {
 
 constexpr double residuals_cleared = 3.0;  ///< of the table's roughness, below the clearance
-constexpr double wall_area = 0.25;         ///< from which a plane is none of the objects [m²]
+constexpr Index points_for_bend = 20000;
 
 ConvexOutline outline_of(const SupportPlane& table, const PlaneFrame& frame) {
   std::vector<Eigen::Vector2d> corners;
@@ -119,11 +119,15 @@ void TableSceneOptions::validate() const {
 TableObjects objects_on(const PointCloud& cloud, const SupportPlane& table,
                         const std::vector<SupportPlane>& walls, const TableCropOptions& options) {
   options.validate();
+  PointIndices some;
+  for (const Index k : evenly_spread(static_cast<Index>(table.inliers.size()), points_for_bend)) {
+    some.push_back(table.inliers[k]);
+  }
   const BentPlane surface =
-      options.follow_bend ? BentPlane(table.plane, cloud, table.inliers) : BentPlane(table.plane);
+      options.follow_bend ? BentPlane(table.plane, cloud, some) : BentPlane(table.plane);
   const ConvexOutline outline = outline_of(table, surface.frame());
   TableObjects objects;
-  objects.clearance = std::clamp(residuals_cleared * surface.residual(cloud, table.inliers),
+  objects.clearance = std::clamp(residuals_cleared * surface.residual(cloud, some),
                                  options.min_clearance, options.max_clearance);
   objects.cloud = voxel_downsample(
       points_over(cloud, surface, outline, walls, objects.clearance, options), options.voxel_size);

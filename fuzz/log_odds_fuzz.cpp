@@ -1,0 +1,18 @@
+#include <cstdlib>
+#include <string>
+
+#include "accepted.hpp"
+#include "symscene/io/octomap_log_odds.hpp"
+
+/// Any bytes are a map that is written and read back with as many leaves, or refused.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace symscene;
+  const std::string_view bytes = fuzz::as_bytes(data, size);
+  const auto map = fuzz::accepted([&] { return parse_log_odds(bytes, "fuzz"); });
+  if (!map) return 0;
+  const LogOddsMap again = parse_log_odds(format_log_odds(*map), "again");
+  const bool whole = map->leaves.size() == 1 && map->leaves[0].level == octree_depth;
+  if (again.leaves.size() != (whole ? 8 : map->leaves.size())) std::abort();
+  labels(*map);
+  return 0;
+}
