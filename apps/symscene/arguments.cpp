@@ -1,6 +1,9 @@
 #include "arguments.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -17,6 +20,34 @@ namespace {
 std::string check_whole(const std::string& text) {
   const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   return whole ? "" : "expected a whole number from 0, found " + text;
+}
+
+/// The four numbers of "fx,fy,cx,cy", or nothing.
+std::optional<CameraIntrinsics> parse_intrinsics_option(const std::string& text) {
+  std::array<double, 4> numbers{};
+  const char* rest = text.data();
+  const char* const end = rest + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0 && (rest == end || *rest++ != ',')) return std::nullopt;
+    const auto [after, error] = std::from_chars(rest, end, numbers[i]);
+    if (error != std::errc{} || !std::isfinite(numbers[i])) return std::nullopt;
+    rest = after;
+  }
+  if (rest != end) return std::nullopt;
+  return CameraIntrinsics{0, 0, numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+std::string check_positive(const std::string& text) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, number);
+  const bool positive = error == std::errc{} && after == end && number > 0.0;
+  return positive ? "" : "expected a number above 0, found " + text;
+}
+
+std::string check_intrinsics(const std::string& text) {
+  if (parse_intrinsics_option(text)) return "";
+  return "expected fx,fy,cx,cy in pixels, found " + text;
 }
 
 }  // namespace
@@ -46,10 +77,6 @@ void Arguments::folder(const char* flag, fs::path& value, const char* help) {
   command_.add_option(flag, value, help)->type_name("FOLDER");
 }
 
-void Arguments::flag(const char* name, bool& value, const char* help) {
-  command_.add_flag(name, value, help);
-}
-
 void Arguments::text(const char* flag, std::string& value, const char* help) {
   command_.add_option(flag, value, help)->type_name("TEXT");
 }
@@ -58,6 +85,27 @@ void Arguments::count(const char* flag, std::optional<int>& value, const char* h
   command_.add_option(flag, value, help)
       ->type_name("N")
       ->check(CLI::Range(1, 10000).description(""));
+}
+
+void Arguments::flag(const char* flag, bool& value, const char* help) {
+  command_.add_flag(flag, value, help);
+}
+
+void Arguments::sequence_options(SequenceOptions& options) {
+  command_
+      .add_option_function<std::string>(
+          "--intrinsics",
+          [&options](const std::string& text) {
+            options.intrinsics = parse_intrinsics_option(text);
+          },
+          "focal lengths and principal point of a sequence's camera [px], in place of its own")
+      ->type_name("FX,FY,CX,CY")
+      ->check(check_intrinsics);
+  command_
+      .add_option("--depth-scale", options.depth_scale,
+                  "values of a sequence's depth images in a metre, e.g. 1000, in place of its own")
+      ->type_name("N")
+      ->check(check_positive);
 }
 
 void Arguments::seed(std::optional<std::uint64_t>& value) {

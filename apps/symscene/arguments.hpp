@@ -7,6 +7,7 @@
 #include <string>
 
 #include "config.hpp"
+#include "symscene/io/sequence.hpp"
 
 namespace CLI {
 class App;
@@ -34,9 +35,11 @@ class Arguments {
   void optional_output(SharedOptions& shared, const char* help);
   void file(const char* flag, std::filesystem::path& value, const char* help);
   void folder(const char* flag, std::filesystem::path& value, const char* help);
-  void flag(const char* name, bool& value, const char* help);
   void text(const char* flag, std::string& value, const char* help);
   void count(const char* flag, std::optional<int>& value, const char* help);
+  void flag(const char* flag, bool& value, const char* help);
+  /// --intrinsics and --depth-scale, of which a sequence's files may say nothing.
+  void sequence_options(SequenceOptions& options);
   void seed(std::optional<std::uint64_t>& value);
   void threads(SharedOptions& shared);
   /// -v, --quiet and --json.

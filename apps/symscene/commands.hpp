@@ -11,5 +11,6 @@ void add_simulate(CLI::App& app);
 void add_segment(CLI::App& app);
 void add_symmetry(CLI::App& app);
 void add_view(CLI::App& app);
+void add_info(CLI::App& app);
 
 }  // namespace symscene::app

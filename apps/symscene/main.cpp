@@ -46,6 +46,7 @@ void add_commands(CLI::App& app) {
   symscene::app::add_segment(app);
   symscene::app::add_symmetry(app);
   symscene::app::add_view(app);
+  symscene::app::add_info(app);
 }
 
 /// What was printed has to arrive: a full disk is an error, not a short file.

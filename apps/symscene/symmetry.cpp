@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cctype>
 #include <memory>
 #include <utility>
 
@@ -7,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "models.hpp"
 #include "session.hpp"
 #include "symscene/core/surface_sampling.hpp"
 #include "symscene/io/atomic_file.hpp"
@@ -18,22 +17,6 @@ namespace symscene::app {
 namespace {
 
 constexpr std::size_t sampled_points = 40000;
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-/// Whether the header of a PLY file announces at least one face.
-bool ply_has_faces(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  const std::string header = bytes.substr(0, bytes.find("end_header"));
-  const std::string element = "element face ";
-  const std::size_t at = header.find(element);
-  return at != std::string::npos && header[at + element.size()] != '0';
-}
 
 nlohmann::ordered_json coordinates(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -84,11 +67,9 @@ struct Symmetry {
     return fields;
   }
 
-  /// The points of a cloud, or points all over a mesh. A PLY file can be either.
+  /// The points of a cloud, or points all over a mesh.
   PointCloud read_model() const {
-    const std::string extension = lower_extension(model);
-    if (extension == ".pcd") return read_cloud(model);
-    if (extension == ".ply" && !ply_has_faces(model)) return read_cloud(model);
+    if (is_cloud_file(model)) return read_cloud(model);
     return sample_surface(read_mesh(model), sampled_points);
   }
 

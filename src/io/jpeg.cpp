@@ -1,3 +1,4 @@
+#include <array>
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h takes it for granted
 #include <cstring>
@@ -19,12 +20,12 @@ constexpr int most_scans = 100;
 struct ErrorManager {
   jpeg_error_mgr base;
   std::jmp_buf jump;
-  char message[JMSG_LENGTH_MAX] = "";
+  std::array<char, JMSG_LENGTH_MAX> message{};
 };
 
 extern "C" void symscene_jpeg_error(j_common_ptr info) {
   auto* errors = reinterpret_cast<ErrorManager*>(info->err);
-  errors->base.format_message(info, errors->message);
+  errors->base.format_message(info, errors->message.data());
   std::longjmp(errors->jump, 1);
 }
 
@@ -37,7 +38,7 @@ extern "C" void symscene_jpeg_progress(j_common_ptr info) {
   const auto* decompress = reinterpret_cast<j_decompress_ptr>(info);
   if (decompress->input_scan_number <= most_scans) return;
   auto* errors = reinterpret_cast<ErrorManager*>(info->err);
-  std::strcpy(errors->message, "more than 100 scans");
+  std::strcpy(errors->message.data(), "more than 100 scans");
   std::longjmp(errors->jump, 1);
 }
 
@@ -88,7 +89,7 @@ class Decoder {
   }
 
   void require(bool done) const {
-    if (!done) throw InputError(name_, "a whole JPEG image", errors_.message);
+    if (!done) throw InputError(name_, "a whole JPEG image", errors_.message.data());
   }
 
   std::string_view bytes_;

@@ -1,3 +1,4 @@
+#include <array>
 #include <bit>
 #include <csetjmp>
 #include <cstring>
@@ -26,12 +27,12 @@ constexpr std::uint32_t big_endian(std::string_view bytes) {
 struct Source {
   std::string_view rest;
   std::jmp_buf jump;
-  char message[96] = "";
+  std::array<char, 96> message{};
 };
 
 extern "C" void symscene_png_error(png_structp png, png_const_charp message) {
   auto* source = static_cast<Source*>(png_get_error_ptr(png));
-  std::strncpy(source->message, message, sizeof source->message - 1);
+  std::strncpy(source->message.data(), message, source->message.size() - 1);
   std::longjmp(source->jump, 1);
 }
 
@@ -97,7 +98,7 @@ class Decoder {
   }
 
   void require(bool done) const {
-    if (!done) throw InputError(name_, "a whole PNG image", source_.message);
+    if (!done) throw InputError(name_, "a whole PNG image", source_.message.data());
   }
 
   const std::string& name_;

@@ -1,5 +1,7 @@
 #include "symscene/io/sequence.hpp"
 
+#include <array>
+
 #include "io/sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 
@@ -18,24 +20,33 @@ struct Layout {
 };
 
 /// The first that recognises a path opens it.
-constexpr Layout layouts[] = {
+constexpr std::array<Layout, 9> layouts = {{
     {is_own_layout, open_own_layout},
     {is_icl_nuim, open_icl_nuim},
     {is_tum, open_tum},
     {is_seven_scenes, open_seven_scenes},
     {is_redwood, open_redwood},
     {is_own_layout_without_camera, open_own_layout},
+    {is_bag, open_bag},
     {is_single_image, open_single_image},
     {is_image_folder, open_image_folder},
-};
+}};
+
+/// Nothing where no layout recognises the path.
+const Layout* layout_of(const fs::path& path) {
+  for (const Layout& layout : layouts) {
+    if (layout.recognises(path)) return &layout;
+  }
+  return nullptr;
+}
 
 }  // namespace
 
+bool is_sequence(const fs::path& path) { return layout_of(path) != nullptr; }
+
 SequencePointer open_sequence(const fs::path& path, const SequenceOptions& options) {
   if (!fs::exists(path)) throw InputError(path.string(), a_sequence, "nothing of that name");
-  for (const Layout& layout : layouts) {
-    if (layout.recognises(path)) return layout.open(path, options);
-  }
+  if (const Layout* layout = layout_of(path)) return layout->open(path, options);
   throw InputError(path.string(), a_sequence,
                    fs::is_directory(path) ? "another folder" : "another file");
 }

@@ -28,6 +28,9 @@ SequencePointer open_seven_scenes(const std::filesystem::path& path,
 bool is_redwood(const std::filesystem::path& path);
 SequencePointer open_redwood(const std::filesystem::path& path, const SequenceOptions& options);
 
+bool is_bag(const std::filesystem::path& path);
+SequencePointer open_bag(const std::filesystem::path& path, const SequenceOptions& options);
+
 bool is_single_image(const std::filesystem::path& path);
 SequencePointer open_single_image(const std::filesystem::path& path,
                                   const SequenceOptions& options);

@@ -76,7 +76,7 @@ std::unique_ptr<Workspace> Command::workspace_;
 
 TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
   EXPECT_NE(run("--help").out.find("segment"), std::string::npos);
-  for (const char* command : {"simulate", "segment", "symmetry", "view"}) {
+  for (const char* command : {"simulate", "segment", "symmetry", "view", "info"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_EQ(help.err, "") << command;
@@ -253,6 +253,72 @@ TEST_F(Command, WritesAPageThatStandsAlone) {
   EXPECT_EQ(page.find("<script src="), std::string::npos);
   ASSERT_EQ(run("segment scene -o paged --page beside.html").code, 0);
   EXPECT_GT(fs::file_size(file("beside.html")), 1000U);
+}
+
+TEST_F(Command, TellsWhatIsInAScene) {
+  const Outcome told = run("info scene --json");
+  ASSERT_EQ(told.code, 0) << told.err;
+  for (const char* label : {"points", "box", "spacing", "occupancy", "table", "truth"})
+    EXPECT_NE(told.out.find(std::string("\n") + label), std::string::npos) << label;
+  const auto line = last_line(told.out);
+  EXPECT_EQ(line.at("kind"), "scene");
+  EXPECT_GT(line.at("points"), 1000);
+  EXPECT_EQ(line.at("true_objects"), 2);
+  EXPECT_GT(line.at("occupancy").at("free"), line.at("occupancy").at("occupied"));
+  EXPECT_EQ(run("info scene --quiet").out, "");
+}
+
+TEST_F(Command, TellsWhatIsInAResult) {
+  const auto objects = objects_without_times("result").at("objects");
+  const auto line = last_line(run("info result --json").out);
+  EXPECT_EQ(line.at("kind"), "result");
+  EXPECT_EQ(line.at("objects"), objects.size());
+  EXPECT_EQ(line.at("mask_sizes").at(0), objects.at(0).at("points").size());
+}
+
+TEST_F(Command, TellsWhatIsInAModel) {
+  EXPECT_EQ(last_line(run("info scene/cloud.ply --json").out).at("kind"), "cloud");
+  EXPECT_EQ(last_line(run("info scene/occupancy.bt --json").out).at("kind"), "occupancy");
+  write(file("one.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(last_line(run("info one.obj --json").out).at("mesh").at("triangles"), 1);
+}
+
+/// A PNG of 4×2 pixels of 16-bit grey: 1000 to 1006, and one 0.
+const std::string depth_png(
+    "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\004\000\000"
+    "\000\002\020\000\000\000\000\012\123\376\374\000\000\000\033\111\104\101\124\170\234\143"
+    "\140\176\301\374\222\371\025\363\153\006\346\067\314\157\231\337\061\060\000\000\076\063"
+    "\006\203\107\104\141\004\000\000\000\000\111\105\116\104\256\102\140\202",
+    84);
+
+TEST_F(Command, TellsWhatIsInASequenceAndWhichFramesCannotBeRead) {
+  fs::create_directories(file("sequence") / "depth");
+  write(file("sequence") / "depth/000000.png", depth_png);
+  write(file("sequence") / "depth/000001.png", depth_png.substr(0, 50));
+  write(file("sequence") / "poses.txt", "1 0 0 0 0 0 0 1\n1.5 0 3 4 0 0 0 1\n");
+  expect_refusal("info sequence", 1, "pass --intrinsics fx,fy,cx,cy, found none");
+  expect_refusal("info sequence --intrinsics 1,2,3", 2, "expected fx,fy,cx,cy");
+  expect_refusal("info sequence --depth-scale 0", 2, "expected a number above 0, found 0");
+  const Outcome told = run("info sequence --json --intrinsics 5,5,1.5,0.5");
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_NE(told.out.find("sequence/depth/000001.png: expected a whole PNG image"),
+            std::string::npos)
+      << told.out;
+  const auto line = last_line(told.out);
+  EXPECT_EQ(line.at("layout"), "sequence");
+  EXPECT_EQ(line.at("frames"), 2);
+  EXPECT_EQ(line.at("rate"), 2.0);
+  EXPECT_EQ(line.at("camera").at("width"), 4);
+  EXPECT_EQ(line.at("depth").at("median"), 1.003);
+  EXPECT_EQ(line.at("depth").at("measured"), 0.875);
+  EXPECT_EQ(line.at("path_length"), 5.0);
+  EXPECT_EQ(line.at("unreadable").size(), 1U);
+}
+
+TEST_F(Command, TellsOfNothingElse) {
+  fs::create_directories(file("something"));
+  expect_refusal("info something", 1, "found another folder");
+  expect_refusal("info nowhere", 1, "found nothing of that name");
 }
 
 TEST_F(Command, SaysSoWhenTheOutputIsFull) {

@@ -63,13 +63,14 @@ TEST_F(Tum, IsReadWithItsOwnDepthScale) {
   ASSERT_EQ(sequence->size(), 3U);
   EXPECT_EQ(sequence->camera().width, frame_size.width);
   expect_same_frame(sequence->read(0), small_frame(0));
-  expect_same_frame(sequence->read(2), small_frame(2, false));
+  expect_same_frame(sequence->read(1), small_frame(1, false));
 }
 
 TEST_F(Tum, TakesTheNearestColourAndPosesBetweenOthers) {
   const auto sequence = open_sequence(dir, given_camera());
   EXPECT_NE(sequence->read(0).colors.rows(), 0);  // 15 ms off
   EXPECT_EQ(sequence->read(1).colors.rows(), 0);  // 21 ms off
+  EXPECT_NE(sequence->read(2).colors.rows(), 0);  // 19 ms off
   ASSERT_TRUE(sequence->pose(0) && sequence->pose(1));
   EXPECT_NEAR(sequence->pose(0)->translation().x(), 2.0, 1e-9);
   EXPECT_NEAR(sequence->pose(1)->translation().x(), 6.0, 1e-9);
@@ -305,7 +306,7 @@ TEST(Layouts, TheTumSampleIsReadWhole) {
     EXPECT_GT(measured, 100000) << i;
   }
   EXPECT_GE(colored, 30U);
-  EXPECT_EQ(posed, 300U);
+  EXPECT_EQ(posed, 297U);  // motion capture lost the camera for more than 0.1 s
 }
 
 TEST(Layouts, TheSegmentationSampleIsAFolderOfImages) {

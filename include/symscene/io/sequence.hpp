@@ -34,8 +34,13 @@ class DepthSequence {
   virtual DepthFrame read(std::size_t i) const = 0;
 };
 
-/// Opens a sequence in the layout that its path shows. Throws InputError if it is none, has no
-/// frame, or intrinsics or depth scale are neither known nor given.
+/// Whether a path looks like a sequence of any layout (docs/formats.md).
+bool is_sequence(const std::filesystem::path& path);
+
+/// Opens a sequence in the layout that its path shows: SymScene's own, TUM RGB-D, ICL-NUIM,
+/// 7-Scenes or Redwood folders, a ROS 1 bag where the build has a reader of them, one depth image
+/// or a folder of them. Throws InputError if it is none, has no frame, or intrinsics or depth scale
+/// are neither known nor given; what to pass is then said.
 std::unique_ptr<DepthSequence> open_sequence(const std::filesystem::path& path,
                                              const SequenceOptions& options = {});
 
@@ -52,9 +57,11 @@ class SequenceWriter {
   /// Depth is rounded to whole millimetres. Either all frames have a pose or none.
   void add(const DepthFrame& frame, const Eigen::Isometry3d* T_world_camera = nullptr);
 
-  /// Puts a file of this name and content beside the images, e.g. truth.json or meshes/mug.ply.
+  /// Puts a file beside the images: table_plane.txt, any name that ends in .json, or
+  /// meshes/NAME.ply for the mesh that a truth.json names.
   void add_file(const std::string& name, const std::string& content);
 
+  /// Writes what is left and gives the folder its name. Throws InputError if there is no frame.
   void finish();
 
  private:

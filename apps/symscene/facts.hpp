@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "session.hpp"
+#include "symscene/io/sequence.hpp"
+
+namespace symscene::app {
+
+/// What `symscene info` finds: rows for a person, members of the machine-readable line.
+class Facts {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  explicit Facts(const std::string& kind) { add_member("kind", kind); }
+
+  /// A row, and the same as a member.
+  void add(const std::string& label, const std::string& text, const char* key, const Json& value) {
+    add_row(label, text);
+    add_member(key, value);
+  }
+  void add_row(const std::string& label, const std::string& text) {
+    rows_.push_back({label, text});
+  }
+  void add_member(const char* key, const Json& value) {
+    members_.push_back(
+        ReportMember::raw(key, value.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  }
+
+  /// A line a row, texts below each other.
+  std::string table() const;
+  const std::vector<ReportMember>& members() const { return members_; }
+
+ private:
+  struct Row {
+    std::string label;
+    std::string text;
+  };
+  std::vector<Row> rows_;
+  std::vector<ReportMember> members_;
+};
+
+/// The facts of a sequence, for which `samples` of its frames are read.
+Facts sequence_facts(const DepthSequence& sequence, std::size_t samples);
+
+Facts scene_facts(const std::filesystem::path& dir);
+Facts result_facts(const std::filesystem::path& dir);
+
+/// The facts of a file with a cloud, a mesh or an occupancy tree.
+bool is_model_file(const std::filesystem::path& path);
+Facts model_facts(const std::filesystem::path& path);
+
+}  // namespace symscene::app

@@ -1,0 +1,59 @@
+#include <memory>
+
+#include "commands.hpp"
+#include "facts.hpp"
+
+namespace symscene::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How many frames of a sequence are read where --all does not ask for every one.
+constexpr std::size_t sampled_frames = 20;
+
+constexpr const char* anything =
+    "a sequence, a scene or a result folder, or a file with a cloud, a mesh or an occupancy tree";
+
+struct Info {
+  SharedOptions shared;
+  SequenceOptions options;
+  fs::path path;
+  bool all = false;
+
+  Facts facts() const {
+    if (fs::exists(path / "objects.json")) return result_facts(path);
+    if (fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd")) return scene_facts(path);
+    if (is_model_file(path)) return model_facts(path);
+    if (is_sequence(path)) {
+      const auto sequence = open_sequence(path, options);
+      return sequence_facts(*sequence, all ? sequence->size() : sampled_frames);
+    }
+    const char* found = fs::is_directory(path) ? "another folder" : "another file";
+    throw InputError(path.string(), anything, fs::exists(path) ? found : "nothing of that name");
+  }
+
+  void run() const {
+    Session session("info", shared);
+    StageTimer timer(session.on_begin());
+    const Facts found = timer.time("read", [&] { return facts(); });
+    session.say(found.table());
+    std::vector<ReportMember> members{{"path", path}};
+    members.insert(members.end(), found.members().begin(), found.members().end());
+    session.finish(members, timer.stages());
+  }
+};
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  const auto state = std::make_shared<Info>();
+  Arguments arguments(app, "info", "Tell what is in a sequence, a scene, a result or a model",
+                      "symscene info sequence --intrinsics 525,525,319.5,239.5");
+  arguments.input(state->path, "PATH", "folder or file");
+  arguments.sequence_options(state->options);
+  arguments.flag("--all", state->all, "read every frame of a sequence, not 20 spread over it");
+  arguments.reporting(state->shared);
+  arguments.run([state] { state->run(); });
+}
+
+}  // namespace symscene::app

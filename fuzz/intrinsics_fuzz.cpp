@@ -1,0 +1,20 @@
+#include <cstdlib>
+#include <string>
+
+#include "accepted.hpp"
+#include "symscene/io/intrinsics.hpp"
+
+/// Any bytes are a camera, as text or JSON, that is written and read back bit for bit, or refused.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace symscene;
+  const std::string_view bytes = fuzz::as_bytes(data, size);
+  for (const auto parse : {parse_intrinsics, parse_intrinsics_json}) {
+    const auto camera = fuzz::accepted([&] { return parse(bytes, "fuzz"); });
+    if (!camera) continue;
+    const CameraIntrinsics again = parse_intrinsics(format_intrinsics(*camera), "again");
+    if (again.width != camera->width || again.fx != camera->fx || again.cy != camera->cy) {
+      std::abort();
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symscene/core/camera.hpp"
+#include "symscene/io/image.hpp"
+
+namespace symscene {
+
+/// A message sensor_msgs/Image; `data` lies in the bytes that it was read from.
+struct RosImage {
+  std::string frame_id;
+  ImageSize size;
+  std::string encoding;
+  bool big_endian = false;
+  std::uint32_t step = 0;  ///< from row to row [byte]
+  std::string_view data;
+};
+
+/// A message sensor_msgs/CameraInfo.
+struct RosCameraInfo {
+  CameraIntrinsics raw;        ///< K
+  CameraIntrinsics rectified;  ///< P
+  bool distorted = false;      ///< whether a number of D is not 0
+};
+
+// Throw InputError if the bytes are no such message; `name` stands for the file in messages.
+RosImage parse_ros_image(std::string_view bytes, const std::string& name);
+RosCameraInfo parse_ros_camera_info(std::string_view bytes, const std::string& name);
+
+bool is_depth_encoding(std::string_view encoding);  ///< 16UC1, mono16 or 32FC1
+bool is_color_encoding(std::string_view encoding);  ///< rgb8, bgr8, rgba8 or bgra8
+
+/// How many values of a depth image are a metre where nobody says otherwise.
+double default_depth_scale(std::string_view encoding);
+
+/// Depth in metres, 0 where nothing was measured. [m]
+std::vector<float> depth_of(const RosImage& image, double scale, const std::string& name);
+Colors colors_of(const RosImage& image, const std::string& name);
+
+}  // namespace symscene
