@@ -111,7 +111,7 @@ TEST(Truth, SymmetriesOfModelsAreReadByName) {
   EXPECT_FALSE(models[0].reflectional[0].strict);
   EXPECT_TRUE(models[1].sphere);
   write_text(folder / "s.json", R"({"mug": {"centroid": [1,2]}})");
-  EXPECT_NE(refusal([&] { read_model_symmetries(folder / "s.json"); }).find("mug.centroid"),
+  EXPECT_NE(refusal([&] { read_model_symmetries(folder / "s.json"); }).find("\"mug\".centroid"),
             std::string::npos);
 }
 
