@@ -1,15 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
-
-#include "symscene/simulation/object_model.hpp"
+#include <string>
 
 namespace symscene::app {
 
-/// The meshes in a folder, named for their files, with what a file of symmetries says of them; no
-/// file where its path is empty.
-std::vector<ObjectModel> read_models(const std::filesystem::path& meshes,
-                                     const std::filesystem::path& symmetries);
+/// The extension of a file in lower case: ".ply".
+std::string lower_extension(const std::filesystem::path& path);
+
+/// Whether a file is a cloud rather than a mesh; a PLY file can be either.
+bool is_cloud_file(const std::filesystem::path& path);
 
 }  // namespace symscene::app

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "facts.hpp"
-#include "file_kinds.hpp"
+#include "models.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "models.hpp"
+#include "scanned_models.hpp"
 #include "session.hpp"
 #include "symscene/io/ply.hpp"
 #include "symscene/io/scene.hpp"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "file_kinds.hpp"
+#include "models.hpp"
 #include "session.hpp"
 #include "symscene/core/surface_sampling.hpp"
 #include "symscene/io/atomic_file.hpp"

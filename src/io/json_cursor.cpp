@@ -95,7 +95,8 @@ std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   if (!value_->is_object()) fail("an object");
   std::vector<std::pair<std::string, JsonCursor>> result;
   for (const auto& [key, value] : value_->items()) {
-    result.emplace_back(key, JsonCursor(value, *name_, path_ + "." + in_quotes(key)));
+    const std::string prefix = path_.empty() ? "" : path_ + ".";
+    result.emplace_back(key, JsonCursor(value, *name_, prefix + in_quotes(key)));
   }
   return result;
 }

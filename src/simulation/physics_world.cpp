@@ -217,12 +217,17 @@ double PhysicsWorld::penetration(std::size_t body) const {
 
 }  // namespace symscene
 
-#else  // convex_parts() has said by now what is missing
+#else
+
+#include "symscene/core/error.hpp"
 
 namespace symscene {
 
 struct PhysicsWorld::Implementation {};
-PhysicsWorld::PhysicsWorld(std::span<const ConvexParts* const>) {}
+PhysicsWorld::PhysicsWorld(std::span<const ConvexParts* const>) {
+  throw InputError("this build of SymScene",
+                   "physics (the package libmujoco-dev, then configure and build again)", "none");
+}
 PhysicsWorld::~PhysicsWorld() = default;
 void PhysicsWorld::put(std::size_t, const Eigen::Isometry3d&) {}
 void PhysicsWorld::take_away(std::size_t) {}

@@ -208,6 +208,14 @@ void put_on_table(const Pile& pile, std::vector<ObjectModel> models, Tabletop& t
 
 }  // namespace
 
+bool has_physics() {
+#ifdef SYMSCENE_PHYSICS
+  return true;
+#else
+  return false;
+#endif
+}
+
 void DropOptions::validate() const {
   require_option(spread >= 0, "spread", "a number not below zero", spread);
   require_option(drop_height > 0, "drop_height", "a positive number", drop_height);

@@ -200,6 +200,37 @@ TEST_F(Command, SimulatesTheSameBytesFromTheSameSeed) {
   EXPECT_NE(contents(file("other") / "cloud.ply"), contents(file("scene") / "cloud.ply"));
 }
 
+TEST_F(Command, WritesASweepWhoseTruthStandsForItself) {
+  write(file("sweep.json"), R"({"camera": {"width": 160, "height": 120, "focal_length": 131}})");
+  const Outcome outcome =
+      run("simulate --sequence -o sweep --objects 2 --frames 4 --config sweep.json --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(last_line(outcome.out).at("frames"), 4);
+  for (const char* name :
+       {"depth/000003.png", "color/000003.png", "intrinsics.txt", "poses.txt", "sequence.json"}) {
+    EXPECT_TRUE(fs::exists(file("sweep") / name)) << name;
+  }
+  const auto truth = nlohmann::json::parse(contents(file("sweep/truth.json")));
+  ASSERT_EQ(truth.at("objects").size(), 2U);
+  for (const auto& object : truth.at("objects")) {
+    const std::string mesh = object.at("mesh");
+    EXPECT_TRUE(fs::exists(file("sweep/meshes") / (mesh + ".ply"))) << mesh;
+  }
+  const auto before = contents(file("sweep/depth/000002.png"));
+  ASSERT_EQ(run("simulate --sequence -o sweep --objects 2 --frames 4 --config sweep.json "
+                "--threads 1")
+                .code,
+            0);
+  EXPECT_EQ(contents(file("sweep/depth/000002.png")), before);
+}
+
+TEST_F(Command, RefusesFoldersWithoutMeshes) {
+  fs::create_directories(file("no_meshes"));
+  expect_refusal("simulate --sequence -o x --meshes no_meshes", 1, "a folder of meshes");
+  expect_refusal("simulate --sequence -o x --meshes nowhere", 1, "a folder of meshes");
+  expect_refusal("simulate --sequence -o x --symmetries nothing.json", 1, "--meshes");
+}
+
 TEST_F(Command, SegmentsToTheSameBytesWithAnyNumberOfThreads) {
   for (const char* threads : {"1", "2", "8"}) {
     const std::string result = std::string("result") + threads;

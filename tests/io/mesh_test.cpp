@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/io_support.hpp"
+#include "symscene/core/log.hpp"
 #include "symscene/io/ply.hpp"
 
 namespace symscene {
@@ -225,6 +226,32 @@ TEST(Mesh, EveryFormatIsToldByItsExtension) {
     EXPECT_EQ(read_mesh(folder / file).triangles.rows(), 4) << file;
   }
   EXPECT_EQ(read_mesh(folder / "a.glb").triangles.rows(), 1);
+}
+
+TEST(MeshFolder, IsReadByNameAndWithoutWhatCannotBeRead) {
+  const TemporaryFolder folder;
+  write_text(folder / "b.obj", tetrahedron_obj);
+  write_ply(folder / "a.ply", tetrahedron());
+  write_text(folder / "corrupt.ply", "ply\nformat");
+  write_text(folder / "notes.txt", "no mesh");
+  std::string warnings;
+  const LogSink before = set_log_sink([&](LogLevel, std::string_view text) { warnings += text; });
+  const std::vector<NamedMesh> meshes = read_mesh_folder(folder / ".");
+  set_log_sink(before);
+  ASSERT_EQ(meshes.size(), 2U);
+  EXPECT_EQ(meshes[0].name, "a");
+  EXPECT_EQ(meshes[1].name, "b");
+  EXPECT_NE(warnings.find("corrupt.ply"), std::string::npos);
+  EXPECT_EQ(warnings.find("notes"), std::string::npos);
+}
+
+TEST(MeshFolder, WithoutAnyMeshIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(read_mesh_folder(folder / "nowhere"), InputError);
+  EXPECT_THROW(read_mesh_folder(folder / "."), InputError);
+  write_text(folder / "corrupt.ply", "ply");
+  EXPECT_THROW(read_mesh_folder(folder / "."), InputError);
+  EXPECT_THROW(read_mesh_folder(folder / "corrupt.ply"), InputError);
 }
 
 TEST(Mesh, WhatIsNoMeshIsRefused) {

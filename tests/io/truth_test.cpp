@@ -1,11 +1,23 @@
 #include "symscene/io/truth.hpp"
 
 #include "io/io_support.hpp"
+#include "symscene/io/ply.hpp"
 
 namespace symscene {
 namespace {
 
 using namespace io_test;
+
+namespace fs = std::filesystem;
+
+TriangleMesh tetrahedron() {
+  TriangleMesh mesh;
+  mesh.vertices = Points::Zero(4, 3);
+  mesh.vertices.bottomRows(3).setIdentity();
+  mesh.triangles.resize(4, 3);
+  mesh.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  return mesh;
+}
 
 SceneTruth small_truth() {
   SceneTruth truth;
@@ -52,6 +64,57 @@ TEST(Truth, AMeshWithItsPoseStandsForPoints) {
   EXPECT_TRUE(truth.objects[0].rotational[0].strict);
 }
 
+TEST(Truth, AMeshAndItsPoseAreKeptWithAndWithoutPoints) {
+  SceneTruth truth;
+  TrueObject object;
+  object.name = "mug";
+  object.mesh = "mug_2";
+  object.T_world_mesh = Eigen::Translation3d(0.1, 1.0 / 3.0, 2) *
+                        Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized());
+  truth.objects = {object, object};
+  truth.objects[1].points = {2, 5};
+  const std::string text = format_truth(truth);
+  const SceneTruth again = parse_truth(text, "x", 6);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(again.objects[k].name, "mug");
+    EXPECT_EQ(again.objects[k].mesh, "mug_2");
+    EXPECT_EQ(again.objects[k].T_world_mesh->matrix(), object.T_world_mesh->matrix());
+    EXPECT_EQ(again.objects[k].points, truth.objects[k].points);
+  }
+  EXPECT_EQ(format_truth(again), text);
+}
+
+TEST(Truth, MeshesAreReadFromTheFolderBesideIt) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "meshes");
+  write_ply(folder / "meshes/mug.ply", tetrahedron());
+  SceneTruth truth;
+  truth.objects.resize(2);
+  truth.objects[0].mesh = truth.objects[1].mesh = "mug";
+  EXPECT_EQ(read_truth_meshes(folder / ".", truth).size(), 2U);
+  for (const char* name : {"", "cup", "../meshes/mug", "/mug"}) {
+    truth.objects[1].mesh = name;
+    EXPECT_THROW(read_truth_meshes(folder / ".", truth), InputError) << name;
+  }
+}
+
+TEST(Truth, SymmetriesOfModelsAreReadByName) {
+  const TemporaryFolder folder;
+  write_text(folder / "s.json",
+             R"({"mug": {"diag": 0.1, "centroid": [1,2,3], "rot": [], "sphere": false,
+                 "refl": [{"err": 0.01, "n": [0,2,0], "p": [0,0,1], "strict": false}]},
+                 "ball": {"centroid": [0,0,0], "sphere": true}})");
+  const std::vector<TrueObject> models = read_model_symmetries(folder / "s.json");
+  ASSERT_EQ(models.size(), 2U);
+  EXPECT_EQ(models[0].name, "mug");
+  EXPECT_EQ(models[0].reflectional.at(0).plane.normal, Eigen::Vector3d::UnitY());
+  EXPECT_FALSE(models[0].reflectional[0].strict);
+  EXPECT_TRUE(models[1].sphere);
+  write_text(folder / "s.json", R"({"mug": {"centroid": [1,2]}})");
+  EXPECT_NE(refusal([&] { read_model_symmetries(folder / "s.json"); }).find("\"mug\".centroid"),
+            std::string::npos);
+}
+
 std::string with_object(const std::string& object) {
   return R"({"table": [0,0,1,0], "objects": [{"centroid": [0,0,0], )" + object + "}]}";
 }
@@ -76,6 +139,10 @@ TEST(Truth, RefusalsNameThePlaceInTheFile) {
   EXPECT_EQ(message(with_object(R"("name": "x")")),
             "truth.json: objects[0]: expected \"points\", or \"mesh\" and \"pose\", found an "
             "object");
+  EXPECT_EQ(
+      message(with_object(R"("mesh": "x", "pose": [[1,0,0,0],[0,2,0,0],[0,0,1,0],[0,0,0,1]])")),
+      "truth.json: objects[0].pose: expected a rotation and translation as a 4x4 matrix, "
+      "found an array of 4");
   EXPECT_EQ(message(with_object(R"("points": [], "sphere": 1)")),
             "truth.json: objects[0].sphere: expected true or false, found 1");
 }

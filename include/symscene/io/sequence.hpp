@@ -57,8 +57,8 @@ class SequenceWriter {
   /// Depth is rounded to whole millimetres. Either all frames have a pose or none.
   void add(const DepthFrame& frame, const Eigen::Isometry3d* T_world_camera = nullptr);
 
-  /// Puts a file beside the images: table_plane.txt, meshes/NAME.ply, or any name that ends in
-  /// .json.
+  /// Puts a file beside the images: table_plane.txt, any name that ends in .json, or
+  /// meshes/NAME.ply for the mesh that a truth.json names.
   void add_file(const std::string& name, const std::string& content);
 
   /// Writes what is left and gives the folder its name. Throws InputError if there is no frame.

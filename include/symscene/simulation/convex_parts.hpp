@@ -10,14 +10,10 @@
 
 namespace symscene {
 
-/// Whether this build has the libraries of physics (MuJoCo, HACD); without them what needs them
-/// throws InputError.
-bool has_physics();
-
 struct ConvexPartsOptions {
   double concavity = 0.004;  ///< depth of a hollow from which its mesh is cut [m]
-  double cell = 0.008;       ///< cells that the mesh is thinned with before [m]
-  int max_cells = 22;        ///< along the diagonal: the cells of large meshes are larger
+  double cell = 0.005;       ///< cells that the mesh is thinned with before [m]
+  int max_cells = 36;        ///< along the diagonal: the cells of large meshes are larger
   int max_parts = 32;        ///< the smallest are joined with a neighbour until they are no more
   double skin = 0.001;       ///< thickness that a part has at least [m]
 
@@ -38,10 +34,12 @@ bool is_solid(const TriangleMesh& mesh);
 /// Points whose convex hulls together are about the solid. [m]
 using ConvexParts = std::vector<Points>;
 
-/// Cuts a closed mesh into parts that are nearly convex (HACD: Mamou and Ghorbel, "A simple and
-/// efficient approach for 3D mesh approximate convex decomposition", ICIP 2009), as physics
-/// collides nothing else: without it a bowl has no inside. The cuts are found on a thinned mesh;
-/// the parts hold the vertices of the mesh itself. Throws InputError if the mesh is no solid.
+/// Cuts a mesh into parts that are nearly convex, as physics collides nothing else: without it a
+/// bowl has no inside. Neighbouring triangles are joined bottom up, as in Mamou and Ghorbel, "A
+/// simple and efficient approach for 3D mesh approximate convex decomposition", ICIP 2009, with a
+/// cost that needs no hulls: the depth of a part below planes that touch it. The parts are found on
+/// a thinned mesh and hold the vertices of the mesh itself.
+/// Throws InputError if the mesh is no solid.
 ConvexParts convex_parts(const TriangleMesh& mesh, const ConvexPartsOptions& options = {});
 
 /// The parts of models by name, so that many scenes of the same models cut each of them once.

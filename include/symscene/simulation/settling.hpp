@@ -7,6 +7,9 @@
 
 namespace symscene {
 
+/// Whether this build has physics (MuJoCo); without it what needs it throws InputError.
+bool has_physics();
+
 /// How things are dropped on the table, and what counts as lying still there.
 struct DropOptions {
   double spread = 0.16;       ///< radius of the disc that things are dropped over [m]

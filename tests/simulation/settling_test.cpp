@@ -1,0 +1,281 @@
+#include "symscene/simulation/settling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/log.hpp"
+#include "symscene/io/mesh.hpp"
+#include "symscene/simulation/household_object.hpp"
+#include "symscene/simulation/shapes.hpp"
+#include "symscene/simulation/true_surface.hpp"
+#include "threads.hpp"
+
+namespace symscene {
+namespace {
+
+#define SKIP_WITHOUT_PHYSICS() \
+  if (!has_physics()) GTEST_SKIP() << "skipped: this build has no physics"
+
+ObjectModel revolved(const char* name, std::vector<ProfilePoint> profile) {
+  return {name, make_revolution(profile, 24, 0.01), {}, {}, false};
+}
+
+/// 16 cm wide, 6 cm high, walls of 8 mm.
+ObjectModel bowl() {
+  return revolved("bowl",
+                  {{0, 0}, {0.045, 0}, {0.08, 0.06}, {0.072, 0.06}, {0.04, 0.008}, {0, 0.008}});
+}
+
+ObjectModel ball(double radius) {
+  std::vector<ProfilePoint> profile;
+  for (int k = 0; k <= 12; ++k) {
+    const double angle = std::numbers::pi * k / 12.0;
+    profile.push_back({k % 12 == 0 ? 0.0 : radius * std::sin(angle), -radius * std::cos(angle)});
+  }
+  return revolved("ball", profile);
+}
+
+ObjectModel box(const char* name, const Eigen::Vector3d& size) {
+  return {name, make_box(size, 0.02), {}, {}, false};
+}
+
+std::vector<ObjectModel> household() {
+  Random random(5);
+  std::vector<ObjectModel> models;
+  for (const ObjectKind kind :
+       {ObjectKind::box, ObjectKind::can, ObjectKind::bowl, ObjectKind::bottle}) {
+    models.push_back(make_household_object(kind, random, 0.8));
+  }
+  return models;
+}
+
+TabletopOptions objects_of(int count, std::uint64_t seed) {
+  TabletopOptions options;
+  options.objects = count;
+  options.seed = seed;
+  return options;
+}
+
+std::vector<ObjectModel> models_of(const Tabletop& tabletop) {
+  std::vector<ObjectModel> models;
+  for (const PlacedObject& placed : tabletop.objects) models.push_back(placed.object);
+  return models;
+}
+
+std::vector<Eigen::Isometry3d> poses_of(const Tabletop& tabletop) {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const PlacedObject& placed : tabletop.objects) poses.push_back(placed.T_world_object);
+  return poses;
+}
+
+/// The farthest that a vertex moves.
+double largest_shift(const Tabletop& a, const Tabletop& b) {
+  double shift = 0.0;
+  for (std::size_t i = 0; i < a.objects.size(); ++i) {
+    const Points moved = world_mesh(a.objects[i]).vertices - world_mesh(b.objects[i]).vertices;
+    shift = std::max<double>(shift, moved.rowwise().norm().maxCoeff());
+  }
+  return shift;
+}
+
+void expect_above_table(const Tabletop& tabletop) {
+  for (const PlacedObject& placed : tabletop.objects) {
+    const double lowest = world_mesh(placed).vertices.col(2).minCoeff();
+    EXPECT_GT(lowest, -0.002) << placed.object.name;
+  }
+}
+
+void expect_at_rest(const Tabletop& tabletop) {
+  DropOptions another_second;
+  another_second.settle_time = 1.0;
+  const Tabletop later = settle(models_of(tabletop), poses_of(tabletop), another_second);
+  EXPECT_LT(largest_shift(tabletop, later), 0.004);
+}
+
+TEST(Settling, ThingsRestOnTheTableAndOnEachOther) {
+  SKIP_WITHOUT_PHYSICS();
+  const Tabletop tabletop = drop_tabletop(household(), objects_of(4, 1), {});
+  EXPECT_EQ(tabletop.objects.size(), 4U);
+  expect_above_table(tabletop);
+  expect_at_rest(tabletop);
+}
+
+TEST(Settling, ThingsDoNotRunIntoEachOther) {
+  SKIP_WITHOUT_PHYSICS();
+  DropOptions crowded;
+  crowded.spread = 0.05;
+  const Tabletop tabletop = drop_tabletop(household(), objects_of(4, 2), crowded);
+  for (const PlacedObject& a : tabletop.objects) {
+    for (const PlacedObject& b : tabletop.objects) {
+      if (&a == &b) continue;
+      const std::vector<TriangleMesh> other = {world_mesh(b)};
+      const TrueSurface surface(other);
+      const Points vertices = world_mesh(a).vertices;
+      for (Eigen::Index i = 0; i < vertices.rows(); i += 29) {
+        const Eigen::Vector3d p = vertices.row(i).transpose().cast<double>();
+        if (surface.nearest(p, 0.005).mesh == 0 || !is_inside(other[0], p)) continue;
+        ADD_FAILURE() << a.object.name << " is 5 mm in " << b.object.name;
+        break;
+      }
+    }
+  }
+}
+
+TEST(Settling, ASmallThingDroppedIntoABowlStaysInside) {
+  SKIP_WITHOUT_PHYSICS();
+  const std::vector<ObjectModel> models = {bowl(), ball(0.02)};
+  const std::vector<Eigen::Isometry3d> poses = {
+      Eigen::Isometry3d::Identity(), Eigen::Isometry3d(Eigen::Translation3d(0.02, 0.01, 0.05))};
+  const Tabletop tabletop = settle(models, poses);
+  const Eigen::Vector3d center = tabletop.objects[1].T_world_object.translation();
+  EXPECT_LT(center.head<2>().norm(), 0.045);
+  EXPECT_NEAR(center.z(), 0.028, 0.006) << "on the bowl's floor, not on its rim";
+}
+
+TEST(Settling, AThingLetGoInTheAirFallsOntoTheTable) {
+  SKIP_WITHOUT_PHYSICS();
+  const std::vector<ObjectModel> models = {box("box", {0.06, 0.1, 0.15})};
+  const std::vector<Eigen::Isometry3d> poses = {Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.1))};
+  const Tabletop tabletop = settle(models, poses);
+  EXPECT_NEAR(tabletop.objects[0].T_world_object.translation().z(), 0.0, 0.001);
+}
+
+TEST(Settling, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
+  SKIP_WITHOUT_PHYSICS();
+  const auto drop = [] { return poses_of(drop_tabletop(household(), objects_of(3, 4), {})); };
+  const auto one = testing::with_threads(1, drop);
+  const auto two = testing::with_threads(2, drop);
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].matrix(), two[i].matrix());
+}
+
+TEST(Settling, ACacheChangesNothing) {
+  SKIP_WITHOUT_PHYSICS();
+  const std::vector<ObjectModel> models = {bowl(), ball(0.03)};
+  ConvexPartsCache cache;
+  const auto first = poses_of(drop_tabletop(models, objects_of(2, 1), {}, &cache));
+  const auto second = poses_of(drop_tabletop(models, objects_of(2, 1), {}, &cache));
+  const auto without = poses_of(drop_tabletop(models, objects_of(2, 1), {}));
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].matrix(), second[i].matrix());
+    EXPECT_EQ(first[i].matrix(), without[i].matrix());
+  }
+}
+
+TEST(Settling, TheWorldMayLieAnywhere) {
+  SKIP_WITHOUT_PHYSICS();
+  const std::vector<ObjectModel> models = {box("a", {0.1, 0.08, 0.06}), ball(0.04)};
+  TabletopOptions options = objects_of(2, 3);
+  const Tabletop upright = drop_tabletop(models, options, {});
+  options.random_frame = true;
+  const Tabletop turned = drop_tabletop(models, options, {});
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE((turned.T_world_table.inverse() * turned.objects[i].T_world_object)
+                    .isApprox(upright.objects[i].T_world_object, 1e-9));
+  }
+}
+
+/// What is logged as a warning while it lives.
+class Warnings {
+ public:
+  Warnings()
+      : before_(set_log_sink([this](LogLevel level, std::string_view message) {
+          if (level == LogLevel::warning) text_ += message;
+        })) {}
+  ~Warnings() { set_log_sink(before_); }
+  Warnings(const Warnings&) = delete;
+  Warnings& operator=(const Warnings&) = delete;
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  LogSink before_;
+};
+
+ObjectModel flat_model() {
+  ObjectModel flat = box("sheet", {0.1, 0.1, 0.05});
+  flat.mesh.vertices.col(2).setZero();
+  return flat;
+}
+
+TEST(Settling, AFlatMeshIsNotUsedAndNamed) {
+  SKIP_WITHOUT_PHYSICS();
+  const Warnings warnings;
+  const std::vector<ObjectModel> models = {flat_model(), box("box", {0.1, 0.1, 0.1})};
+  const Tabletop tabletop = drop_tabletop(models, objects_of(1, 1), {});
+  ASSERT_EQ(tabletop.objects.size(), 1U);
+  EXPECT_EQ(tabletop.objects[0].object.name, "box");
+  EXPECT_NE(warnings.text().find("sheet"), std::string::npos);
+}
+
+TEST(Settling, RefusesModelsOfWhichNoneIsOfUse) {
+  const std::vector<ObjectModel> models = {flat_model(), box("crumb", {0.01, 0.01, 0.01})};
+  EXPECT_THROW(drop_tabletop(models, objects_of(1, 1), {}), InputError);
+  EXPECT_THROW(drop_tabletop({}, objects_of(1, 1), {}), InputError);
+  EXPECT_THROW(convex_parts(flat_model().mesh), InputError);
+}
+
+TEST(Settling, WithoutPhysicsItSaysWhatAddsIt) {
+  if (has_physics()) GTEST_SKIP() << "skipped: this build has physics";
+  const std::vector<ObjectModel> models = {bowl()};
+  EXPECT_THROW(drop_tabletop(models, objects_of(1, 1), {}), InputError);
+}
+
+TEST(Settling, PhysicsThatFailsThrowsAndDoesNotEndTheProcess) {
+  SKIP_WITHOUT_PHYSICS();
+  const std::vector<ObjectModel> models = {ball(0.03)};
+  Eigen::Isometry3d nowhere = Eigen::Isometry3d::Identity();
+  nowhere.translation().setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THROW(settle(models, std::vector<Eigen::Isometry3d>{nowhere}), std::runtime_error);
+}
+
+TEST(Settling, RefusesOptionsThatMakeNoSense) {
+  DropOptions options;
+  options.area = options.spread;
+  EXPECT_THROW(options.validate(), InputError);
+  options = {};
+  options.parts.max_parts = 0;
+  EXPECT_THROW(options.validate(), InputError);
+}
+
+TEST(ConvexParts, AConvexMeshIsOnePartAndABowlIsNot) {
+  EXPECT_EQ(convex_parts(box("box", {0.1, 0.05, 0.2}).mesh).size(), 1U);
+  EXPECT_EQ(convex_parts(ball(0.05).mesh).size(), 1U);
+  const ConvexParts parts = convex_parts(bowl().mesh);
+  EXPECT_GT(parts.size(), 4U);
+  EXPECT_LE(parts.size(), static_cast<std::size_t>(ConvexPartsOptions{}.max_parts));
+}
+
+TEST(ConvexParts, HoldEveryVertexOfTheMesh) {
+  const TriangleMesh mesh = bowl().mesh;
+  const ConvexParts parts = convex_parts(mesh);
+  for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
+    const bool is_held = std::any_of(parts.begin(), parts.end(), [&](const Points& part) {
+      return (part.rowwise() - mesh.vertices.row(i)).rowwise().norm().minCoeff() == 0.0F;
+    });
+    ASSERT_TRUE(is_held) << i;
+  }
+}
+
+TEST(Settling, ScannedMeshesRestToo) {
+  SKIP_WITHOUT_PHYSICS();
+  const char* variable = std::getenv("SYMSCENE_DATA");
+  const std::filesystem::path data =
+      variable != nullptr ? std::filesystem::path(variable)
+                          : std::filesystem::path(SYMSCENE_SOURCE_DIR) / "../shared/data";
+  if (!std::filesystem::exists(data / "ycb")) GTEST_SKIP() << "skipped: no data";
+  std::vector<ObjectModel> models;
+  for (const char* name : {"024_bowl", "003_cracker_box", "056_tennis_ball", "011_banana"}) {
+    models.push_back({name, read_mesh(data / "ycb" / (std::string(name) + ".ply")), {}, {}, false});
+  }
+  const Tabletop tabletop = drop_tabletop(models, objects_of(4, 1), {});
+  EXPECT_EQ(tabletop.objects.size(), 4U);
+  expect_above_table(tabletop);
+  expect_at_rest(tabletop);
+}
+
+}  // namespace
+}  // namespace symscene
