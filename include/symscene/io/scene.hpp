@@ -16,7 +16,7 @@ Scene read_scene(const std::filesystem::path& dir);
 
 /// What stands in a scene folder beside the scene, as far as it is there.
 struct SceneExtras {
-  std::string scene_json;                  ///< the text of scene.json: parameters, times, version
+  std::string scene_json = {};             ///< the text of scene.json: parameters, times, version
   const SceneTruth* truth = nullptr;       ///< truth.json
   const TriangleMesh* mesh = nullptr;      ///< mesh.ply
   const Trajectory* trajectory = nullptr;  ///< poses.txt

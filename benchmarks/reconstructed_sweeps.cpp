@@ -1,0 +1,174 @@
+// Simulates hand-held sweeps, reconstructs them by tracking, segments and compares: see README.md.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+
+#include "symscene/core/parallel.hpp"
+#include "symscene/evaluation/trajectory_measures.hpp"
+#include "symscene/io/mesh.hpp"
+#include "symscene/io/result.hpp"
+#include "symscene/io/scene.hpp"
+#include "symscene/io/truth.hpp"
+#include "symscene/pipeline/pipeline.hpp"
+#include "symscene/pipeline/scene_building.hpp"
+#include "symscene/reconstruction/reconstruction.hpp"
+#include "symscene/simulation/sweep.hpp"
+#include "symscene/simulation/true_surface.hpp"
+#include "symscene/simulation/truth_transfer.hpp"
+#include "tables.hpp"
+
+namespace symscene::bench {
+namespace {
+
+struct Arguments {
+  int sweeps = 10;
+  std::uint64_t seed = 2000;
+  int frames = 200;
+  int min_objects = 4;
+  int max_objects = 12;
+  std::size_t threads = 0;
+  std::filesystem::path meshes;
+  std::filesystem::path symmetries;
+  std::filesystem::path save;
+};
+
+std::vector<ObjectModel> read_models(const Arguments& arguments) {
+  std::vector<ObjectModel> models;
+  if (arguments.meshes.empty()) return models;
+  std::vector<TrueObject> known;
+  if (!arguments.symmetries.empty()) known = read_model_symmetries(arguments.symmetries);
+  for (NamedMesh& file : read_mesh_folder(arguments.meshes)) {
+    ObjectModel model{file.name, std::move(file.mesh), {}, {}, false};
+    for (const TrueObject& object : known) {
+      if (object.name != file.name) continue;
+      model.rotational = object.rotational;
+      model.reflectional = object.reflectional;
+      model.sphere = object.sphere;
+    }
+    models.push_back(std::move(model));
+  }
+  return models;
+}
+
+SweepOptions sweep_options(const Arguments& arguments, int i) {
+  SweepOptions options;
+  options.tabletop.seed = arguments.seed + static_cast<std::uint64_t>(i);
+  options.tabletop.objects =
+      arguments.min_objects + i % (arguments.max_objects - arguments.min_objects + 1);
+  options.tabletop.random_frame = true;
+  options.camera.frames = arguments.frames;
+  return options;
+}
+
+/// What was made of a sweep, and how far it is from the truth.
+struct Sweep {
+  Scene scene;
+  SceneTruth truth;
+  TrajectoryError trajectory;
+  SurfaceErrors surface;
+  std::size_t fused = 0;
+  double seconds = 0.0;  ///< of reconstruction, rendering left out
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Sweep reconstruct(const Tabletop& tabletop, const SweepOptions& options) {
+  Sweep sweep;
+  Reconstruction reconstruction(options.camera.intrinsics());
+  Trajectory tracked;
+  std::vector<Eigen::Isometry3d> estimated, truth;
+  capture_sweep(tabletop, options, [&](const DepthFrame& frame, const Eigen::Isometry3d& pose) {
+    const auto start = std::chrono::steady_clock::now();
+    const FrameReport report = reconstruction.add(frame);
+    sweep.seconds += seconds_since(start);
+    if (!report.fused) return;
+    ++sweep.fused;
+    tracked.push_back({frame.time, report.tracking.T_world_camera});
+    estimated.push_back(report.tracking.T_world_camera);
+    truth.push_back(pose);
+  });
+  const auto start = std::chrono::steady_clock::now();
+  const TriangleMesh surface = reconstruction.surface();
+  sweep.scene = build_scene(surface, reconstruction.occupancy(), {}, upward(tracked)).scene;
+  sweep.seconds += seconds_since(start);
+  sweep.trajectory = trajectory_error(estimated, truth);
+  const Eigen::Isometry3d T_cloud_truth = align_poses(estimated, truth);
+  const SceneTruth known = tabletop_truth(tabletop);
+  std::vector<TriangleMesh> meshes;
+  for (const PlacedObject& placed : tabletop.objects) meshes.push_back(placed.object.mesh);
+  sweep.truth = transfer_truth(known, meshes, sweep.scene.cloud, T_cloud_truth);
+  const SceneTruth moved = transformed(known, T_cloud_truth);
+  sweep.surface = surface_errors(surface.vertices, placed_meshes(moved, meshes), moved.table);
+  return sweep;
+}
+
+void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& models, int i,
+               SceneScore& total) {
+  const SweepOptions options = sweep_options(arguments, i);
+  const Tabletop tabletop = models.empty() ? arrange_tabletop(options.tabletop)
+                                           : drop_tabletop(models, options.tabletop, options.drop);
+  const Sweep sweep = reconstruct(tabletop, options);
+  const auto start = std::chrono::steady_clock::now();
+  const SegmentationResult result = segment_scene(sweep.scene, PipelineOptions{});
+  SceneScore score = evaluate(sweep.scene, sweep.truth, result);
+  score.seconds = seconds_since(start);
+  total += score;
+  const std::string name = fmt::format("seed {}", options.tabletop.seed);
+  fmt::print("{}", scene_row(name, score));
+  fmt::print(
+      "    {} of {} frames, {:.1f} a second; path {:.2f} m: absolute error {:.2f} mm, drift {:.2f} "
+      "mm; surface: median {:.2f} mm, 95 % {:.2f} mm\n",
+      sweep.fused, options.camera.frames, options.camera.frames / sweep.seconds,
+      sweep.trajectory.length, 1e3 * sweep.trajectory.absolute, 1e3 * sweep.trajectory.drift,
+      1e3 * sweep.surface.median, 1e3 * sweep.surface.percentile_95);
+  std::fflush(stdout);
+  if (arguments.save.empty()) return;
+  const std::filesystem::path folder =
+      arguments.save / fmt::format("seed{}", options.tabletop.seed);
+  write_scene(folder / "scene", sweep.scene, {.truth = &sweep.truth});
+  write_result(folder / "result", result);
+}
+
+void run(const Arguments& arguments) {
+  const ThreadLimit limit(arguments.threads);
+  const std::vector<ObjectModel> models = read_models(arguments);
+  fmt::print("{}", scene_header());
+  SceneScore total;
+  for (int i = 0; i < arguments.sweeps; ++i) run_sweep(arguments, models, i, total);
+  fmt::print("{}\n{}", scene_row("all", total), kind_table(total));
+}
+
+}  // namespace
+}  // namespace symscene::bench
+
+int main(int argc, char** argv) {
+  symscene::bench::Arguments arguments;
+  CLI::App app{"Reconstructs simulated sweeps, segments them and compares with the truth."};
+  app.add_option("--sweeps", arguments.sweeps, "how many sweeps")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--seed", arguments.seed, "seed of the first sweep")->capture_default_str();
+  app.add_option("--frames", arguments.frames, "frames of a sweep")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--min-objects", arguments.min_objects, "fewest objects")
+      ->check(CLI::Range(1, 15));
+  app.add_option("--max-objects", arguments.max_objects, "most objects")->check(CLI::Range(1, 15));
+  app.add_option("--meshes", arguments.meshes, "folder of meshes to drop; household objects else");
+  app.add_option("--symmetries", arguments.symmetries, "JSON file with the meshes' symmetries");
+  app.add_option("--threads", arguments.threads, "bound on the threads, 0 for all cores");
+  app.add_option("--save", arguments.save, "folder for every scene and its result");
+  CLI11_PARSE(app, argc, argv);
+  if (arguments.max_objects < arguments.min_objects) arguments.max_objects = arguments.min_objects;
+  try {
+    symscene::bench::run(arguments);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "symscene_bench_sweeps: %s\n", error.what());
+    return 1;
+  }
+}
