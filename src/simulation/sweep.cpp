@@ -1,6 +1,7 @@
 #include "symscene/simulation/sweep.hpp"
 
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 #include <tbb/parallel_pipeline.h>
@@ -16,23 +17,30 @@ namespace {
 /// Makes items 0 … count − 1 in parallel and uses them in order, one at a time.
 template <class Make, class Use>
 void make_in_parallel_use_in_order(std::size_t count, const Make& make, const Use& use) {
-  using Item = std::shared_ptr<decltype(make(std::size_t{}))>;
-  const std::size_t threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const std::size_t tokens =
+      2 + tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  // Only numbers flow: a pipeline that ends by an exception does not free what is in it. Item i is
+  // used before i + tokens is begun.
+  std::vector<std::optional<decltype(make(std::size_t{}))>> items(tokens);
   std::size_t next = 0;
   const auto number = [&](tbb::flow_control& flow) -> std::size_t {
-    if (next == count) flow.stop();
-    return next == count ? count : next++;
+    if (next < count) return next++;
+    flow.stop();
+    return count;
   };
+  const auto make_item = [&](std::size_t i) {
+    items[i % tokens].emplace(make(i));
+    return i;
+  };
+  const auto use_item = [&](std::size_t i) {
+    use(*items[i % tokens]);
+    items[i % tokens].reset();
+  };
+  using tbb::filter_mode;
   tbb::parallel_pipeline(
-      threads + 2, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, number) &
-                       tbb::make_filter<std::size_t, Item>(
-                           tbb::filter_mode::parallel,
-                           [&](std::size_t i) {
-                             return std::make_shared<typename Item::element_type>(make(i));
-                           }) &
-                       tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order,
-                                                    [&](const Item& item) { use(*item); }));
+      tokens, tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, number) &
+                  tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, make_item) &
+                  tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, use_item));
 }
 
 }  // namespace

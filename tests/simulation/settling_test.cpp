@@ -59,6 +59,16 @@ TabletopOptions objects_of(int count, std::uint64_t seed) {
   return options;
 }
 
+/// Coarser parts where sanitizers make them ten times slower to find.
+DropOptions quick() {
+  DropOptions options;
+#ifdef SYMSCENE_SANITIZED
+  options.parts.cell = 0.02;
+  options.parts.max_cells = 10;
+#endif
+  return options;
+}
+
 std::vector<ObjectModel> models_of(const Tabletop& tabletop) {
   std::vector<ObjectModel> models;
   for (const PlacedObject& placed : tabletop.objects) models.push_back(placed.object);
@@ -89,7 +99,7 @@ void expect_above_table(const Tabletop& tabletop) {
 }
 
 void expect_at_rest(const Tabletop& tabletop) {
-  DropOptions another_second;
+  DropOptions another_second = quick();
   another_second.settle_time = 1.0;
   const Tabletop later = settle(models_of(tabletop), poses_of(tabletop), another_second);
   EXPECT_LT(largest_shift(tabletop, later), 0.004);
@@ -97,7 +107,7 @@ void expect_at_rest(const Tabletop& tabletop) {
 
 TEST(Settling, ThingsRestOnTheTableAndOnEachOther) {
   SKIP_WITHOUT_PHYSICS();
-  const Tabletop tabletop = drop_tabletop(household(), objects_of(4, 1), {});
+  const Tabletop tabletop = drop_tabletop(household(), objects_of(4, 1), quick());
   EXPECT_EQ(tabletop.objects.size(), 4U);
   expect_above_table(tabletop);
   expect_at_rest(tabletop);
@@ -105,7 +115,7 @@ TEST(Settling, ThingsRestOnTheTableAndOnEachOther) {
 
 TEST(Settling, ThingsDoNotRunIntoEachOther) {
   SKIP_WITHOUT_PHYSICS();
-  DropOptions crowded;
+  DropOptions crowded = quick();
   crowded.spread = 0.05;
   const Tabletop tabletop = drop_tabletop(household(), objects_of(4, 2), crowded);
   for (const PlacedObject& a : tabletop.objects) {
@@ -145,7 +155,7 @@ TEST(Settling, AThingLetGoInTheAirFallsOntoTheTable) {
 
 TEST(Settling, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
   SKIP_WITHOUT_PHYSICS();
-  const auto drop = [] { return poses_of(drop_tabletop(household(), objects_of(3, 4), {})); };
+  const auto drop = [] { return poses_of(drop_tabletop(household(), objects_of(3, 4), quick())); };
   const auto one = testing::with_threads(1, drop);
   const auto two = testing::with_threads(2, drop);
   ASSERT_EQ(one.size(), two.size());
@@ -155,10 +165,10 @@ TEST(Settling, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
 TEST(Settling, ACacheChangesNothing) {
   SKIP_WITHOUT_PHYSICS();
   const std::vector<ObjectModel> models = {bowl(), ball(0.03)};
-  ConvexPartsCache cache;
-  const auto first = poses_of(drop_tabletop(models, objects_of(2, 1), {}, &cache));
-  const auto second = poses_of(drop_tabletop(models, objects_of(2, 1), {}, &cache));
-  const auto without = poses_of(drop_tabletop(models, objects_of(2, 1), {}));
+  ConvexPartsCache cache(quick().parts);
+  const auto first = poses_of(drop_tabletop(models, objects_of(2, 1), quick(), &cache));
+  const auto second = poses_of(drop_tabletop(models, objects_of(2, 1), quick(), &cache));
+  const auto without = poses_of(drop_tabletop(models, objects_of(2, 1), quick()));
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].matrix(), second[i].matrix());
     EXPECT_EQ(first[i].matrix(), without[i].matrix());
@@ -169,9 +179,9 @@ TEST(Settling, TheWorldMayLieAnywhere) {
   SKIP_WITHOUT_PHYSICS();
   const std::vector<ObjectModel> models = {box("a", {0.1, 0.08, 0.06}), ball(0.04)};
   TabletopOptions options = objects_of(2, 3);
-  const Tabletop upright = drop_tabletop(models, options, {});
+  const Tabletop upright = drop_tabletop(models, options, quick());
   options.random_frame = true;
-  const Tabletop turned = drop_tabletop(models, options, {});
+  const Tabletop turned = drop_tabletop(models, options, quick());
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE((turned.T_world_table.inverse() * turned.objects[i].T_world_object)
                     .isApprox(upright.objects[i].T_world_object, 1e-9));
@@ -205,7 +215,7 @@ TEST(Settling, AFlatMeshIsNotUsedAndNamed) {
   SKIP_WITHOUT_PHYSICS();
   const Warnings warnings;
   const std::vector<ObjectModel> models = {flat_model(), box("box", {0.1, 0.1, 0.1})};
-  const Tabletop tabletop = drop_tabletop(models, objects_of(1, 1), {});
+  const Tabletop tabletop = drop_tabletop(models, objects_of(1, 1), quick());
   ASSERT_EQ(tabletop.objects.size(), 1U);
   EXPECT_EQ(tabletop.objects[0].object.name, "box");
   EXPECT_NE(warnings.text().find("sheet"), std::string::npos);
@@ -213,15 +223,15 @@ TEST(Settling, AFlatMeshIsNotUsedAndNamed) {
 
 TEST(Settling, RefusesModelsOfWhichNoneIsOfUse) {
   const std::vector<ObjectModel> models = {flat_model(), box("crumb", {0.01, 0.01, 0.01})};
-  EXPECT_THROW(drop_tabletop(models, objects_of(1, 1), {}), InputError);
-  EXPECT_THROW(drop_tabletop({}, objects_of(1, 1), {}), InputError);
+  EXPECT_THROW(drop_tabletop(models, objects_of(1, 1), quick()), InputError);
+  EXPECT_THROW(drop_tabletop({}, objects_of(1, 1), quick()), InputError);
   EXPECT_THROW(convex_parts(flat_model().mesh), InputError);
 }
 
 TEST(Settling, WithoutPhysicsItSaysWhatAddsIt) {
   if (has_physics()) GTEST_SKIP() << "skipped: this build has physics";
   const std::vector<ObjectModel> models = {bowl()};
-  EXPECT_THROW(drop_tabletop(models, objects_of(1, 1), {}), InputError);
+  EXPECT_THROW(drop_tabletop(models, objects_of(1, 1), quick()), InputError);
 }
 
 TEST(Settling, PhysicsThatFailsThrowsAndDoesNotEndTheProcess) {
@@ -271,7 +281,7 @@ TEST(Settling, ScannedMeshesRestToo) {
   for (const char* name : {"024_bowl", "003_cracker_box", "056_tennis_ball", "011_banana"}) {
     models.push_back({name, read_mesh(data / "ycb" / (std::string(name) + ".ply")), {}, {}, false});
   }
-  const Tabletop tabletop = drop_tabletop(models, objects_of(4, 1), {});
+  const Tabletop tabletop = drop_tabletop(models, objects_of(4, 1), quick());
   EXPECT_EQ(tabletop.objects.size(), 4U);
   expect_above_table(tabletop);
   expect_at_rest(tabletop);

@@ -47,8 +47,9 @@ struct DropOptions {
 /// one after the other onto the table until they lie still. What falls off, rolls on or gets stuck
 /// in another is dropped again, and after some attempts left out with a warning. The number of
 /// objects, the seed and the frame are those of `tabletop`; a model is used twice only when there
-/// are too few. No object has a supporter: many rest on several. Throws InputError if no model is
-/// of use, or this build has no physics.
+/// are too few. No object has a supporter: many rest on several. A cache, in place of
+/// `options.parts`, has its own options.
+/// Throws InputError if no model is of use, or this build has no physics.
 Tabletop drop_tabletop(std::span<const ObjectModel> models, const TabletopOptions& tabletop,
                        const DropOptions& options, ConvexPartsCache* cache = nullptr);
 
