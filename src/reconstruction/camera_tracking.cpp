@@ -17,7 +17,7 @@ namespace {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-constexpr std::size_t lanes = 16;
+constexpr std::size_t lanes = 64;
 constexpr std::size_t products = 27;  ///< upper half of JᵀJ, then Jᵀr
 constexpr std::size_t rows_a_task = 8;
 
@@ -54,19 +54,16 @@ Sums combined(Sums a, const Sums& b) {
 }
 
 SYMSCENE_MULTIVERSION
-void add_batch(const Batch& batch, float (*product)[lanes]) {
+void add_batch(const Batch& batch, float (*__restrict product)[lanes]) {
   std::size_t k = 0;
   for (std::size_t a = 0; a < 6; ++a) {
+    float weighted[lanes];
+    for (std::size_t l = 0; l < lanes; ++l) weighted[l] = batch.weight[l] * batch.j[a][l];
     for (std::size_t b = a; b < 6; ++b, ++k) {
-      for (std::size_t l = 0; l < lanes; ++l) {
-        product[k][l] += batch.weight[l] * batch.j[a][l] * batch.j[b][l];
-      }
+      for (std::size_t l = 0; l < lanes; ++l) product[k][l] += weighted[l] * batch.j[b][l];
     }
-  }
-  for (std::size_t a = 0; a < 6; ++a, ++k) {
-    for (std::size_t l = 0; l < lanes; ++l) {
-      product[k][l] += batch.weight[l] * batch.j[a][l] * batch.r[l];
-    }
+    float* const side = product[products - 6 + a];
+    for (std::size_t l = 0; l < lanes; ++l) side[l] += weighted[l] * batch.r[l];
   }
 }
 

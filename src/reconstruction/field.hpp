@@ -4,6 +4,13 @@
 
 namespace symscene {
 
+/// The integer at or below a coordinate of a volume. [voxels] Cutting to an integer is an
+/// instruction, rounding down without SSE 4.1 a call.
+inline int floor_of(float coordinate) {
+  constexpr int offset = 2 * BlockIndex::reach * TsdfBlock::edge;
+  return static_cast<int>(coordinate + static_cast<float>(offset)) - offset;
+}
+
 /// Reads a volume's field at points in units of voxels, where voxel k has its centre at k + ½.
 /// Remembers the block that it read last: one reader a thread.
 class FieldReader {
@@ -33,19 +40,17 @@ class FieldReader {
   bool distance(int x, int y, int z, float& value) {
     const TsdfBlock* block = block_at(x, y, z);
     if (block == nullptr) return false;
-    const auto i = static_cast<std::size_t>(place(x, y, z));
-    value = static_cast<float>(block->distance[i]);
-    return block->weight[i] != 0;
+    const std::int16_t distance = block->distance[static_cast<std::size_t>(place(x, y, z))];
+    value = static_cast<float>(distance);
+    return distance != TsdfBlock::never_seen;
   }
 
   /// The eight voxels about a point, x fastest, and its place between them in [0, 1)³. False where
   /// one was never seen.
   bool corners(const Eigen::Vector3f& point, float (&values)[8], Eigen::Vector3f& between) {
-    const Eigen::Vector3f shifted = point.array() - 0.5F;
-    const Eigen::Vector3f low = shifted.array().floor();
-    between = shifted - low;
-    const int x = static_cast<int>(low.x()), y = static_cast<int>(low.y()),
-              z = static_cast<int>(low.z());
+    const float px = point.x() - 0.5F, py = point.y() - 0.5F, pz = point.z() - 0.5F;
+    const int x = floor_of(px), y = floor_of(py), z = floor_of(pz);
+    between = {px - static_cast<float>(x), py - static_cast<float>(y), pz - static_cast<float>(z)};
     if ((x & 7) != 7 && (y & 7) != 7 && (z & 7) != 7) return inner_corners(x, y, z, values);
     bool seen = true;
     for (int k = 0; k < 8; ++k) {
@@ -63,7 +68,7 @@ class FieldReader {
     for (std::size_t k = 0; k < 8; ++k) {
       const std::size_t i = base + (k & 1) + ((k & 2) << 2) + ((k & 4) << 4);
       values[k] = static_cast<float>(block->distance[i]);
-      seen = seen && block->weight[i] != 0;
+      seen = seen && block->distance[i] != TsdfBlock::never_seen;
     }
     return seen;
   }

@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-constexpr Index tile = 8;  // [px]
+constexpr Index tile = 4;  // [px]
 
 /// Between which depths surface may be seen in every tile of an image. [m]
 struct DepthRanges {
@@ -19,7 +19,20 @@ struct DepthRanges {
   std::vector<float> farthest;
 };
 
-/// Projects the balls about all blocks with surface.
+/// Where a segment [center − reach, center + reach] across a camera's axis may fall between two
+/// depths. [px]
+struct Span {
+  float first, last;
+};
+
+Span project_span(float center, float reach, float inverse_near, float inverse_far, float focal,
+                  float principal) {
+  const float low = center - reach, high = center + reach;
+  return {std::min(low * inverse_near, low * inverse_far) * focal + principal,
+          std::max(high * inverse_near, high * inverse_far) * focal + principal};
+}
+
+/// Projects the boxes, in the camera's axes, of all blocks with surface.
 DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& camera,
                               const Eigen::Isometry3d& T_camera_world) {
   DepthRanges ranges;
@@ -29,31 +42,34 @@ DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& 
   ranges.farthest.assign(ranges.nearest.size(), 0.0F);
   const double block_size = volume.voxel_size() * TsdfBlock::edge;
   // A voxel more than the block: its outermost cells reach into the next.
-  const auto radius = static_cast<float>(0.5 * std::sqrt(3.0) * (block_size + volume.voxel_size()));
+  const Eigen::Vector3f reach = (T_camera_world.linear().cwiseAbs() *
+                                 Eigen::Vector3d::Constant(0.5 * block_size + volume.voxel_size()))
+                                    .cast<float>();
   const Eigen::Matrix3f R = (T_camera_world.linear() * block_size).cast<float>();
   const Eigen::Vector3f t =
       (T_camera_world * Eigen::Vector3d::Constant(0.5 * block_size)).cast<float>();
   const auto fx = static_cast<float>(camera.fx), fy = static_cast<float>(camera.fy);
   const auto cx = static_cast<float>(camera.cx), cy = static_cast<float>(camera.cy);
-  const auto right = static_cast<float>(camera.width), bottom = static_cast<float>(camera.height);
+  const auto right = static_cast<float>(camera.width - 1);
+  const auto bottom = static_cast<float>(camera.height - 1);
   for (std::size_t slot = 0; slot < volume.index().size(); ++slot) {
     if (!volume.near_surface(slot)) continue;
     const Eigen::Vector3f center = R * volume.index().blocks()[slot].cast<float>() + t;
-    const float nearest = center.z() - radius;
+    const float nearest = center.z() - reach.z(), farthest = center.z() + reach.z();
     if (nearest < 0.02F) continue;
-    const float u = center.x() * fx / center.z() + cx, v = center.y() * fy / center.z() + cy;
-    const float reach_u = fx * radius / nearest + 1.0F, reach_v = fy * radius / nearest + 1.0F;
-    if (u + reach_u < 0 || v + reach_v < 0 || u - reach_u >= right || v - reach_v >= bottom) {
-      continue;
-    }
+    const float near = 1.0F / nearest, far = 1.0F / farthest;
+    const Span u = project_span(center.x(), reach.x(), near, far, fx, cx);
+    const Span v = project_span(center.y(), reach.y(), near, far, fy, cy);
+    if (u.last < 0 || v.last < 0 || u.first > right || v.first > bottom) continue;
     const auto tile_at = [](float at, float end) {
-      return static_cast<Index>(std::clamp(at, 0.0F, end - 1.0F)) / tile;
+      return static_cast<Index>(std::clamp(at, 0.0F, end)) / tile;
     };
-    for (Index y = tile_at(v - reach_v, bottom); y <= tile_at(v + reach_v, bottom); ++y) {
-      for (Index x = tile_at(u - reach_u, right); x <= tile_at(u + reach_u, right); ++x) {
+    const Index first = tile_at(u.first, right), last = tile_at(u.last + 1.0F, right);
+    for (Index y = tile_at(v.first, bottom); y <= tile_at(v.last + 1.0F, bottom); ++y) {
+      for (Index x = first; x <= last; ++x) {
         const std::size_t at = std::size_t{y} * ranges.columns + x;
         ranges.nearest[at] = std::min(ranges.nearest[at], nearest);
-        ranges.farthest[at] = std::max(ranges.farthest[at], center.z() + radius);
+        ranges.farthest[at] = std::max(ranges.farthest[at], farthest);
       }
     }
   }
@@ -74,6 +90,8 @@ class RayCaster {
   SurfacePixel cast(const Eigen::Vector3f& ray_camera, float nearest, float farthest) {
     const Eigen::Vector3f ray = R_world_camera_ * ray_camera;
     const float length = ray.norm();
+    const float inverse_length = 1.0F / length;
+    const Eigen::Vector3f inverse_ray = ray.cwiseInverse();
     const float end = farthest / voxel_size_;
     float at = nearest / voxel_size_;
     float before = -1.0F, last = 0.0F;  // the last positive distance and its depth
@@ -82,41 +100,42 @@ class RayCaster {
       const int x = floor_of(p.x()), y = floor_of(p.y()), z = floor_of(p.z());
       const TsdfBlock* block = field_.block_at(x, y, z);
       if (!field_.last_is_near_surface()) {
-        at = leave_block(p, ray, at, x, y, z);
+        at = leave_block(p, inverse_ray, at, x, y, z);
         continue;
       }
-      const auto i = static_cast<std::size_t>(FieldReader::place(x, y, z));
-      if (block->weight[i] == 0) {
-        at += 1.0F / length;
+      const std::int16_t units =
+          block->distance[static_cast<std::size_t>(FieldReader::place(x, y, z))];
+      if (units == TsdfBlock::never_seen) {
+        at += inverse_length;
         continue;
       }
-      const float distance = static_cast<float>(block->distance[i]) * voxels_a_unit_;
+      const float distance = static_cast<float>(units) * voxels_a_unit_;
       if (distance <= 0.0F) {
         if (before < 0.0F) return {};
         return cross(ray, before + (at - before) * last / (last - distance), length);
       }
       before = at;
       last = distance;
-      at += std::max(distance, 1.0F) / length;
+      at += std::max(relaxation * distance, 1.0F) * inverse_length;
     }
     return {};
   }
 
  private:
   static constexpr int max_steps = 4;
-
-  static int floor_of(float x) { return static_cast<int>(std::floor(x)); }
+  /// Rays seldom meet a surface head on; a step too far is seen by the sign behind it.
+  static constexpr float relaxation = 1.4F;
 
   /// The depth at which the ray is out of the block of a voxel.
-  static float leave_block(const Eigen::Vector3f& p, const Eigen::Vector3f& ray, float at, int x,
-                           int y, int z) {
+  static float leave_block(const Eigen::Vector3f& p, const Eigen::Vector3f& inverse_ray, float at,
+                           int x, int y, int z) {
     const int corner[3] = {x & ~7, y & ~7, z & ~7};
-    float step = std::numeric_limits<float>::infinity();
+    float step = 64.0F;
     for (int axis = 0; axis < 3; ++axis) {
-      const float d = ray[axis];
-      if (d == 0.0F) continue;
-      const float wall = static_cast<float>(corner[axis] + (d > 0.0F ? 8 : 0));
-      step = std::min(step, (wall - p[axis]) / d);
+      const float wall = static_cast<float>(corner[axis] + (inverse_ray[axis] > 0.0F ? 8 : 0));
+      const float reached = (wall - p[axis]) * inverse_ray[axis];
+      step =
+          reached < step ? reached : step;  // a ray along the wall never reaches it: not a number
     }
     return at + std::max(step, 0.0F) + 1e-2F;
   }

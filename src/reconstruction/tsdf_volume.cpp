@@ -98,7 +98,8 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
   const float units = truncation.units, least = truncation.least, most = truncation.most;
   const float growth = truncation.growth;
   const int max_weight = truncation.max_weight;
-  int nearest = 32767;
+  constexpr int never_seen = TsdfBlock::never_seen;
+  int nearest = -never_seen;
   for (int i = 0; i < voxels; ++i) {
     const int packed = pixels[i];
     const int tenths = (packed >> 16) & 0xFFFF;
@@ -116,10 +117,10 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
                         cut_off * units * static_cast<float>(added)) /
                        static_cast<float>(std::max(sum, 1));
     const float half = mean < 0.0F ? -0.5F : 0.5F;
-    const int now = static_cast<int>(mean + half);  // what it was, if nothing was added
+    // What it was, if nothing was added.
+    const int now = sum > 0 ? static_cast<int>(mean + half) : never_seen;
     const int size = now < 0 ? -now : now;
-    const int counted = sum > 0 ? size : 32767;
-    nearest = std::min(nearest, counted);
+    nearest = std::min(nearest, size);
     distance[i] = static_cast<std::int16_t>(now);
     weight[i] = static_cast<std::uint16_t>(std::min(sum, max_weight));
   }

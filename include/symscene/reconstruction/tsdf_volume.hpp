@@ -33,13 +33,17 @@ struct TsdfOptions {
 };
 
 /// A cube of 8³ voxels, x fastest. Distances are in units of TsdfVolume::distance_unit(), weights
-/// in 16ths of a frontal view at 1 m; without weight a voxel was never seen.
+/// in 16ths of a frontal view at 1 m. A voxel without weight was never seen; its distance says so
+/// too, that who only reads distances need not look at weights.
 struct TsdfBlock {
   static constexpr int edge = 8;
   static constexpr int voxels = edge * edge * edge;
+  static constexpr std::int16_t never_seen = -32768;
 
-  alignas(64) std::array<std::int16_t, voxels> distance{};
+  alignas(64) std::array<std::int16_t, voxels> distance;
   alignas(64) std::array<std::uint16_t, voxels> weight{};
+
+  TsdfBlock() { distance.fill(never_seen); }
 };
 
 /// The colours of a block's voxels near the surface.
