@@ -10,7 +10,8 @@
 namespace symscene {
 namespace {
 
-constexpr Index tile = 8;  // [px]
+constexpr Index tile = 8;         // [px]
+constexpr float closest = 0.02F;  // depth from which surface is shown [m]
 
 /// Between which depths surface may be seen in every tile of an image. [m]
 struct DepthRanges {
@@ -39,10 +40,16 @@ DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& 
   for (std::size_t slot = 0; slot < volume.index().size(); ++slot) {
     if (!volume.near_surface(slot)) continue;
     const Eigen::Vector3f center = R * volume.index().blocks()[slot].cast<float>() + t;
-    const float nearest = center.z() - radius;
-    if (nearest < 0.02F) continue;
-    const float u = center.x() * fx / center.z() + cx, v = center.y() * fy / center.z() + cy;
-    const float reach_u = fx * radius / nearest + 1.0F, reach_v = fy * radius / nearest + 1.0F;
+    const float farthest = center.z() + radius;
+    if (!(farthest > closest)) continue;
+    const float nearest = std::max(center.z() - radius, closest);
+    // A block about the camera may be anywhere in the image. Beside the optical axis a ball's image
+    // is longer than its radius over its distance.
+    const bool about = center.z() - radius < closest;
+    const float u = about ? cx : center.x() * fx / center.z() + cx;
+    const float v = about ? cy : center.y() * fy / center.z() + cy;
+    const float spread = about ? 1e6F : radius * center.norm() / (center.z() * nearest);
+    const float reach_u = fx * spread + 1.0F, reach_v = fy * spread + 1.0F;
     if (u + reach_u < 0 || v + reach_v < 0 || u - reach_u >= right || v - reach_v >= bottom) {
       continue;
     }
@@ -53,7 +60,7 @@ DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& 
       for (Index x = tile_at(u - reach_u, right); x <= tile_at(u + reach_u, right); ++x) {
         const std::size_t at = std::size_t{y} * ranges.columns + x;
         ranges.nearest[at] = std::min(ranges.nearest[at], nearest);
-        ranges.farthest[at] = std::max(ranges.farthest[at], center.z() + radius);
+        ranges.farthest[at] = std::max(ranges.farthest[at], farthest);
       }
     }
   }
@@ -157,6 +164,7 @@ class RayCaster {
 ModelView cast_model_view(const TsdfVolume& volume, const CameraIntrinsics& camera,
                           const Eigen::Isometry3d& T_world_camera) {
   ModelView view{{camera, std::vector<SurfacePixel>(camera.pixels())}, T_world_camera};
+  if (!T_world_camera.matrix().allFinite()) return view;
   const DepthRanges ranges = find_depth_ranges(volume, camera, T_world_camera.inverse());
   const std::size_t columns = ranges.columns;
   std::vector<float> ray_x(camera.width);
