@@ -20,7 +20,9 @@ void FrameLog::add_unreadable(std::size_t frame) { add(frame, "unreadable", "");
 
 void FrameLog::add(std::size_t frame, const std::string& status, const std::string& detail) {
   ++frames_;
-  if (runs_.empty() || runs_.back().status != status) {
+  // Frames are lost for different reasons; what is free of a degenerate one varies with noise.
+  if (runs_.empty() || runs_.back().status != status ||
+      (status == "lost" && runs_.back().detail != detail)) {
     runs_.push_back({status, detail, frame, frame});
   }
   runs_.back().last = frame;
@@ -34,6 +36,15 @@ std::size_t FrameLog::count(const std::string& status) const {
   return sum;
 }
 
+std::string FrameLog::describe(const Run& run) {
+  const std::string frames = run.first == run.last
+                                 ? fmt::format("frame {}", run.first)
+                                 : fmt::format("frames {} to {}", run.first, run.last);
+  return fmt::format("{}: {}{}{}", frames, run.status, run.detail.empty() ? "" : ", ", run.detail);
+}
+
+std::string FrameLog::first_run() const { return runs_.empty() ? "none" : describe(runs_.front()); }
+
 std::vector<std::string> FrameLog::lines() const {
   constexpr std::size_t most = 12;
   std::vector<std::string> lines{fmt::format(
@@ -45,11 +56,7 @@ std::vector<std::string> FrameLog::lines() const {
       lines.emplace_back("  ... (all in scene.json)");
       break;
     }
-    const std::string frames = run.first == run.last
-                                   ? fmt::format("frame {}", run.first)
-                                   : fmt::format("frames {} to {}", run.first, run.last);
-    lines.push_back(fmt::format("  {}: {}{}{}", frames, run.status, run.detail.empty() ? "" : ", ",
-                                run.detail));
+    lines.push_back("  " + describe(run));
   }
   return lines;
 }

@@ -15,6 +15,9 @@ class FrameLog {
 
   std::size_t fused() const { return fused_; }
 
+  /// What became of the first frames.
+  std::string first_run() const;
+
   /// A line for all frames, and one for every run of frames that were not simply tracked.
   std::vector<std::string> lines() const;
 
@@ -31,6 +34,7 @@ class FrameLog {
 
   void add(std::size_t frame, const std::string& status, const std::string& detail);
   std::size_t count(const std::string& status) const;
+  static std::string describe(const Run& run);
 
   std::vector<Run> runs_;
   std::size_t frames_ = 0;

@@ -195,7 +195,7 @@ struct Reconstruct {
     const Path placed = add_frames(*sequence, reconstruction, log, session, timer);
     for (const std::string& line : log.lines()) session.say(line);
     if (placed.frames.empty())
-      throw InputError(path.string(), "a frame that shows something", log.lines().back());
+      throw InputError(path.string(), "a frame that shows something", log.first_run());
     report_trajectory(*sequence, placed, session);
     const TriangleMesh surface =
         timer.time("extract surface", [&] { return reconstruction.surface(); });

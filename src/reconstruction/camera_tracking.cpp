@@ -353,27 +353,29 @@ void TrackingOptions::validate() const {
   const auto share = [](double value, const char* name) {
     require_option(value >= 0 && value <= 1, name, "a share in [0, 1]", value);
   };
+  const auto positive = [](double value, const char* name) {
+    require_option(value > 0 && value <= 1e6, name, "a positive number up to a million", value);
+  };
   require_option(iterations_coarse >= 0 && iterations_coarse <= 100, "iterations_coarse",
                  "0 to 100", iterations_coarse);
   require_option(iterations_middle >= 0 && iterations_middle <= 100, "iterations_middle",
                  "0 to 100", iterations_middle);
   require_option(iterations_fine >= 1 && iterations_fine <= 100, "iterations_fine", "1 to 100",
                  iterations_fine);
-  require_option(max_distance > 0, "max_distance", "a positive number", max_distance);
+  positive(max_distance, "max_distance");
   require_option(max_angle > 0 && max_angle < 1.5, "max_angle", "a positive angle below 1.5",
                  max_angle);
-  require_option(robust_sigmas > 0, "robust_sigmas", "a positive number", robust_sigmas);
+  positive(robust_sigmas, "robust_sigmas");
   share(min_overlap, "min_overlap");
   share(min_inliers, "min_inliers");
   share(min_measured, "min_measured");
   share(degenerate_ratio, "degenerate_ratio");
-  require_option(max_translation > 0, "max_translation", "a positive number", max_translation);
-  require_option(max_rotation > 0, "max_rotation", "a positive angle", max_rotation);
+  positive(max_translation, "max_translation");
+  positive(max_rotation, "max_rotation");
   share(relocalize_overlap, "relocalize_overlap");
   share(relocalize_inliers, "relocalize_inliers");
-  require_option(keyframe_distance > 0, "keyframe_distance", "a positive number",
-                 keyframe_distance);
-  require_option(keyframe_angle > 0, "keyframe_angle", "a positive angle", keyframe_angle);
+  positive(keyframe_distance, "keyframe_distance");
+  positive(keyframe_angle, "keyframe_angle");
 }
 
 TrackingResult track_camera(const Measurement& measurement, const ModelView& view,

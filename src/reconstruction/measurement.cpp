@@ -228,8 +228,9 @@ void MeasurementOptions::validate() const {
   require_option(min_depth > 0, "min_depth", "a positive number", min_depth);
   require_option(max_depth > min_depth && max_depth < 6.5, "max_depth",
                  "more than min_depth and below 6.5 m", max_depth);
-  require_option(noise > 0, "noise", "a positive number", noise);
-  require_option(edge_step > 0, "edge_step", "a positive number", edge_step);
+  require_option(noise > 0 && noise <= 1, "noise", "a positive number up to 1 / m", noise);
+  require_option(edge_step > 0 && edge_step <= 1, "edge_step", "a positive number up to 1 m",
+                 edge_step);
   require_option(tracking_width >= 40, "tracking_width", "at least 40 px", tracking_width);
 }
 

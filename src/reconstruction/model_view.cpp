@@ -10,7 +10,8 @@
 namespace symscene {
 namespace {
 
-constexpr Index tile = 4;  // [px]
+constexpr Index tile = 4;         // [px]
+constexpr float closest = 0.02F;  // depth from which surface is shown [m]
 
 /// Between which depths surface may be seen in every tile of an image. [m]
 struct DepthRanges {
@@ -55,8 +56,9 @@ DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& 
   for (std::size_t slot = 0; slot < volume.index().size(); ++slot) {
     if (!volume.near_surface(slot)) continue;
     const Eigen::Vector3f center = R * volume.index().blocks()[slot].cast<float>() + t;
-    const float nearest = center.z() - reach.z(), farthest = center.z() + reach.z();
-    if (nearest < 0.02F) continue;
+    const float farthest = center.z() + reach.z();
+    if (!(farthest > closest)) continue;
+    const float nearest = std::max(center.z() - reach.z(), closest);
     const float near = 1.0F / nearest, far = 1.0F / farthest;
     const Span u = project_span(center.x(), reach.x(), near, far, fx, cx);
     const Span v = project_span(center.y(), reach.y(), near, far, fy, cy);
@@ -176,6 +178,7 @@ class RayCaster {
 ModelView cast_model_view(const TsdfVolume& volume, const CameraIntrinsics& camera,
                           const Eigen::Isometry3d& T_world_camera) {
   ModelView view{{camera, std::vector<SurfacePixel>(camera.pixels())}, T_world_camera};
+  if (!T_world_camera.matrix().allFinite()) return view;
   const DepthRanges ranges = find_depth_ranges(volume, camera, T_world_camera.inverse());
   const std::size_t columns = ranges.columns;
   std::vector<float> ray_x(camera.width);

@@ -17,6 +17,15 @@ TrackingResult known_pose(const Eigen::Isometry3d& T_world_camera) {
   return result;
 }
 
+double fit(const TrackingResult& result) { return result.overlap * result.inliers; }
+
+void require_pose(const Eigen::Isometry3d& T_world_camera) {
+  const Eigen::Matrix3d R = T_world_camera.linear();
+  const bool rigid = (R * R.transpose()).isIdentity(1e-4) && R.determinant() > 0.0;
+  if (rigid && T_world_camera.translation().cwiseAbs().maxCoeff() < 1e5) return;
+  throw InputError("camera's pose", "a rotation and a place within 100 km", "another matrix");
+}
+
 }  // namespace
 
 void ReconstructionOptions::validate() const {
@@ -51,6 +60,7 @@ auto Reconstruction::timed(std::size_t stage, const Body& body) {
 FrameReport Reconstruction::add(const DepthFrame& frame,
                                 const std::optional<Eigen::Isometry3d>& T_world_camera,
                                 PoseUse use) {
+  if (T_world_camera) require_pose(*T_world_camera);
   const Measurement measurement =
       timed(prepare, [&] { return prepare_measurement(frame, camera_, options_.measurement); });
   FrameReport report;
@@ -108,14 +118,15 @@ TrackingResult Reconstruction::locate(const Measurement& measurement,
     }
     return first;
   }
-  TrackingResult result = follow(measurement, guess);
-  if (result.status != TrackingStatus::lost || !result.searchable) {
-    relocalized = lost_ && result.status != TrackingStatus::lost;
-    return result;
-  }
+  const TrackingResult result = follow(measurement, guess);
+  const bool followed = result.status != TrackingStatus::lost;
+  if (!result.searchable || (followed && !lost_)) return result;
+  // Much of a table looks alike from all sides: a lost camera is where it fits best.
   const TrackingResult found = search(measurement);
-  relocalized = found.status != TrackingStatus::lost;
-  return relocalized ? found : result;
+  const bool better =
+      found.status != TrackingStatus::lost && (!followed || fit(found) > fit(result));
+  relocalized = better || followed;
+  return better ? found : result;
 }
 
 /// From where the camera must be by now if it moves on as it did; failing that, from where it was.
@@ -147,8 +158,7 @@ TrackingResult Reconstruction::search(const Measurement& measurement) const {
     const ModelView view = predict(measurement.pyramid.front().camera, pose);
     TrackingResult result = track_camera(measurement, view, pose, options, options_.measurement);
     if (result.status != TrackingStatus::converged) continue;
-    if (best.status == TrackingStatus::lost ||
-        result.overlap * result.inliers > best.overlap * best.inliers) {
+    if (best.status == TrackingStatus::lost || fit(result) > fit(best)) {
       best = std::move(result);
     }
   }

@@ -147,6 +147,8 @@ int fuse_block(const Projection& p, const Truncation& truncation, const Eigen::V
 void color_block(const BlockPixels& pixels, const Colors& colors, float reach, ColorBlock& block) {
   constexpr int most = 60;
   for (std::size_t i = 0; i < voxels; ++i) {
+    // The pixel beside the image has no colour.
+    if (pixels.packed[i] == 0) continue;
     const float depth = static_cast<float>((pixels.packed[i] >> 16) & 0xFFFF) * packed_unit;
     if (std::abs(depth - pixels.depth[i]) > reach) continue;
     auto& voxel = block.rgbw[i];
@@ -183,6 +185,8 @@ struct DepthBounds {
     }
   }
 
+  float anywhere() const { return *std::max_element(farthest.begin(), farthest.end()); }
+
   /// The largest depth of the tiles that a disc of pixels touches, 0 beside the image.
   float about(float u, float v, float radius) const {
     const auto clamped = [](float at, Index count) {
@@ -210,8 +214,8 @@ void TsdfOptions::validate() const {
   require_option(truncation >= 2 * voxel_size, "truncation", "at least two voxels", truncation);
   require_option(max_truncation >= truncation && max_truncation <= 1.0, "max_truncation",
                  "at least truncation and at most 1 m", max_truncation);
-  require_option(truncation_sigmas > 0, "truncation_sigmas", "a positive number",
-                 truncation_sigmas);
+  require_option(truncation_sigmas > 0 && truncation_sigmas <= 100, "truncation_sigmas",
+                 "a positive number up to 100", truncation_sigmas);
   require_option(max_weight >= 1 && max_weight <= 2000, "max_weight", "1 to 2000", max_weight);
 }
 
@@ -248,9 +252,11 @@ void TsdfVolume::allocate_colors(std::span<const std::uint32_t> slots) {
 }
 
 void TsdfVolume::allocate(const Measurement& measurement, const Eigen::Isometry3d& T_world_camera) {
-  constexpr Index stride = 2;  // [px]
   const CameraIntrinsics& camera = measurement.camera;
   const double block_size = options_.voxel_size * edge;
+  // Every second pixel, unless these are too far apart to hit every block of a slanted surface.
+  const double spacing = sensor_.max_depth / std::min(camera.fx, camera.fy);
+  const Index stride = 2.0 * spacing < 0.5 * block_size ? 2 : 1;  // [px]
   const Eigen::Matrix3f R = (T_world_camera.linear() / block_size).cast<float>();
   const Eigen::Vector3f t = (T_world_camera.translation() / block_size).cast<float>();
   const std::size_t rows = (camera.height + stride - 1) / stride;
@@ -291,6 +297,7 @@ std::vector<std::uint32_t> TsdfVolume::visible_slots(
   const Eigen::Vector3f t =
       (T_camera_world * Eigen::Vector3d::Constant(0.5 * block_size)).cast<float>();
   const auto band = static_cast<float>(options_.max_truncation);
+  const float everywhere = bounds.anywhere();
   const auto fx = static_cast<float>(measurement.camera.fx);
   const auto fy = static_cast<float>(measurement.camera.fy);
   const auto cx = static_cast<float>(measurement.camera.cx);
@@ -300,12 +307,17 @@ std::vector<std::uint32_t> TsdfVolume::visible_slots(
   parallel_for_blocks(index_.size(), task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot) {
       const Eigen::Vector3f center = R * index_.blocks()[slot].cast<float>() + t;
+      if (!(center.z() + radius > 0.0F)) continue;
       const float nearest = center.z() - radius;
-      if (nearest < 0.05F) continue;
-      const float inverse = 1.0F / center.z();
-      const float reach = std::max(fx, fy) * radius / nearest + 1.0F;
-      const float farthest =
-          bounds.about(center.x() * fx * inverse + cx, center.y() * fy * inverse + cy, reach);
+      float farthest = everywhere;
+      if (nearest > 0.05F) {
+        // Beside the optical axis a ball's image is longer than its radius over its distance.
+        const float inverse = 1.0F / center.z();
+        const float slant = center.norm() * inverse;
+        const float reach = std::max(fx, fy) * radius * slant / nearest + 1.0F;
+        farthest =
+            bounds.about(center.x() * fx * inverse + cx, center.y() * fy * inverse + cy, reach);
+      }
       if (farthest > 0.0F && nearest < farthest + band) {
         lists[begin / task].push_back(static_cast<std::uint32_t>(slot));
       }
@@ -318,6 +330,12 @@ std::vector<std::uint32_t> TsdfVolume::visible_slots(
 
 void TsdfVolume::integrate(const Measurement& measurement,
                            const Eigen::Isometry3d& T_world_camera) {
+  // Farther than this a frame cannot reach any block.
+  const double farthest = 10.0 + 2.0 * BlockIndex::reach * edge * options_.voxel_size;
+  if (!T_world_camera.matrix().allFinite() ||
+      T_world_camera.translation().cwiseAbs().maxCoeff() > farthest) {
+    return;
+  }
   allocate(measurement, T_world_camera);
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
   const std::vector<std::uint32_t> slots = visible_slots(measurement, T_camera_world);

@@ -1,0 +1,224 @@
+// symscene reconstruct from outside: what becomes of whole, broken and empty sequences.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+
+namespace symscene::testing {
+namespace {
+
+constexpr int frames = 16;
+
+/// A small simulated sweep, one of a camera that measures nothing, and the scene of the first.
+class ReconstructCommand : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    workspace_ = std::make_unique<Workspace>();
+    const std::string camera = R"("tabletop": {"objects": 7}, "camera": {"frames": 16, "arc": 0.12,
+      "radius": 0.7, "width": 320, "height": 240, "focal_length": 262})";
+    write(*workspace_ / "sweep.json", "{" + camera + "}");
+    write(*workspace_ / "dark.json", "{" + camera + R"(, "sensor": {"max_depth": 0.05}})");
+    for (const char* name : {"sweep", "dark"}) {
+      const std::string line = std::string("simulate --sequence -o ") + name + " --config " + name;
+      const Outcome simulated = run(line + ".json");
+      ASSERT_EQ(simulated.code, 0) << simulated.err;
+    }
+    const Outcome reconstructed = run("reconstruct sweep -o scene --json");
+    ASSERT_EQ(reconstructed.code, 0) << reconstructed.err;
+    report_ = reconstructed.out;
+  }
+  static void TearDownTestSuite() { workspace_.reset(); }
+
+  static Outcome run(const std::string& arguments) { return workspace_->run(arguments); }
+  static fs::path file(const std::string& name) { return *workspace_ / name; }
+  static const std::string& report() { return report_; }
+
+  /// A copy of the sweep to spoil.
+  static fs::path copy_of_sweep(const std::string& name) {
+    fs::remove_all(file(name));
+    fs::copy(file("sweep"), file(name), fs::copy_options::recursive);
+    return file(name);
+  }
+
+  static std::string image(int i) {
+    const std::string number = std::to_string(i);
+    return "depth/" + std::string(6 - number.size(), '0') + number + ".png";
+  }
+
+  static nlohmann::json frames_of(const std::string& scene) {
+    return nlohmann::json::parse(contents(file(scene) / "scene.json")).at("frames");
+  }
+
+  static auto poses_of(const std::string& scene) {
+    const std::string text = contents(file(scene) / "poses.txt");
+    std::size_t poses = 0, begin = 0;
+    while (begin < text.size()) {
+      poses += text[begin] != '#' && text[begin] != '\n' ? 1 : 0;
+      begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    }
+    return poses;
+  }
+
+  /// An error's code and sentence, and no trace of the output.
+  static void expect_failure(const std::string& arguments, int code, const std::string& sentence) {
+    const Outcome outcome = run("reconstruct " + arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.err.find("found  "), std::string::npos) << outcome.err;
+    for (const auto& entry : fs::directory_iterator(workspace_->folder())) {
+      EXPECT_EQ(entry.path().filename().string().find("new"), std::string::npos) << entry.path();
+    }
+  }
+
+ private:
+  static std::unique_ptr<Workspace> workspace_;
+  static std::string report_;
+};
+
+std::unique_ptr<Workspace> ReconstructCommand::workspace_;
+std::string ReconstructCommand::report_;
+
+TEST_F(ReconstructCommand, WritesASceneThatTheOthersRead) {
+  for (const char* name : {"cloud.ply", "mesh.ply", "occupancy.bt", "occupancy.ot",
+                           "table_plane.txt", "poses.txt", "scene.json", "truth.json"}) {
+    EXPECT_GT(fs::file_size(file("scene") / name), 10U) << name;
+  }
+  EXPECT_EQ(poses_of("scene"), std::size_t{frames});
+  EXPECT_EQ(frames_of("scene").at("fused"), frames);
+  EXPECT_EQ(frames_of("scene").at("lost"), 0);
+  const Outcome told = run("info scene");
+  EXPECT_EQ(told.code, 0) << told.err;
+  const Outcome segmented = run("segment scene -o result");
+  EXPECT_EQ(segmented.code, 0) << segmented.err;
+}
+
+TEST_F(ReconstructCommand, TellsHowFarItIsFromTheSequencesPoses) {
+  const std::size_t at = report().find("absolute error ");
+  ASSERT_NE(at, std::string::npos) << report();
+  EXPECT_LT(std::stod(report().substr(at + 15)), 5.0) << report();
+}
+
+TEST_F(ReconstructCommand, WritesTheSameBytesWithAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2"}) {
+    const std::string scene = std::string("threads") + threads;
+    ASSERT_EQ(run("reconstruct sweep -o " + scene + " --threads " + threads).code, 0);
+    for (const char* name : {"cloud.ply", "mesh.ply", "occupancy.bt", "occupancy.ot",
+                             "table_plane.txt", "poses.txt", "truth.json"}) {
+      EXPECT_EQ(contents(file(scene) / name), contents(file("scene") / name)) << name;
+    }
+  }
+}
+
+TEST_F(ReconstructCommand, UsesPosesThatTheSequenceHas) {
+  for (const char* use : {"exact", "start"}) {
+    const Outcome outcome = run(std::string("reconstruct sweep -o posed --poses ") + use);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(poses_of("posed"), std::size_t{frames});
+  }
+  fs::remove(copy_of_sweep("poseless") / "poses.txt");
+  expect_failure("poseless -o new --poses exact", 1, "expected poses, as --poses asks");
+  expect_failure("poseless -o new --poses start", 1, "expected poses, as --poses asks");
+  EXPECT_EQ(run("reconstruct poseless -o without").code, 0);
+  expect_failure("sweep -o new --poses roughly", 2, "--poses");
+}
+
+TEST_F(ReconstructCommand, LeavesFramesOutThatCannotBeReadAndSaysWhich) {
+  const fs::path sequence = copy_of_sweep("cut");
+  fs::resize_file(sequence / image(7), fs::file_size(sequence / image(7)) / 2);
+  write(sequence / image(8), "not an image");
+  const Outcome outcome = run("reconstruct cut -o patched");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("000007.png"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("000008.png"), std::string::npos) << outcome.err;
+  EXPECT_EQ(frames_of("patched").at("unreadable"), 2);
+  EXPECT_EQ(frames_of("patched").at("fused"), frames - 2);
+  EXPECT_EQ(poses_of("patched"), std::size_t{frames - 2});
+}
+
+TEST_F(ReconstructCommand, FusesNoBlackFramesAndGoesOnAfterThem) {
+  const fs::path sequence = copy_of_sweep("blinking");
+  for (const int i : {0, 1, 8, 9}) {
+    fs::copy_file(file("dark") / image(i), sequence / image(i),
+                  fs::copy_options::overwrite_existing);
+  }
+  const Outcome outcome = run("reconstruct blinking -o blinked");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(frames_of("blinked").at("lost"), 4);
+  EXPECT_EQ(frames_of("blinked").at("fused"), frames - 4);
+  EXPECT_EQ(frames_of("blinked").at("relocalized"), 1);
+  EXPECT_NE(outcome.out.find("too little of the image is measured"), std::string::npos);
+}
+
+TEST_F(ReconstructCommand, SaysWhyASequenceShowsNothing) {
+  expect_failure("dark -o new", 1, "too little of the image is measured");
+  const fs::path sequence = copy_of_sweep("ruin");
+  for (int i = 0; i < frames; ++i) fs::resize_file(sequence / image(i), 30);
+  expect_failure("ruin -o new", 1, "ruin");
+}
+
+TEST_F(ReconstructCommand, SaysWhyManyFramesShowNothing) {
+  const fs::path sequence = copy_of_sweep("motley");
+  for (int i = 0; i < frames; ++i) {
+    fs::copy_file(file("dark") / image(i), sequence / image(i),
+                  fs::copy_options::overwrite_existing);
+    if (i % 2 != 0) fs::resize_file(sequence / image(i), 30);
+  }
+  const Outcome outcome = run("reconstruct motley -o new");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.err.find("scene.json"), std::string::npos) << "there is none\n" << outcome.err;
+  EXPECT_FALSE(fs::exists(file("new")));
+}
+
+TEST_F(ReconstructCommand, TakesASequenceOfOneFrame) {
+  const fs::path sequence = copy_of_sweep("single");
+  for (int i = 1; i < frames; ++i) fs::remove(sequence / image(i));
+  fs::remove(sequence / "poses.txt");
+  const Outcome outcome = run("reconstruct single -o glimpse");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(poses_of("glimpse"), 1U);
+  EXPECT_EQ(run("info glimpse").code, 0);
+}
+
+TEST_F(ReconstructCommand, TakesATableThatIsGivenAndRefusesWhatIsNone) {
+  std::string plane = contents(file("scene") / "table_plane.txt");
+  plane.erase(plane.find_last_not_of('\n') + 1);
+  plane.erase(0, plane.rfind('\n') + 1);
+  std::replace(plane.begin(), plane.end(), ' ', ',');
+  const Outcome outcome = run("reconstruct sweep -o given --plane=" + plane);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(contents(file("given") / "table_plane.txt"),
+            contents(file("scene") / "table_plane.txt"));
+  for (const char* bad : {"1,2,3", "0,0,0,1", "a,b,c,d", "nan,0,1,0", "0,0,1,0,7"}) {
+    expect_failure(std::string("sweep -o new --plane=") + bad, 1, "--plane");
+  }
+}
+
+TEST_F(ReconstructCommand, RefusesOptionsOutOfRangeByName) {
+  const std::vector<std::pair<const char*, const char*>> cases = {
+      {R"({"tsdf": {"voxel_size": 0}})", "voxel_size"},
+      {R"({"tracking": {"min_overlap": 2}})", "min_overlap"},
+      {R"({"measurement": {"max_depth": 7}})", "max_depth"},
+      {R"({"scene": {"margin": -1}})", "margin"},
+      {R"({"surface": {"min_triangles": 0}})", "min_triangles"},
+      {R"({"tsdf": {"voxel": 0.01}})", "voxel"}};
+  for (const auto& [config, name] : cases) {
+    write(file("bad.json"), config);
+    expect_failure("sweep -o new --config bad.json", 1, name);
+  }
+}
+
+TEST_F(ReconstructCommand, NeverWritesOverWhatIsNotItsOwn) {
+  expect_failure("sweep -o sweep", 1, "outside the input");
+  fs::create_directories(file("mine"));
+  write(file("mine") / "thesis.txt", "years of work");
+  expect_failure("sweep -o mine", 1, "mine");
+  EXPECT_EQ(contents(file("mine") / "thesis.txt"), "years of work");
+  expect_failure("nowhere -o new", 1, "nowhere");
+}
+
+}  // namespace
+}  // namespace symscene::testing
