@@ -71,6 +71,11 @@ struct Stitch {
     return fields;
   }
 
+  std::optional<Plane> given_plane() const {
+    if (plane.empty()) return {};
+    return parse_table_plane(plane, "--plane");
+  }
+
   static void require_matcher() {
     if (has_feature_matcher()) return;
     throw InputError("this build of symscene",
@@ -133,7 +138,8 @@ struct Stitch {
     if (stitched.placed > 0) return;
     std::size_t plain = 0;
     for (const StitchedFrame& frame : stitched.frames) {
-      plain += frame.features < static_cast<std::size_t>(options.stitching.pairs.min_inliers);
+      const auto least = static_cast<std::size_t>(options.stitching.pairs.min_inliers);
+      plain += frame.features < least ? 1 : 0;
     }
     throw InputError(path.string(), "two frames that show the same textured surface",
                      fmt::format("none among {}, {} of them with too little texture",
@@ -167,8 +173,7 @@ struct Stitch {
 
   void run() {
     const OptionFields fields = configure();
-    const std::optional<Plane> table =
-        plane.empty() ? std::nullopt : std::optional(parse_table_plane(plane, "--plane"));
+    const std::optional<Plane> table = given_plane();
     require_matcher();
     require_not_input(shared.output, path);
     Session session("stitch", shared);

@@ -32,6 +32,22 @@ std::string fit_line(const StitchingResult& result, std::span<const std::size_t>
                      1e3 * sum / static_cast<double>(result.placed), at, 1e3 * worst);
 }
 
+/// How far the pair got that got farthest.
+std::string nearest_line(const StitchingResult& result, std::span<const std::size_t> numbers) {
+  const auto best = std::max_element(result.pairs.begin(), result.pairs.end(),
+                                     [](const StitchedPair& a, const StitchedPair& b) {
+                                       return std::pair(a.pose.inliers.size(), a.pose.matches) <
+                                              std::pair(b.pose.inliers.size(), b.pose.matches);
+                                     });
+  if (best == result.pairs.end()) return "no pair of frames";
+  return fmt::format(
+      "nearest to a pair were frames {} and {} with {} and {} features: {}, {} of "
+      "{} matches agree",
+      numbers[best->first], numbers[best->second], result.frames[best->first].features,
+      result.frames[best->second].features, to_string(best->pose.status), best->pose.inliers.size(),
+      best->pose.matches);
+}
+
 /// Digits that mean something.
 double rounded(double value) { return std::round(value * 1e5) / 1e5; }
 
@@ -67,7 +83,7 @@ std::vector<std::string> stitch_lines(const StitchingResult& result,
     if (result.frames[k].T_world_camera) continue;
     lines.push_back(fmt::format("  frame {} left out: {}", numbers[k], result.frames[k].reason));
   }
-  if (result.placed > 0) lines.push_back(fit_line(result, numbers));
+  lines.push_back(result.placed > 0 ? fit_line(result, numbers) : nearest_line(result, numbers));
   return lines;
 }
 

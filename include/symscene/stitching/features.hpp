@@ -11,8 +11,8 @@ namespace symscene {
 
 struct FeatureOptions {
   int max_features = 1500;   ///< of an image, the strongest
-  double contrast = 0.03;    ///< least contrast of a feature (SIFT, Lowe 2004, section 4)
-  double ratio = 0.8;        ///< of the nearest to the second nearest descriptor (section 7.1)
+  double contrast = 0.01;    ///< least contrast of a feature (SIFT, Lowe 2004, section 4)
+  double ratio = 0.85;       ///< of the nearest to the second nearest descriptor (section 7.1)
   double depth_step = 0.03;  ///< largest depth difference about a feature, at 1 m: what lies on an
                              ///< object's outline moves over the surface with the view [m]
 

@@ -7,7 +7,7 @@ namespace symscene {
 struct PairOptions {
   double reprojection = 4.0;  ///< of a match that agrees with a pose [px]
   int iterations = 2000;      ///< of RANSAC at most
-  int min_inliers = 15;       ///< matches that have to agree
+  int min_inliers = 12;       ///< matches that have to agree
   double max_gap = 0.04;      ///< between the two points of a match that agrees, at 1 m; grows with
                               ///< the square of the depth as noise does [m]
   double tolerance = 0.02;    ///< within which one frame's points lie on the other's surface,
