@@ -52,8 +52,8 @@ void locate(const PixelRow& row, const float* depth, std::size_t width, BrickKey
     const std::uint32_t kz =
         key_at(in.origin[2] + z * (in.start[2] + column * in.step[2]), in.anchor[2]);
     const std::uint32_t brick = (kx >> 6U) | ((ky >> 6U) << 10U) | ((kz >> 6U) << 20U);
-    const bool inside = (kx | ky | kz) < 65536U;
-    bricks[u] = measured & inside ? brick : no_brick;
+    const bool inside = measured & ((kx | ky | kz) < 65536U);
+    bricks[u] = inside ? brick : no_brick;
     voxels[u] = spread_six(kx & 63U) | (spread_six(ky & 63U) << 1U) | (spread_six(kz & 63U) << 2U);
   }
 }

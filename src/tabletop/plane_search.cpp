@@ -48,7 +48,9 @@ int count_inliers(const float* x, const float* y, const float* z, const float* n
   for (std::size_t i = 0; i < count; ++i) {
     const float distance = t.a * x[i] + t.b * y[i] + t.c * z[i] + t.d;
     const float cosine = t.a * nx[i] + t.b * ny[i] + t.c * nz[i];
-    inliers += (distance < t.distance) & (distance > -t.distance) & (cosine > t.cosine) ? 1 : 0;
+    const bool near = (distance < t.distance) & (distance > -t.distance);
+    const bool inlier = near & (cosine > t.cosine);
+    inliers += inlier ? 1 : 0;
   }
   return inliers;
 }
