@@ -44,6 +44,7 @@ void add_commands(CLI::App& app) {
       "    symscene view result -o page.html");
   symscene::app::add_simulate(app);
   symscene::app::add_reconstruct(app);
+  symscene::app::add_stitch(app);
   symscene::app::add_segment(app);
   symscene::app::add_symmetry(app);
   symscene::app::add_view(app);

@@ -2,18 +2,14 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "commands.hpp"
 #include "frame_log.hpp"
+#include "scene_output.hpp"
 #include "session.hpp"
 #include "symscene/evaluation/trajectory_measures.hpp"
-#include "symscene/io/scene.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/io/table_plane.hpp"
-#include "symscene/io/truth.hpp"
-#include "symscene/pipeline/scene_building.hpp"
-#include "symscene/simulation/truth_transfer.hpp"
 
 namespace symscene::app {
 namespace {
@@ -54,11 +50,6 @@ class FrameReader {
   std::future<DepthFrame> ahead_;
 };
 
-std::string plane_numbers(const Plane& plane) {
-  return fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}", plane.normal.x(), plane.normal.y(),
-                     plane.normal.z(), plane.offset);
-}
-
 struct Reconstruct {
   SharedOptions shared;
   ReconstructOptions options;
@@ -92,17 +83,11 @@ struct Reconstruct {
     if (count == 0) throw InputError(path.string(), "poses, as --poses asks", "frames without any");
   }
 
-  /// Frames that could be placed, by their numbers in the sequence.
-  struct Path {
-    Trajectory trajectory;
-    std::vector<std::size_t> frames;
-  };
-
-  Path add_frames(const DepthSequence& sequence, Reconstruction& reconstruction, FrameLog& log,
-                  Session& session, StageTimer& timer) const {
+  PlacedFrames add_frames(const DepthSequence& sequence, Reconstruction& reconstruction,
+                          FrameLog& log, Session& session, StageTimer& timer) const {
     const PoseUse use = poses == "exact" ? PoseUse::exact : PoseUse::start;
     FrameReader reader(sequence);
-    Path placed;
+    PlacedFrames placed;
     double waited = 0.0;
     for (std::size_t i = 0; i < sequence.size(); ++i) {
       session.on_begin()(fmt::format("frame {} of {}", i + 1, sequence.size()));
@@ -127,54 +112,12 @@ struct Reconstruct {
     return placed;
   }
 
-  void report_table(const TableScene& table, Session& session) const {
-    if (table.planes.supports.empty()) {
-      std::vector<std::string> found;
-      for (const SupportPlane& other : table.planes.others) {
-        found.push_back(fmt::format("{} ({:.2f} m^2)", plane_numbers(other.plane), other.area));
-      }
-      throw InputError(
-          path.string(), "a table that something stands on (or --plane a,b,c,d)",
-          found.empty() ? "no plane" : fmt::format("only the planes {}", fmt::join(found, "; ")));
-    }
-    const auto& supports = table.planes.supports;
-    session.say(fmt::format("table {}: {:.2f} m^2, rough to {:.1f} mm",
-                            plane_numbers(supports.front().plane), supports.front().area,
-                            1e3 * supports.front().residual));
-    for (std::size_t k = 1; k < supports.size(); ++k) {
-      session.warn(fmt::format("another plane carries things too: --plane {} ({:.2f} m^2)",
-                               plane_numbers(supports[k].plane), supports[k].area));
-    }
-  }
-
-  /// The truth of a simulated sequence in the frame and on the points of the scene.
-  std::optional<SceneTruth> scene_truth(const DepthSequence& sequence, const Path& placed,
-                                        const PointCloud& cloud) const {
-    if (!std::filesystem::exists(path / "truth.json")) return {};
-    std::vector<Eigen::Isometry3d> tracked, truth;
-    for (std::size_t k = 0; k < placed.frames.size(); ++k) {
-      const auto pose = sequence.pose(placed.frames[k]);
-      if (!pose) continue;
-      tracked.push_back(placed.trajectory[k].T_world_camera);
-      truth.push_back(*pose);
-    }
-    const SceneTruth known = read_truth(path / "truth.json");
-    return transfer_truth(known, read_truth_meshes(path, known), cloud,
-                          align_poses(tracked, truth));
-  }
-
-  void report_trajectory(const DepthSequence& sequence, const Path& placed,
+  void report_trajectory(const DepthSequence& sequence, const PlacedFrames& placed,
                          Session& session) const {
     if (poses == "exact") return;
-    std::vector<Eigen::Isometry3d> tracked, truth;
-    for (std::size_t k = 0; k < placed.frames.size(); ++k) {
-      const auto pose = sequence.pose(placed.frames[k]);
-      if (!pose) continue;
-      tracked.push_back(placed.trajectory[k].T_world_camera);
-      truth.push_back(*pose);
-    }
-    if (truth.size() < 3) return;
-    const TrajectoryError error = trajectory_error(tracked, truth);
+    const PosesAndTruth known = poses_and_truth(sequence, placed);
+    if (known.truth.size() < 3) return;
+    const TrajectoryError error = trajectory_error(known.poses, known.truth);
     session.say(fmt::format(
         "against the sequence's {} poses ({:.2f} m): absolute error {:.1f} mm, relative {:.1f} mm "
         "and {:.2f} degrees over 30 frames, drift {:.1f} mm",
@@ -192,41 +135,19 @@ struct Reconstruct {
     require_poses(*sequence);
     Reconstruction reconstruction(sequence->camera(), options.reconstruction);
     FrameLog log;
-    const Path placed = add_frames(*sequence, reconstruction, log, session, timer);
+    const PlacedFrames placed = add_frames(*sequence, reconstruction, log, session, timer);
     for (const std::string& line : log.lines()) session.say(line);
     if (placed.frames.empty())
       throw InputError(path.string(), "a frame that shows something", log.first_run());
     report_trajectory(*sequence, placed, session);
-    const TriangleMesh surface =
-        timer.time("extract surface", [&] { return reconstruction.surface(); });
-    const BuiltScene built = timer.time("find table", [&] {
-      return naming(path, [&] {
-        return build_scene(surface, reconstruction.occupancy(), table,
-                           any_up ? std::nullopt : upward(placed.trajectory), options.scene);
-      });
-    });
-    report_table(built.table, session);
-    timer.time("write", [&] {
-      const std::optional<SceneTruth> truth = scene_truth(*sequence, placed, built.scene.cloud);
-      write_scene(absolute(shared.output), built.scene,
-                  {.scene_json = describe_run("reconstruct", fields, log.json()),
-                   .truth = truth ? &*truth : nullptr,
-                   .mesh = &surface,
-                   .trajectory = &placed.trajectory,
-                   .log_odds = &built.log_odds});
-    });
-    const auto memory = static_cast<std::uint64_t>(reconstruction.volume().bytes() +
-                                                   reconstruction.occupancy().memory());
-    session.say(fmt::format("{}: {} points of objects, {} mesh vertices, model of {:.0f} MB",
-                            shared.output.string(), built.scene.cloud.size(),
-                            surface.vertices.rows(), 1e-6 * static_cast<double>(memory)));
-    session.finish({{"output", shared.output},
-                    {"frames", sequence->size()},
-                    {"fused", log.fused()},
-                    {"points", built.scene.cloud.size()},
-                    {"vertices", static_cast<std::uint64_t>(surface.vertices.rows())},
-                    {"model_bytes", memory}},
-                   timer.stages());
+    SceneOutput output{path, shared.output, table, any_up, options.scene};
+    const std::vector<ReportMember> written =
+        output.write(reconstruction, options.reconstruction.surface, *sequence, placed,
+                     describe_run("reconstruct", fields, log.json()), session, timer);
+    std::vector<ReportMember> members{
+        {"output", shared.output}, {"frames", sequence->size()}, {"fused", log.fused()}};
+    members.insert(members.end(), written.begin(), written.end());
+    session.finish(members, timer.stages());
   }
 };
 

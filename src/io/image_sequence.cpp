@@ -41,6 +41,7 @@ class ImageSequence final : public DepthSequence {
   std::size_t size() const override { return content_.frames.size(); }
   double time(std::size_t i) const override { return content_.frames.at(i).time; }
   bool has_color() const override { return first_color() != nullptr; }
+  bool has_color(std::size_t i) const override { return !content_.frames.at(i).color.empty(); }
   std::optional<Eigen::Isometry3d> pose(std::size_t i) const override {
     return content_.frames.at(i).T_world_camera;
   }

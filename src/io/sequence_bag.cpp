@@ -225,6 +225,7 @@ class BagSequence final : public DepthSequence {
   bool has_color() const override {
     return std::any_of(color_of_.begin(), color_of_.end(), [](int color) { return color >= 0; });
   }
+  bool has_color(std::size_t i) const override { return color_of_.at(i) >= 0; }
   std::optional<Eigen::Isometry3d> pose(std::size_t) const override { return std::nullopt; }
 
   DepthFrame read(std::size_t i) const override {

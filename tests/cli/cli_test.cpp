@@ -76,7 +76,7 @@ std::unique_ptr<Workspace> Command::workspace_;
 
 TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
   EXPECT_NE(run("--help").out.find("segment"), std::string::npos);
-  for (const char* command : {"simulate", "segment", "symmetry", "view", "info"}) {
+  for (const char* command : {"simulate", "stitch", "segment", "symmetry", "view", "info"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_EQ(help.err, "") << command;
@@ -313,6 +313,42 @@ TEST_F(Command, TellsWhatIsInASequenceAndWhichFramesCannotBeRead) {
   EXPECT_EQ(line.at("depth").at("measured"), 0.875);
   EXPECT_EQ(line.at("path_length"), 5.0);
   EXPECT_EQ(line.at("unreadable").size(), 1U);
+}
+
+TEST_F(Command, StitchesFramesToTheSameBytesWithAnyNumberOfThreads) {
+  write(file("arc.json"), R"({"camera": {"arc": 0.5, "radius": 0.7}})");
+  ASSERT_EQ(run("simulate --sequence -o arc --frames 6 --seed 1 --config arc.json").code, 0);
+  const Outcome one = run("stitch arc -o stitched1 --threads 1 --json");
+  if (one.err.find("feature matcher") != std::string::npos) GTEST_SKIP() << one.err;
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(last_line(one.out).at("placed"), 6) << one.out;
+  EXPECT_NE(one.out.find("6 placed; "), std::string::npos) << one.out;
+  ASSERT_EQ(run("stitch arc -o stitched2 --threads 2").code, 0);
+  for (const char* name : {"cloud.ply", "occupancy.bt", "mesh.ply", "poses.txt"}) {
+    EXPECT_EQ(contents(file("stitched1") / name), contents(file("stitched2") / name)) << name;
+  }
+}
+
+TEST_F(Command, RefusesToStitchWhatItCannot) {
+  const std::string given = " -o new --intrinsics 5,5,1.5,0.5";
+  fs::create_directories(file("depths") / "depth");
+  write(file("depths") / "depth/000000.png", depth_png);
+  const Outcome depths = run("stitch depths" + given);
+  if (depths.err.find("feature matcher") != std::string::npos) GTEST_SKIP() << depths.err;
+  expect_refusal("stitch depths" + given, 1, "found 1 frames of depth alone");
+  expect_refusal("stitch nowhere -o new", 1, "symscene stitch: nowhere");
+  fs::create_directories(file("many") / "depth");
+  fs::create_directories(file("many") / "color");
+  for (int i = 0; i < 130; ++i) {
+    const std::string name = std::to_string(1000000 + i).substr(1) + ".png";
+    write(file("many") / "depth" / name, depth_png);
+    write(file("many") / "color" / name, depth_png);
+  }
+  expect_refusal("stitch many" + given, 1, "at most 60 frames with colour (pass --every 3)");
+  write(file("apart.json"), R"({"camera": {"width": 160, "height": 120, "focal_length": 130}})");
+  ASSERT_EQ(run("simulate --sequence -o apart --frames 2 --seed 1 --config apart.json").code, 0);
+  expect_refusal("stitch apart -o new --quiet", 1, "two frames that show the same textured");
+  EXPECT_FALSE(fs::exists(file("new")));
 }
 
 TEST_F(Command, TellsOfNothingElse) {

@@ -25,6 +25,7 @@ TEST(Sequence, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(sequence->layout(), "sequence");
   EXPECT_EQ(sequence->camera().fy, 11.0);
   EXPECT_TRUE(sequence->has_color());
+  EXPECT_TRUE(sequence->has_color(0));
   ASSERT_EQ(sequence->size(), 3U);
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);

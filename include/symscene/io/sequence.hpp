@@ -24,8 +24,9 @@ class DepthSequence {
   virtual std::string layout() const = 0;  ///< "sequence", "TUM RGB-D", "7-Scenes", ...
   virtual const CameraIntrinsics& camera() const = 0;
   virtual std::size_t size() const = 0;
-  virtual double time(std::size_t i) const = 0;  ///< [s]
-  virtual bool has_color() const = 0;            ///< of at least one frame
+  virtual double time(std::size_t i) const = 0;     ///< [s]
+  virtual bool has_color() const = 0;               ///< of at least one frame
+  virtual bool has_color(std::size_t i) const = 0;  ///< of this one
 
   /// The frame's pose, where the sequence has one for it. The world is the sequence's own.
   virtual std::optional<Eigen::Isometry3d> pose(std::size_t i) const = 0;

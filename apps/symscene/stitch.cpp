@@ -1,0 +1,227 @@
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "commands.hpp"
+#include "scene_output.hpp"
+#include "session.hpp"
+#include "stitch_report.hpp"
+#include "symscene/evaluation/trajectory_measures.hpp"
+#include "symscene/io/table_plane.hpp"
+
+namespace symscene::app {
+namespace {
+
+/// All pairs are compared: more frames take minutes.
+constexpr std::size_t most_frames = 60;
+
+/// All stages' options, as a configuration file names them. Depths are measured alike in all.
+struct StitchOptions {
+  StitchingOptions stitching;
+  TsdfOptions tsdf;
+  OccupancyVolumeOptions occupancy;
+  SurfaceExtractionOptions surface;
+  SceneBuildingOptions scene;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    StitchingOptions::visit_fields(self.stitching, visit);
+    visit("tsdf", self.tsdf);
+    visit("occupancy", self.occupancy);
+    visit("surface", self.surface);
+    visit("scene", self.scene);
+  }
+
+  void validate() const {
+    stitching.validate();
+    scene.validate();
+    reconstruction().validate();
+  }
+
+  ReconstructionOptions reconstruction() const {
+    ReconstructionOptions options;
+    options.measurement = stitching.measurement;
+    options.tsdf = tsdf;
+    options.occupancy = occupancy;
+    options.surface = surface;
+    return options;
+  }
+};
+
+/// Frames of a sequence with colour.
+struct ColorFrames {
+  std::vector<std::size_t> numbers;
+  std::vector<DepthFrame> frames;
+};
+
+struct Stitch {
+  SharedOptions shared;
+  StitchOptions options;
+  SequenceOptions source;
+  std::filesystem::path path;
+  std::string plane;
+  std::optional<int> every;
+  bool any_up = false;
+
+  OptionFields configure() {
+    OptionFields fields = option_fields(options);
+    if (!shared.config.empty()) read_config(shared.config, fields);
+    options.validate();
+    return fields;
+  }
+
+  std::optional<Plane> given_plane() const {
+    if (plane.empty()) return {};
+    return parse_table_plane(plane, "--plane");
+  }
+
+  static void require_matcher() {
+    if (has_feature_matcher()) return;
+    throw InputError("this build of symscene",
+                     "a feature matcher (install libopencv-features2d-dev and "
+                     "libopencv-calib3d-dev, then build again)",
+                     "none");
+  }
+
+  /// The numbers of the frames to stitch.
+  std::vector<std::size_t> choose(const DepthSequence& sequence) const {
+    std::vector<std::size_t> colored, chosen;
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+      if (sequence.has_color(i)) colored.push_back(i);
+    }
+    if (colored.empty()) {
+      throw InputError(path.string(), "frames with colour, in which features can be found",
+                       fmt::format("{} frames of depth alone", sequence.size()));
+    }
+    const auto step = static_cast<std::size_t>(every.value_or(1));
+    for (std::size_t k = 0; k < colored.size(); k += step) chosen.push_back(colored[k]);
+    if (chosen.size() > most_frames) {
+      throw InputError(path.string(),
+                       fmt::format("at most {} frames with colour (pass --every {})", most_frames,
+                                   (colored.size() + most_frames - 1) / most_frames),
+                       fmt::format("{}", chosen.size()));
+    }
+    return chosen;
+  }
+
+  ColorFrames read(const DepthSequence& sequence, Session& session) const {
+    ColorFrames read;
+    for (const std::size_t i : choose(sequence)) {
+      try {
+        DepthFrame frame = sequence.read(i);
+        if (frame.colors.rows() == 0) continue;
+        read.frames.push_back(std::move(frame));
+        read.numbers.push_back(i);
+      } catch (const InputError& error) {
+        session.warn(error.what());
+      }
+    }
+    if (read.frames.size() < 2) {
+      throw InputError(path.string(), "at least two frames with colour that can be read",
+                       fmt::format("{}", read.frames.size()));
+    }
+    return read;
+  }
+
+  static PlacedFrames placed_frames(const StitchingResult& stitched, const ColorFrames& read) {
+    PlacedFrames placed;
+    for (std::size_t k = 0; k < read.frames.size(); ++k) {
+      if (!stitched.frames[k].T_world_camera) continue;
+      placed.trajectory.push_back({read.frames[k].time, *stitched.frames[k].T_world_camera});
+      placed.frames.push_back(read.numbers[k]);
+    }
+    return placed;
+  }
+
+  void require_placed(const StitchingResult& stitched) const {
+    if (stitched.placed > 0) return;
+    std::size_t plain = 0;
+    for (const StitchedFrame& frame : stitched.frames) {
+      const auto least = static_cast<std::size_t>(options.stitching.pairs.min_inliers);
+      plain += frame.features < least ? 1 : 0;
+    }
+    throw InputError(path.string(), "two frames that show the same textured surface",
+                     fmt::format("none among {}, {} of them with too little texture",
+                                 stitched.frames.size(), plain));
+  }
+
+  void report_poses(const DepthSequence& sequence, const PlacedFrames& placed,
+                    Session& session) const {
+    const PosesAndTruth known = poses_and_truth(sequence, placed);
+    if (known.truth.size() < 3) return;
+    const TrajectoryError error = trajectory_error(known.poses, known.truth, 1);
+    session.say(fmt::format(
+        "against the sequence's {} poses: absolute error {:.1f} mm, largest {:.1f} mm; from one "
+        "frame to the next {:.1f} mm and {:.2f} degrees",
+        error.poses, 1e3 * error.absolute, 1e3 * error.absolute_max, 1e3 * error.relative,
+        degrees(error.relative_angle)));
+  }
+
+  Reconstruction fuse(const DepthSequence& sequence, const ColorFrames& read,
+                      const StitchingResult& stitched, StageTimer& timer) const {
+    Reconstruction reconstruction(sequence.camera(), options.reconstruction());
+    for (std::size_t k = 0; k < read.frames.size(); ++k) {
+      const auto& pose = stitched.frames[k].T_world_camera;
+      if (pose) reconstruction.add(read.frames[k], *pose, PoseUse::exact);
+    }
+    for (const StageTime& time : reconstruction.times()) {
+      if (time.seconds > 0.0) timer.add(time.stage, time.seconds);
+    }
+    return reconstruction;
+  }
+
+  void run() {
+    const OptionFields fields = configure();
+    const std::optional<Plane> table = given_plane();
+    require_matcher();
+    require_not_input(shared.output, path);
+    Session session("stitch", shared);
+    StageTimer timer(session.on_begin());
+    const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
+    const ColorFrames read = timer.time("read", [&] { return this->read(*sequence, session); });
+    session.on_begin()("stitch");
+    const StitchingResult stitched =
+        stitch_frames(read.frames, sequence->camera(), options.stitching);
+    for (const StageTime& time : stitched.times) timer.add(time.stage, time.seconds);
+    for (const std::string& line : stitch_lines(stitched, read.numbers)) session.say(line);
+    require_placed(stitched);
+    const PlacedFrames placed = placed_frames(stitched, read);
+    report_poses(*sequence, placed, session);
+    session.on_begin()("fuse");
+    const Reconstruction reconstruction = fuse(*sequence, read, stitched, timer);
+    const SceneOutput output{path, shared.output, table, any_up, options.scene};
+    const std::vector<ReportMember> written = output.write(
+        reconstruction, surface_of_few(options.surface, stitched.placed), *sequence, placed,
+        describe_run("stitch", fields, stitch_json(stitched, read.numbers)), session, timer);
+    std::vector<ReportMember> members{
+        {"output", shared.output}, {"frames", read.frames.size()}, {"placed", stitched.placed}};
+    members.insert(members.end(), written.begin(), written.end());
+    session.finish(members, timer.stages());
+  }
+};
+
+}  // namespace
+
+void add_stitch(CLI::App& app) {
+  const auto state = std::make_shared<Stitch>();
+  Arguments arguments(
+      app, "stitch", "Turn a few colour and depth frames from unknown viewpoints into a scene",
+      "symscene stitch photos -o scene\n"
+      "  symscene stitch tum_fr1_xyz -o desk --intrinsics 517.3,516.5,318.6,255.3 --every 3");
+  arguments.input(state->path, "FRAMES",
+                  "frames in any order: every layout that reconstruct reads, with colour");
+  arguments.required_output(state->shared, "scene folder to write");
+  arguments.sequence_options(state->source);
+  arguments.count("--every", state->every, "use every N-th of the frames that have colour");
+  arguments.text("--plane", state->plane,
+                 "the table, as a,b,c,d of ax + by + cz + d = 0, in the first frame's camera");
+  arguments.flag("--any-up", state->any_up,
+                 "the camera was not held upright: the table may face anywhere");
+  arguments.threads(state->shared);
+  arguments.reporting(state->shared);
+  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run([state] { state->run(); });
+}
+
+}  // namespace symscene::app
