@@ -1,7 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <string>
 
 #include <fmt/format.h>
@@ -9,6 +7,7 @@
 #include <octomap/OcTree.h>
 #endif
 
+#include "stopwatch.hpp"
 #include "symscene/core/parallel.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
@@ -51,21 +50,6 @@ Scan simulate(const Arguments& arguments) {
   scan.box.min = {-0.6F, -0.6F, -0.1F};
   scan.box.max = {0.6F, 0.6F, 0.6F};
   return scan;
-}
-
-/// Processor time counts too: it is what wall time is on a machine with nothing else to do.
-struct Seconds {
-  double wall = 0.0;
-  double processor = 0.0;  ///< of all threads
-};
-
-template <class Body>
-Seconds seconds(const Body& body) {
-  const std::clock_t processor = std::clock();
-  const auto start = std::chrono::steady_clock::now();
-  body();
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  return {wall.count(), static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
 }
 
 void print_time(const std::string& what, const Seconds& frame) {
