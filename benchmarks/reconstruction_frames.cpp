@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -241,7 +240,7 @@ void print_fusion(const FusionTimes& times) {
   print_row("prepare, poses given", times.prepare);
   print_row("integrate, poses given", times.integrate);
   print_row("both", times.fuse);
-  print_row("view of 640 x 480", times.view);
+  print_row("view of the image's size", times.view);
 }
 
 /// How many times as fast, by each of the clocks.

@@ -74,6 +74,7 @@ VoxelBlockGrid::~VoxelBlockGrid() = default;
 
 void VoxelBlockGrid::limit_threads(std::size_t threads) {
   // Open3D asks OpenMP only if this is set, and else takes the number of cores.
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread reads the environment meanwhile
   setenv("OMP_NUM_THREADS", std::to_string(threads).c_str(), 1);
   omp_set_num_threads(static_cast<int>(threads));
 }
