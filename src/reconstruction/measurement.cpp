@@ -67,26 +67,39 @@ constexpr std::size_t smoothing_radius = 2;  // [px]
 constexpr float smoothing_sigmas = 4.0F;
 constexpr std::size_t normal_reach = 2;  // [px]
 
-/// One row of a bilateral filter over 5×5 pixels: weights fall to zero at `sigmas` deviations of
-/// the depth. `rows` are the five rows about it.
+/// One row of a bilateral filter over 5×5 pixels: weights fall to zero at `noise` times the squared
+/// depth. `rows` are the five rows about it. In strips of fixed width, which compilers vectorise.
 SYMSCENE_MULTIVERSION
-void smooth_row(const float* const* rows, std::size_t width, float noise, float* out) {
-  for (std::size_t u = smoothing_radius; u + smoothing_radius < width; ++u) {
-    const float center = rows[smoothing_radius][u];
-    const float reach = noise * center * center;
-    const float falloff = center > 0.0F ? 1.0F / (reach * reach) : 0.0F;
-    float sum = 0.0F, total = 0.0F;
+void smooth_row(const float* const* rows, std::size_t width, float noise, float* __restrict out) {
+  constexpr std::size_t strip = 64;
+  const std::size_t end = width - smoothing_radius;
+  for (std::size_t left = smoothing_radius; left < end; left += strip) {
+    // The last strip lies over the one before it; a narrow image has one short strip.
+    const std::size_t first =
+        left + strip > end && end >= strip + smoothing_radius ? end - strip : left;
+    const std::size_t count = std::min(strip, end - first);
+    float falloff[strip], sum[strip], total[strip];
+    const float* const center = rows[smoothing_radius] + first;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float reach = noise * center[i] * center[i];
+      falloff[i] = center[i] > 0.0F ? 1.0F / (reach * reach) : 0.0F;
+      sum[i] = total[i] = 0.0F;
+    }
     for (std::size_t y = 0; y <= 2 * smoothing_radius; ++y) {
       for (std::size_t x = 0; x <= 2 * smoothing_radius; ++x) {
-        const float z = rows[y][u + x - smoothing_radius];
-        const float step = z - center;
-        const float weight = 1.0F - step * step * falloff;
-        const float used = weight > 0.0F ? weight : 0.0F;
-        sum += used * z;
-        total += used;
+        const float* const z = rows[y] + first + x - smoothing_radius;
+        for (std::size_t i = 0; i < count; ++i) {
+          const float step = z[i] - center[i];
+          const float weight = 1.0F - step * step * falloff[i];
+          const float used = weight > 0.0F ? weight : 0.0F;
+          sum[i] += used * z[i];
+          total[i] += used;
+        }
       }
     }
-    out[u] = center > 0.0F ? sum / total : 0.0F;
+    for (std::size_t i = 0; i < count; ++i) {
+      out[first + i] = center[i] > 0.0F ? sum[i] / total[i] : 0.0F;
+    }
   }
 }
 

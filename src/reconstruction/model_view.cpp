@@ -173,31 +173,108 @@ class RayCaster {
   float voxels_a_unit_;
 };
 
+/// Casts a view in two passes: the corners of the tiles, then what is between them.
+class ViewCaster {
+ public:
+  ViewCaster(const TsdfVolume& volume, ModelView& view)
+      : volume_(volume),
+        view_(view),
+        camera_(view.image.camera),
+        ranges_(find_depth_ranges(volume, camera_, view.T_world_camera.inverse())),
+        band_(static_cast<float>(1.5 * volume.options().truncation)) {
+    for (Index u = 0; u < camera_.width; ++u) {
+      ray_x_.push_back(static_cast<float>(camera_.ray(u, 0.0).x()));
+    }
+  }
+
+  void cast() {
+    const std::size_t rows = (camera_.height + tile - 1) / tile;
+    for_each_row(rows + 1, [&](RayCaster& caster, Index row) { cast_corners(caster, row); });
+    for_each_row(rows, [&](RayCaster& caster, Index row) { cast_tiles(caster, row); });
+  }
+
+ private:
+  template <class Body>
+  void for_each_row(std::size_t rows, const Body& body) const {
+    parallel_for_each(rows, [&](std::size_t row) {
+      RayCaster caster(volume_, view_.T_world_camera);
+      body(caster, static_cast<Index>(row));
+    });
+  }
+
+  /// The last corners of a row and of the image are its last pixels.
+  static Index corner(Index number, Index size) { return std::min(number * tile, size - 1); }
+
+  SurfacePixel& pixel(Index u, Index v) const {
+    return view_.image.pixels[std::size_t{v} * camera_.width + u];
+  }
+  std::size_t tile_of(Index u, Index v) const {
+    return std::size_t{v / tile} * ranges_.columns + u / tile;
+  }
+  Eigen::Vector3f ray(Index u, Index v) const {
+    return {ray_x_[u], static_cast<float>(camera_.ray(0.0, v).y()), 1.0F};
+  }
+
+  void cast_corners(RayCaster& caster, Index row) const {
+    const Index v = corner(row, camera_.height);
+    if (row > 0 && v == corner(row - 1, camera_.height)) return;
+    for (Index column = 0; column <= ranges_.columns; ++column) {
+      const Index u = corner(column, camera_.width);
+      const std::size_t at = tile_of(u, v);
+      if (ranges_.farthest[at] == 0.0F) continue;
+      pixel(u, v) = caster.cast(ray(u, v), ranges_.nearest[at], ranges_.farthest[at]);
+    }
+  }
+
+  void cast_tiles(RayCaster& caster, Index row) const {
+    const Index top = row * tile, bottom = corner(row + 1, camera_.height);
+    for (Index column = 0; column < ranges_.columns; ++column) {
+      const Index left = column * tile, right = corner(column + 1, camera_.width);
+      const std::size_t at = std::size_t{row} * ranges_.columns + column;
+      if (ranges_.farthest[at] == 0.0F) continue;
+      const float start = start_of(left, right, top, bottom);
+      for (Index v = top; v < std::min(camera_.height, top + tile); ++v) {
+        for (Index u = left; u < std::min(camera_.width, left + tile); ++u) {
+          if ((u == left || u == right) && (v == top || v == bottom)) continue;
+          pixel(u, v) = cast_between(caster, ray(u, v), start, at);
+        }
+      }
+    }
+  }
+
+  /// A depth before what the corners of a tile show, 0 where they do not show one surface. [m]
+  float start_of(Index left, Index right, Index top, Index bottom) const {
+    const float depths[4] = {pixel(left, top).depth, pixel(right, top).depth,
+                             pixel(left, bottom).depth, pixel(right, bottom).depth};
+    const auto [least, most] = std::minmax_element(depths, depths + 4);
+    return *least > 0.0F && *most - *least < 4.0F * band_ ? *least - band_ : 0.0F;
+  }
+
+  /// From `start` if that lies in space that was seen to be empty, else from where surface begins.
+  SurfacePixel cast_between(RayCaster& caster, const Eigen::Vector3f& ray, float start,
+                            std::size_t at) const {
+    const float nearest = ranges_.nearest[at], farthest = ranges_.farthest[at];
+    if (start > nearest) {
+      const SurfacePixel shown = caster.cast(ray, start, farthest);
+      if (shown.depth > 0.0F) return shown;
+    }
+    return caster.cast(ray, nearest, farthest);
+  }
+
+  const TsdfVolume& volume_;
+  ModelView& view_;
+  const CameraIntrinsics& camera_;
+  DepthRanges ranges_;
+  float band_;  ///< [m]
+  std::vector<float> ray_x_;
+};
+
 }  // namespace
 
 ModelView cast_model_view(const TsdfVolume& volume, const CameraIntrinsics& camera,
                           const Eigen::Isometry3d& T_world_camera) {
   ModelView view{{camera, std::vector<SurfacePixel>(camera.pixels())}, T_world_camera};
-  if (!T_world_camera.matrix().allFinite()) return view;
-  const DepthRanges ranges = find_depth_ranges(volume, camera, T_world_camera.inverse());
-  const std::size_t columns = ranges.columns;
-  std::vector<float> ray_x(camera.width);
-  for (Index u = 0; u < camera.width; ++u) ray_x[u] = static_cast<float>(camera.ray(u, 0.0).x());
-  parallel_for_each((camera.height + tile - 1) / tile, [&](std::size_t row) {
-    RayCaster caster(volume, T_world_camera);
-    const auto top = static_cast<Index>(row) * tile;
-    for (Index column = 0; column < columns; ++column) {
-      const std::size_t at = row * columns + column;
-      if (ranges.farthest[at] == 0.0F) continue;
-      for (Index v = top; v < std::min(camera.height, top + tile); ++v) {
-        const auto ray_y = static_cast<float>(camera.ray(0.0, v).y());
-        for (Index u = column * tile; u < std::min(camera.width, (column + 1) * tile); ++u) {
-          view.image.pixels[std::size_t{v} * camera.width + u] =
-              caster.cast({ray_x[u], ray_y, 1.0F}, ranges.nearest[at], ranges.farthest[at]);
-        }
-      }
-    }
-  });
+  if (T_world_camera.matrix().allFinite() && !volume.empty()) ViewCaster(volume, view).cast();
   return view;
 }
 

@@ -206,6 +206,15 @@ struct DepthBounds {
   }
 };
 
+/// The block at a coordinate, rounded down; anything out of reach where it is out of reach. Cutting
+/// to an integer is an instruction, rounding down without SSE 4.1 a call.
+int block_of(float coordinate) {
+  constexpr int offset = 2 * BlockIndex::reach;
+  const float bounded =
+      std::clamp(coordinate, -static_cast<float>(offset), static_cast<float>(offset));
+  return static_cast<int>(bounded + static_cast<float>(offset)) - offset;
+}
+
 }  // namespace
 
 void TsdfOptions::validate() const {
@@ -262,23 +271,32 @@ void TsdfVolume::allocate(const Measurement& measurement, const Eigen::Isometry3
   const std::size_t rows = (camera.height + stride - 1) / stride;
   constexpr std::size_t rows_a_task = 8;
   std::vector<std::vector<Eigen::Vector3i>> missing((rows + rows_a_task - 1) / rows_a_task);
+  std::vector<float> ray_x(camera.width);
+  for (Index u = 0; u < camera.width; ++u) ray_x[u] = static_cast<float>(camera.ray(u, 0.0).x());
   parallel_for_blocks(rows, rows_a_task, [&](std::size_t begin, std::size_t end) {
     std::vector<Eigen::Vector3i>& found = missing[begin / rows_a_task];
+    Eigen::Vector3i last = Eigen::Vector3i::Constant(BlockIndex::reach);
     for (std::size_t row = begin; row < end; ++row) {
       const std::size_t v = row * stride;
+      const auto ray_y = static_cast<float>(camera.ray(0.0, static_cast<double>(v)).y());
       for (Index u = 0; u < camera.width; u += stride) {
         const std::uint32_t packed = measurement.packed[v * camera.width + u];
         if (packed == 0) continue;
         const float depth = static_cast<float>(packed >> 16) * packed_unit;
         const auto band = static_cast<float>(truncation(depth));
-        const Eigen::Vector3f ray = R * camera.ray(u, static_cast<double>(v)).cast<float>();
+        const Eigen::Vector3f ray = R * Eigen::Vector3f(ray_x[u], ray_y, 1.0F);
         const int steps = 1 + static_cast<int>(4.0F * band / static_cast<float>(block_size));
         for (int k = 0; k <= steps; ++k) {
           const float at =
               depth + band * (2.0F * static_cast<float>(k) / static_cast<float>(steps) - 1.0F);
-          const Eigen::Vector3i block = (t + at * ray).array().floor().cast<int>();
-          if (index_.find(block) != BlockIndex::none || !BlockIndex::in_reach(block)) continue;
-          if (found.empty() || found.back() != block) found.push_back(block);
+          const Eigen::Vector3f place = t + at * ray;
+          const Eigen::Vector3i block(block_of(place.x()), block_of(place.y()),
+                                      block_of(place.z()));
+          if (block == last) continue;
+          last = block;
+          if (BlockIndex::in_reach(block) && index_.find(block) == BlockIndex::none) {
+            found.push_back(block);
+          }
         }
       }
     }
