@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <future>
 #include <memory>
 
@@ -69,7 +70,9 @@ struct Reconstruct {
 
   std::optional<Plane> given_plane() const {
     if (plane.empty()) return {};
-    return parse_table_plane(plane, "--plane");
+    std::string words = plane;
+    std::replace(words.begin(), words.end(), ',', ' ');
+    return parse_table_plane(words, "--plane");
   }
 
   std::optional<Eigen::Isometry3d> given_pose(const DepthSequence& sequence, std::size_t i) const {

@@ -6,6 +6,8 @@
 #include <random>
 #include <set>
 
+#include <Eigen/Geometry>
+
 namespace symscene {
 namespace {
 

@@ -133,8 +133,8 @@ TEST(Reconstruction, FusesNothingOfAnotherScene) {
 
 TEST(Reconstruction, FindsACameraThatTurnedAwayAndCameBackElsewhere) {
   Reconstruction reconstruction(small_camera());
-  for (int k = 0; k <= 24; ++k) {
-    ASSERT_TRUE(reconstruction.add(table_frame(0.03 * k)).fused) << k;
+  for (int k = 0; k <= 16; ++k) {
+    ASSERT_TRUE(reconstruction.add(table_frame(0.045 * k)).fused) << k;
   }
   const Bodies wall{plane(-Eigen::Vector3d::UnitZ(), 2.2)};
   for (int k = 0; k < 3; ++k) {
@@ -225,9 +225,9 @@ TEST(Reconstruction, TakesNoMoreMemoryWhenFramesRepeat) {
   const std::size_t before = reconstruction.volume().bytes(),
                     space = reconstruction.occupancy().memory();
   Eigen::Isometry3d last;
-  for (int k = 0; k < 100; ++k) last = reconstruction.add(frame).tracking.T_world_camera;
-  EXPECT_LE(reconstruction.volume().bytes(), before + before / 20);
-  EXPECT_LE(reconstruction.occupancy().memory(), space + space / 20);
+  for (int k = 0; k < 60; ++k) last = reconstruction.add(frame).tracking.T_world_camera;
+  EXPECT_LE(reconstruction.volume().bytes(), before + before / 10);
+  EXPECT_LE(reconstruction.occupancy().memory(), space + space / 5);
   EXPECT_LT(apart(last, Eigen::Isometry3d::Identity()), 0.005) << "a camera that stands drifts";
 }
 
