@@ -285,13 +285,13 @@ TEST_F(Command, TellsWhatIsInASequenceAndWhichFramesCannotBeRead) {
 }
 
 TEST_F(Command, StitchesFramesToTheSameBytesWithAnyNumberOfThreads) {
-  write(file("arc.json"), R"({"camera": {"arc": 0.3, "radius": 0.7}})");
-  ASSERT_EQ(run("simulate --sequence -o arc --frames 4 --seed 1 --config arc.json").code, 0);
+  write(file("arc.json"), R"({"camera": {"arc": 0.5, "radius": 0.7}})");
+  ASSERT_EQ(run("simulate --sequence -o arc --frames 6 --seed 1 --config arc.json").code, 0);
   const Outcome one = run("stitch arc -o stitched1 --threads 1 --json");
   if (one.err.find("feature matcher") != std::string::npos) GTEST_SKIP() << one.err;
   ASSERT_EQ(one.code, 0) << one.err;
-  EXPECT_EQ(last_line(one.out).at("placed"), 4) << one.out;
-  EXPECT_NE(one.out.find("4 placed; "), std::string::npos) << one.out;
+  EXPECT_EQ(last_line(one.out).at("placed"), 6) << one.out;
+  EXPECT_NE(one.out.find("6 placed; "), std::string::npos) << one.out;
   ASSERT_EQ(run("stitch arc -o stitched2 --threads 2").code, 0);
   for (const char* name : {"cloud.ply", "occupancy.bt", "mesh.ply", "poses.txt"}) {
     EXPECT_EQ(contents(file("stitched1") / name), contents(file("stitched2") / name)) << name;
