@@ -17,9 +17,10 @@ inline const CameraIntrinsics camera{480, 360, 400.0, 400.0, 239.5, 179.5};
 inline Colors blots(const Points& vertices, std::uint64_t seed) {
   Colors colors(vertices.rows(), 3);
   for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
-    const Eigen::Array3i cell =
-        (vertices.row(i).transpose().array() / 0.009F + 1000.0F).cast<int>();
-    const auto key = static_cast<std::uint64_t>((cell.x() * 4096 + cell.y()) * 4096 + cell.z());
+    std::uint64_t key = 0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      key = key * 4096 + static_cast<std::uint64_t>(vertices(i, axis) / 0.009F + 1000.0F);
+    }
     Random random(seed, key);
     for (Eigen::Index c = 0; c < 3; ++c) {
       colors(i, c) = static_cast<std::uint8_t>(40 + random.below(200));
