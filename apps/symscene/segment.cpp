@@ -5,9 +5,8 @@
 
 #include "commands.hpp"
 #include "results.hpp"
-#include "session.hpp"
+#include "surroundings.hpp"
 #include "symscene/io/atomic_file.hpp"
-#include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 #include "symscene/viewer/page.hpp"
@@ -46,11 +45,18 @@ struct Segment {
     return result;
   }
 
-  PageOptions page_options(const SegmentationResult& result) const {
+  void write_outputs(const SegmentationResult& result, Surroundings around) const {
+    ResultExtras extras;
+    if (around.surface.triangles.rows() != 0) extras.surface = &around.surface;
+    if (!around.trajectory.empty()) extras.trajectory = &around.trajectory;
+    write_result(absolute(shared.output), result, extras);
+    if (page.empty()) return;
     PageOptions page_options;
     page_options.title = folder_name(scene);
     page_options.table = result.table;
-    return page_options;
+    page_options.surface = std::move(around.surface);
+    page_options.trajectory = std::move(around.trajectory);
+    write_file_atomically(page, render_page(result, page_options));
   }
 
   void run() {
@@ -60,8 +66,8 @@ struct Segment {
     session.on_begin()("read");
     const Scene input = read_scene(scene);
     const SegmentationResult result = naming(scene, [&] { return segment(input, session); });
-    write_result(absolute(shared.output), result);
-    if (!page.empty()) write_file_atomically(page, render_page(result, page_options(result)));
+    session.on_begin()("write");
+    write_outputs(result, scene_surroundings(scene, result, session));
     session.say(format_objects(result));
     session.finish({{"output", shared.output},
                     {"objects", result.objects.size()},

@@ -20,6 +20,9 @@ struct View {
     PageOptions options;
     options.title = title.empty() ? folder_name(result) : title;
     options.table = input.table;
+    Surroundings around = read_result_surroundings(result);
+    options.surface = std::move(around.surface);
+    options.trajectory = std::move(around.trajectory);
     return options;
   }
 
@@ -28,8 +31,10 @@ struct View {
     Session session("view", shared);
     StageTimer timer(session.on_begin());
     const SegmentationResult input = timer.time("read", [&] { return read_result(result); });
-    const std::string page =
-        timer.time("render", [&] { return render_page(input, page_options(input)); });
+    const std::string page = timer.time("render", [&] {
+      const PageOptions options = page_options(input);
+      return naming(result, [&] { return render_page(input, options); });
+    });
     timer.time("write", [&] { write_file_atomically(shared.output, page); });
     session.say(fmt::format("{}: {} objects, {:.1f} MB", shared.output.string(),
                             input.objects.size(), 1e-6 * static_cast<double>(page.size())));

@@ -167,6 +167,7 @@ TriangleMesh parse_ply_mesh(std::string_view bytes, const std::string& name) {
   TriangleMesh mesh;
   mesh.vertices = std::move(points.positions);
   mesh.colors = std::move(points.colors);
+  mesh.normals = std::move(points.normals);
   mesh.triangles = Eigen::Map<decltype(mesh.triangles)>(
       corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
   return mesh;

@@ -1,6 +1,7 @@
 #include "symscene/io/result.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include "symscene/core/error.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/io/ply.hpp"
+#include "symscene/io/trajectory.hpp"
 
 namespace symscene {
 namespace {
@@ -25,7 +27,9 @@ bool is_object_file(std::string_view file) {
 }
 
 bool belongs(const std::string& relative) {
-  if (relative == "cloud.ply" || relative == "objects.json" || relative == "objects/") return true;
+  static constexpr std::array<std::string_view, 5> files = {"cloud.ply", "objects.json", "objects/",
+                                                            "surface.ply", "poses.txt"};
+  if (std::find(files.begin(), files.end(), relative) != files.end()) return true;
   return relative.starts_with("objects/") && is_object_file(relative.substr(8));
 }
 
@@ -95,7 +99,8 @@ PointCloud read_added(const fs::path& path, std::size_t own_size) {
 
 }  // namespace
 
-void write_result(const fs::path& dir, const SegmentationResult& result) {
+void write_result(const fs::path& dir, const SegmentationResult& result,
+                  const ResultExtras& extras) {
   require_writable(result);
   AtomicDirectory folder(dir, {"a result folder", "objects.json", belongs});
   folder.write("cloud.ply", format_ply(result.cloud));
@@ -105,6 +110,9 @@ void write_result(const fs::path& dir, const SegmentationResult& result) {
     const PointCloud& added = result.completed.empty() ? PointCloud{} : result.completed[id];
     folder.write(object_file(id), format_object_cloud(own, added));
   }
+  if (extras.surface != nullptr) folder.write("surface.ply", format_ply(*extras.surface));
+  if (extras.trajectory != nullptr)
+    folder.write("poses.txt", format_trajectory(*extras.trajectory));
   folder.commit();
 }
 
@@ -122,6 +130,13 @@ SegmentationResult read_result(const fs::path& dir) {
     result.completed.push_back(read_added(dir / object_file(id), result.objects[id].points.size()));
   }
   return result;
+}
+
+Surroundings read_result_surroundings(const fs::path& dir) {
+  Surroundings found;
+  if (fs::exists(dir / "surface.ply")) found.surface = read_ply_mesh(dir / "surface.ply");
+  if (fs::exists(dir / "poses.txt")) found.trajectory = read_trajectory(dir / "poses.txt");
+  return found;
 }
 
 }  // namespace symscene

@@ -8,6 +8,7 @@
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "symscene/core/vertex_normals.hpp"
 
 namespace symscene {
 namespace {

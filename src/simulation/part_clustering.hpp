@@ -4,9 +4,6 @@
 
 namespace symscene {
 
-/// Unit vectors, the mean of the triangles' normals by area; zero where there is no triangle.
-Points vertex_normals(const TriangleMesh& mesh);
-
 /// How far the convex hull of a part of a surface reaches out over that surface, where `others` are
 /// vertices beside the part's own to look at: the depth below planes that touch the hull, along
 /// directions in which the surface there faces. Zero for a convex part with nothing in its hull.

@@ -132,6 +132,8 @@ TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& transform) 
     const Eigen::Vector3d p = mesh.vertices.row(i).transpose().cast<double>();
     mesh.vertices.row(i) = (transform * p).cast<float>().transpose();
   }
+  const Eigen::Matrix3f rotation = transform.linear().cast<float>();
+  mesh.normals = (mesh.normals * rotation.transpose()).eval();
   return mesh;
 }
 

@@ -68,12 +68,14 @@ TEST(Ply, AMeshIsReadBackBitForBit) {
   TriangleMesh mesh;
   mesh.vertices = random_cloud(50, 3).positions;
   mesh.colors = random_cloud(50, 3).colors;
+  mesh.normals = random_cloud(50, 3).normals;
   mesh.triangles.resize(40, 3);
   for (Index t = 0; t < 40; ++t) mesh.triangles.row(t) << t, t + 1, (7 * t) % 50;
   const TriangleMesh again = parse_ply_mesh(format_ply(mesh), "x");
   EXPECT_TRUE(same_bits(again.vertices, mesh.vertices));
   EXPECT_TRUE(same_bits(again.triangles, mesh.triangles));
   EXPECT_TRUE(same_bits(again.colors, mesh.colors));
+  EXPECT_TRUE(same_bits(again.normals, mesh.normals));
 }
 
 TEST_P(PlyEncodings, EveryScalarTypeUnderBothNamesIsRead) {

@@ -51,6 +51,27 @@ TEST(Result, WhatIsWrittenIsReadBackBitForBit) {
   EXPECT_EQ(format_objects_json(again), format_objects_json(result));
 }
 
+TEST(Result, WhatSurroundsTheObjectsIsReadBackAndMayBeMissing) {
+  const TemporaryFolder folder;
+  TriangleMesh surface;
+  surface.vertices = random_cloud(3, 7).positions;
+  surface.triangles.resize(1, 3);
+  surface.triangles << 0, 1, 2;
+  StampedPose pose;
+  pose.T_world_camera.translation() << 0.25, 0.5, 1.0;
+  const Trajectory trajectory{pose};
+  write_result(folder / "out", small_result(), {.surface = &surface, .trajectory = &trajectory});
+  const Surroundings again = read_result_surroundings(folder / "out");
+  EXPECT_EQ(again.surface.vertices, surface.vertices);
+  EXPECT_EQ(again.surface.triangles, surface.triangles);
+  ASSERT_EQ(again.trajectory.size(), 1U);
+  EXPECT_EQ(again.trajectory[0].T_world_camera.translation(), pose.T_world_camera.translation());
+
+  write_result(folder / "out", small_result());
+  EXPECT_EQ(read_result_surroundings(folder / "out").surface.vertices.rows(), 0);
+  EXPECT_TRUE(read_result_surroundings(folder / "out").trajectory.empty());
+}
+
 TEST(Result, CompletedPointsNeedNeitherNormalsNorColors) {
   const TemporaryFolder folder;
   SegmentationResult result = small_result();

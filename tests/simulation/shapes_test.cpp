@@ -5,6 +5,7 @@
 #include <map>
 
 #include "symscene/core/neighbors.hpp"
+#include "symscene/core/vertex_normals.hpp"
 #include "symscene/simulation/household_object.hpp"
 
 namespace symscene {
@@ -65,6 +66,17 @@ TEST(Shapes, RevolvedCylinderHasTheVolumeOfItsPolygon) {
   const TriangleMesh cylinder = make_revolution(profile, 96, 0.01);
   EXPECT_TRUE(is_closed(cylinder));
   EXPECT_NEAR(signed_volume(cylinder), std::numbers::pi * 0.05 * 0.05 * 0.1, 1e-6);
+}
+
+TEST(Shapes, AMovedMeshIsTurnedWithItsNormals) {
+  TriangleMesh box = make_box({0.1, 0.2, 0.3}, 1.0);
+  box.normals = vertex_normals(box);
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.translate(Eigen::Vector3d(1.0, 2.0, 3.0));
+  motion.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, -1.0).normalized()));
+  const TriangleMesh moved = transformed(box, motion);
+  EXPECT_LT((moved.normals - vertex_normals(moved)).cwiseAbs().maxCoeff(), 1e-5F);
+  EXPECT_EQ(transformed(make_box({0.1, 0.2, 0.3}, 1.0), motion).normals.rows(), 0);
 }
 
 TEST(Shapes, InsideMeansInsideTheSolidNotInItsHollow) {

@@ -1,5 +1,6 @@
 // A made-up tabletop: solids of revolution and boxes, seen from one side; what the camera misses is
 // what the symmetries complete. World frame: z up, the table at z = 0, the camera at −y.
+import { scannedSurface, sweep } from './scan.mjs';
 import { encodeScene } from './payload.mjs';
 
 const CAMERA = [0.15, -1.15, 0.8];
@@ -130,8 +131,9 @@ function refusals(random) {
   });
 }
 
-/** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain. */
-export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005 } = {}) {
+/** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain;
+ * `scan` adds the surface and the camera's path. */
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false } = {}) {
   const random = randomNumbers(seed);
   const parts = SOLIDS.map((solid) => thin(solid.kind(solid, cell, random), cell));
   const seen = visibleSamples(parts.flat());
@@ -158,7 +160,8 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
   }
   // Masks may overlap: the carton takes a few points of the can before it.
   objects[4].points = [...objects[0].points.slice(0, 8), ...objects[4].points];
-  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, rejected: refusals(random) });
+  const around = scan ? { surface: scannedSurface(SOLIDS), trajectory: sweep() } : {};
+  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, rejected: refusals(random) });
 }
 
 /** A scan in which nothing was found. */

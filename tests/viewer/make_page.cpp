@@ -1,6 +1,7 @@
 // Writes a page from C++ for the browser's tests: make_page PAGE.html
 #include <fstream>
 #include <numbers>
+#include <vector>
 
 #include "symscene/viewer/page.hpp"
 
@@ -30,6 +31,41 @@ void add_can(symscene::SegmentationResult& result, float x) {
   result.objects.push_back(object);
 }
 
+/// The table that they stand on, one sheet of 2 cm squares, and the fronts of the cans.
+symscene::TriangleMesh surface_of(const symscene::PointCloud& cans, symscene::Index can) {
+  constexpr symscene::Index side = 40;
+  symscene::TriangleMesh mesh;
+  const auto first = static_cast<symscene::Index>(cans.positions.rows());
+  mesh.vertices.resize(first + side * side, 3);
+  mesh.vertices.topRows(first) = cans.positions;
+  for (symscene::Index i = 0; i < side * side; ++i) {
+    mesh.vertices.row(first + i) << 0.02F * static_cast<float>(i % side) - 0.4F,
+        0.02F * static_cast<float>(i / side) - 0.4F, 0.0F;
+  }
+  std::vector<symscene::Index> corners;
+  const auto add_sheet = [&](symscene::Index begin, symscene::Index columns, symscene::Index rows) {
+    for (symscene::Index i = 0; i + 1 < rows; ++i) {
+      for (symscene::Index k = 0; k + 1 < columns; ++k) {
+        const symscene::Index a = begin + i * columns + k, b = a + columns;
+        corners.insert(corners.end(), {a, a + 1, b + 1, a, b + 1, b});
+      }
+    }
+  };
+  add_sheet(first, side, side);
+  for (symscene::Index begin = 0; begin < first; begin += can) add_sheet(begin, 60, can / 60);
+  mesh.triangles = Eigen::Map<decltype(mesh.triangles)>(
+      corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+  return mesh;
+}
+
+symscene::Trajectory path_before(float distance) {
+  symscene::Trajectory path(20);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    path[i].T_world_camera.translation() << 0.03 * static_cast<double>(i) - 0.3, -distance, 0.4;
+  }
+  return path;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -38,5 +74,8 @@ int main(int argc, char** argv) {
   for (const float x : {-0.12F, 0.0F, 0.12F}) add_can(result, x);
   result.timings.push_back({"rotational", 0.02});
   std::ofstream(argv[1], std::ios::binary)
-      << symscene::render_page(result, {.title = "Three cans", .table = symscene::Plane{}});
+      << symscene::render_page(result, {.title = "Three cans",
+                                        .table = symscene::Plane{},
+                                        .surface = surface_of(result.cloud, 60 * 40),
+                                        .trajectory = path_before(0.7F)});
 }

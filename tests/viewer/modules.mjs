@@ -1,6 +1,7 @@
 // Properties of the viewer's modules that need no browser.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { NO_POINT, coverage } from '../../viewer/src/coverage.js';
 import { overlaps, placeLabels } from '../../viewer/src/declutter.js';
 import { footprint } from '../../viewer/src/footprint.js';
 import { tableFrame } from '../../viewer/src/frame.js';
@@ -9,6 +10,7 @@ import { inkOn, objectColor } from '../../viewer/src/palette.js';
 import { decodePayload } from '../../viewer/src/payload.js';
 import { dot, length } from '../../viewer/src/vector.js';
 import { randomNumbers, tabletop } from './fixture.mjs';
+import { encodeScene } from './payload.mjs';
 
 test('labels never cover each other, the controls or the border', () => {
   const random = randomNumbers(3);
@@ -63,6 +65,28 @@ test('positions in steps of 16 bits decode to metres', () => {
   const positions = { encoding: 'u16', data, min: [1, 2, 3], step: [1 / 65535, 1 / 65535, 0] };
   const { cloud } = decodePayload({ cloud: { ...empty, positions }, objects: [] });
   assert.deepEqual([...cloud.positions], [1, 3, 3]);
+});
+
+test('a surface takes owners from the points on it that face its way', () => {
+  const surface = { positions: Float32Array.from([0, 0, 0, 0.006, 0, 0, 0.5, 0, 0, 0, -0.001, 0]) };
+  const normals = Float32Array.from([0, 0, 1, 0, 0, -1, 0, 0, 1, 0, 0, 1]);
+  const cloud = {
+    count: 3,
+    positions: Float32Array.from([0.001, 0, 0, 0.004, 0, 0, -0.5, 0, 0]),
+    normals: Float32Array.from([0, 0, -1, 0, 0, 1, 0, 0, 1]),
+  };
+  const { nearest, covered } = coverage(surface, normals, cloud, 0.0055, -0.0005);
+  assert.deepEqual([...nearest], [1, 0, NO_POINT, NO_POINT]);
+  assert.deepEqual([...covered], [1, 1, 0]);
+});
+
+test('triangles decode to the vertices that were encoded', () => {
+  const positions = Array.from({ length: 400 }, (_, i) => [i, 0, 0]);
+  const triangles = [...positions.slice(2).map((_, i) => [i, i + 1, i + 2]), [399, 0, 200]];
+  const scene = encodeScene({ cloud: { positions: [] }, surface: { positions, colors: [], triangles } });
+  const { surface } = decodePayload(scene);
+  const corners = [...surface.triangles].map((vertex) => surface.positions[3 * vertex]);
+  assert.deepEqual(corners, triangles.flat());
 });
 
 test('neighbouring numbers have colours apart, with legible ink', () => {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "symscene/core/error.hpp"
+#include "symscene/viewer/page_surface.hpp"
 
 namespace symscene {
 namespace {
@@ -88,6 +89,83 @@ TEST(Payload, TheTableGivesUpAndHeight) {
 TEST(Payload, AnEmptyResultIsFine) {
   const std::string json = page_payload(SegmentationResult{});
   EXPECT_NE(json.find(R"("objects":[])"), std::string::npos);
+}
+
+/// A table of 4 cm squares at the height of the points of small_result(), 3 m wide.
+TriangleMesh small_surface() {
+  constexpr Index side = 75;
+  TriangleMesh mesh;
+  mesh.vertices.resize((side + 1) * (side + 1), 3);
+  for (Index i = 0; i < mesh.vertices.rows(); ++i) {
+    mesh.vertices.row(i) << 0.04F * static_cast<float>(i % (side + 1)) - 1.5F,
+        0.04F * static_cast<float>(i / (side + 1)) - 1.5F, -0.2F;
+  }
+  mesh.triangles.resize(2 * side * side, 3);
+  for (Index i = 0; i < side * side; ++i) {
+    const Index a = i / side * (side + 1) + i % side;
+    mesh.triangles.row(2 * i) << a, a + 1, a + side + 2;
+    mesh.triangles.row(2 * i + 1) << a, a + side + 2, a + side + 1;
+  }
+  return mesh;
+}
+
+const PageSurfaceOptions wide_reach{.reach = 0.03F};
+
+TEST(PageSurface, IsWhatLiesAroundTheObjects) {
+  const TriangleMesh shown = page_surface(small_surface(), small_result(), wide_reach);
+  EXPECT_GT(shown.triangles.rows(), 100);
+  // The object's points are at x = 0 and 0.1.
+  const Eigen::RowVector3f center(0.05F, 0.0F, -0.2F);
+  const float farthest = (shown.vertices.rowwise() - center).rowwise().norm().maxCoeff();
+  EXPECT_LE(farthest, 0.05F + wide_reach.margin + 1e-5F);
+}
+
+TEST(PageSurface, IsAroundTheCloudWhereThereIsNoObject) {
+  SegmentationResult result = small_result();
+  result.objects.clear();
+  EXPECT_GT(page_surface(small_surface(), result, wide_reach).triangles.rows(),
+            page_surface(small_surface(), small_result(), wide_reach).triangles.rows());
+  EXPECT_EQ(page_surface(small_surface(), SegmentationResult{}).triangles.rows(), 0);
+}
+
+TEST(PageSurface, DoingItTwiceChangesNothing) {
+  PageSurfaceOptions options = wide_reach;
+  options.max_triangles = 150;
+  const TriangleMesh once = page_surface(small_surface(), small_result(), options);
+  EXPECT_LE(once.triangles.rows(), 150);
+  options.reach = 1.0F;
+  const TriangleMesh twice = page_surface(once, small_result(), options);
+  EXPECT_EQ(twice.triangles.rows(), once.triangles.rows());
+}
+
+TEST(PageSurface, OfAnotherFrameIsRefused) {
+  TriangleMesh elsewhere = small_surface();
+  elsewhere.vertices.col(2).array() += 0.1F;
+  EXPECT_THROW(page_surface(elsewhere, small_result()), InputError);
+  elsewhere.vertices.col(2).array() += 100.0F;
+  EXPECT_THROW(page_surface(elsewhere, small_result()), InputError);
+  EXPECT_THROW(render_page(small_result(), {.surface = elsewhere}), InputError);
+  elsewhere.vertices.setConstant(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_THROW(page_surface(elsewhere, small_result()), InputError);
+}
+
+TEST(Payload, ASurfaceAndAPathAreThereIfTheyAreGiven) {
+  const std::string without = page_payload(small_result());
+  EXPECT_NE(without.find(R"("surface":null)"), std::string::npos);
+  EXPECT_NE(without.find(R"("trajectory":null)"), std::string::npos);
+
+  PageOptions options;
+  options.surface.vertices.resize(4, 3);
+  options.surface.vertices << 0, 0, -0.2F, 0.1F, 0, -0.2F, 0, 0.1F, -0.2F, 0.3F, 0, -0.2F;
+  options.surface.triangles.resize(2, 3);
+  options.surface.triangles << 2, 1, 0, 0, 1, 3;
+  options.trajectory.resize(1);
+  SegmentationResult result = small_result(2);
+  const std::string json = page_payload(result, options);
+  // New, new, new; then the vertex that came up last, the one before it, and a new one.
+  EXPECT_NE(json.find(R"("triangles":{"count":2,"data":"AAAAAQIA"})"), std::string::npos);
+  EXPECT_NE(json.find(R"("frames":1)"), std::string::npos);
+  EXPECT_NE(json.find(R"("forward":[0.0,0.0,1.0])"), std::string::npos);
 }
 
 TEST(Payload, ABrokenResultIsRefused) {

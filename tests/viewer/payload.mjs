@@ -25,11 +25,37 @@ export function encodeObject(object, id) {
   };
 }
 
+/** Corners as how many new vertices ago theirs came up, 0 for a new one, seven bits a byte. */
+function encodeTriangles(triangles) {
+  const names = new Map();
+  const bytes = triangles.flat().flatMap((corner) => {
+    const isNew = !names.has(corner);
+    const next = names.size;
+    if (isNew) names.set(corner, next);
+    const code = [];
+    let rest = isNew ? 0 : next - names.get(corner);
+    for (; rest >= 0x80; rest >>= 7) code.push((rest & 0x7f) | 0x80);
+    return [...code, rest];
+  });
+  return { order: [...names.keys()], triangles: { count: triangles.length, data: base64(Uint8Array.from(bytes)) } };
+}
+
+export function encodeSurface({ positions, colors, triangles }) {
+  const { order, triangles: encoded } = encodeTriangles(triangles);
+  const cloud = encodeCloud({ positions: order.map((i) => positions[i]), colors: colors.length ? order.map((i) => colors[i]) : [] });
+  return { positions: cloud.positions, colors: cloud.colors, triangles: encoded };
+}
+
+export const encodeTrajectory = ({ path, cameras }) =>
+  ({ frames: path.length, path: encodeCloud({ positions: path }).positions, cameras });
+
 export function encodeScene({ title = '', note = '', up = [0, 0, 1], table = null, cloud, objects = [], ...rest }) {
   return {
     version: 1, title, note, up, table,
     cloud: encodeCloud(cloud),
     objects: objects.map(encodeObject),
+    surface: rest.surface ? encodeSurface(rest.surface) : null,
+    trajectory: rest.trajectory ? encodeTrajectory(rest.trajectory) : null,
     timings: rest.timings ?? [], funnel: rest.funnel ?? [], rejected: rest.rejected ?? [],
   };
 }

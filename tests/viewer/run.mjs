@@ -21,7 +21,7 @@ const pages = {};
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
-  const scenes = { tabletop: tabletop(), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
+  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
   for (const [name, scene] of Object.entries(scenes)) {
     pages[name] = join(folder, `${name}.html`);
     await writePage(pages[name], scene);
@@ -117,6 +117,16 @@ describe('a result with objects', () => {
     assert.equal(new Set(hashes).size, hashes.length, 'every change is seen');
   });
 
+  pageTest('has no switch for a mesh and a path that it does not have', path, WINDOW, async (page) => {
+    assert.equal(await page.locator('[data-toggle=mesh], [data-toggle=path]').count(), 0);
+    const before = await hook(page, 'pixels()');
+    await page.keyboard.press('m');
+    await page.keyboard.press('v');
+    assert.equal((await hook(page, 'pixels()')).hash, before.hash);
+    assert.equal(await hook(page, 'mesh'), false);
+    assert.equal(await hook(page, 'path'), false);
+  });
+
   pageTest('selects what is clicked', path, WINDOW, async (page) => {
     for (const id of [0, 2, 5]) {
       const { x, y } = await hook(page, `clickPoint(${id})`);
@@ -196,6 +206,63 @@ describe('a result with objects', () => {
   });
 });
 
+describe('a result with the surface that was reconstructed', () => {
+  const path = () => pages.scanned;
+
+  pageTest('shows the mesh first, which can be switched off', path, WINDOW, async (page) => {
+    assert.equal(await hook(page, 'mesh'), true);
+    assert.equal(await hook(page, 'path'), false);
+    const shown = await hook(page, 'pixels()');
+    await page.click('[data-toggle=mesh]');
+    assert.equal(await pressed(page, '[data-toggle=mesh]'), 'false');
+    const hidden = await hook(page, 'pixels()');
+    assert.ok(hidden.filled < 0.7 * shown.filled, 'the table is part of the mesh');
+    await page.keyboard.press('m');
+    assert.equal((await hook(page, 'pixels()')).hash, shown.hash);
+  });
+
+  pageTest('colours the mesh by what is switched on', path, WINDOW, async (page) => {
+    const hashes = [(await hook(page, 'pixels()')).hash];
+    for (const key of ['1', '3']) {
+      await page.keyboard.press(key);
+      hashes.push((await hook(page, 'pixels()')).hash);
+    }
+    await page.click('.chip >> text=None');
+    hashes.push((await hook(page, 'pixels()')).hash);
+    assert.equal(new Set(hashes).size, hashes.length);
+    assert.ok((await hook(page, 'pixels()')).filled > 0.3, 'the mesh stays where its objects are off');
+  });
+
+  pageTest('still selects what is clicked', path, WINDOW, async (page) => {
+    for (const id of [0, 2, 5]) {
+      const { x, y } = await hook(page, `clickPoint(${id})`);
+      await page.mouse.click(x, y);
+      assert.equal(await hook(page, 'selected'), id);
+    }
+  });
+
+  pageTest('shows the path of the camera, and makes room for it', path, DESKTOP, async (page) => {
+    const before = await hook(page, 'pixels()');
+    await page.keyboard.press('v');
+    assert.equal(await hook(page, 'path'), true);
+    assert.equal(await pressed(page, '[data-toggle=path]'), 'true');
+    await page.waitForTimeout(400);
+    assert.ok((await hook(page, 'pixels()')).filled < before.filled, 'seen from farther away');
+    assert.deepEqual(await layoutProblems(page), []);
+    await page.click('[data-toggle=path]');
+    assert.equal((await hook(page, 'pixels()')).hash, before.hash);
+  });
+
+  pageTest('takes both from the address', path, WINDOW, async (page) => {
+    assert.equal(await hook(page, 'mesh'), false);
+    assert.equal(await hook(page, 'path'), true);
+  }, '#mesh=0&path=1');
+
+  pageTest('has nothing that covers another thing on a phone', path, PHONE, async (page) => {
+    assert.deepEqual(await layoutProblems(page), []);
+  });
+});
+
 describe('other results', () => {
   pageTest('hostile names are shown as text', () => pages.hostile, DESKTOP, async (page) => {
     assert.equal(await page.textContent('h1'), HOSTILE);
@@ -221,6 +288,8 @@ describe('other results', () => {
       const { page, trouble } = await openPage(context, process.env.SYMSCENE_PAGE);
       assert.deepEqual(trouble, []);
       const ids = await hook(page, 'visible');
+      assert.equal(await hook(page, 'mesh'), true);
+      assert.equal(await page.locator('[data-toggle=path]').count(), 1);
       assert.ok(ids.length > 0);
       const { x, y } = await hook(page, `clickPoint(${ids[0]})`);
       await page.mouse.click(x, y);

@@ -5,7 +5,7 @@ import { applyHash } from './hash.js';
 import { listenToKeys } from './keyboard.js';
 import { Labels } from './labels.js';
 import { createHook } from './hook.js';
-import { framePoints } from './framing.js';
+import { framePoints, pathPoints, reach } from './framing.js';
 import { createLayout } from './layout.js';
 import { createPanel } from './panel/panel.js';
 import { listenToPointer } from './pointer.js';
@@ -30,11 +30,12 @@ function drawOnChange(app) {
 }
 
 export function createApp(scene) {
-  const store = createStore(initialState(scene.objects));
+  const store = createStore(initialState(scene));
   const actions = createActions(store, scene.objects);
   const outlines = scene.objects.map((object) => outlinePoints(scene.cloud, object));
   const canvas = h('canvas', { tabindex: '0', role: 'img', 'aria-label': 'The scene in three dimensions' });
-  const viewpoint = new Viewpoint(canvas, framePoints(scene, outlines));
+  const framed = framePoints(scene, outlines);
+  const viewpoint = new Viewpoint(canvas, framed, reach(scene));
   const stage = new Stage(canvas, viewpoint.camera);
   const drawing = createDrawing(scene, outlines, stage);
   const labels = new Labels(scene.objects, outlines, actions);
@@ -55,6 +56,9 @@ export function createApp(scene) {
   listenToPointer(app);
   listenToKeys(app);
   drawOnChange(app);
+  store.subscribe(({ path }, changed) => {
+    if (changed.has('path')) viewpoint.show(path ? framed.concat(pathPoints(scene)) : framed);
+  });
   const readHash = () => applyHash(location.hash, app);
   addEventListener('hashchange', readHash);
   readHash();

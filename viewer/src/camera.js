@@ -45,7 +45,7 @@ function frame(points, direction, tx, ty) {
 }
 
 export class Viewpoint {
-  constructor(stageElement, points) {
+  constructor(stageElement, points, reach) {
     this.points = points;
     this.camera = new THREE.PerspectiveCamera(26, 1, 0.01, 100);
     this.controls = new OrbitControls(this.camera, stageElement);
@@ -56,6 +56,7 @@ export class Viewpoint {
     this.view = 'home';
     const radius = Math.max(0.05, ...points.map((p) => Math.hypot(...p)));
     this.radius = radius;
+    this.reach = reach; // of what may be drawn, from the origin
     this.controls.minDistance = 0.05 * radius;
     this.controls.maxDistance = 25 * radius;
     this.controls.addEventListener('start', () => { this.flight = null; this.view = null; });
@@ -70,6 +71,12 @@ export class Viewpoint {
     this.ty = ((t * free.height) / height) / MARGIN;
     this.tx = (this.ty * free.width) / free.height;
     if (this.view) this.go(this.view, false);
+  }
+
+  /** Views show these points from now on. */
+  show(points) {
+    this.points = points;
+    if (this.view) this.go(this.view);
   }
 
   go(view, animate = true, points = this.points) {
@@ -129,8 +136,8 @@ export class Viewpoint {
     const before = this.camera.position.clone();
     this.controls.update();
     const distance = this.camera.position.length();
-    this.camera.near = Math.max(distance - 2.5 * this.radius, 0.01 * this.radius);
-    this.camera.far = distance + 6 * this.radius;
+    this.camera.near = Math.max(distance - Math.max(2.5 * this.radius, this.reach), 0.01 * this.radius);
+    this.camera.far = distance + Math.max(6 * this.radius, this.reach);
     this.camera.updateProjectionMatrix();
     return flying || before.distanceToSquared(this.camera.position) > 1e-14;
   }

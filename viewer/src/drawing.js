@@ -1,14 +1,19 @@
-// The scene's layers, kept in step with the state: cloud, completed points, symmetries, table.
+// The scene's layers, kept in step with the state: cloud, completed points, surface, symmetries,
+// camera path, table.
+import { coverage } from './coverage.js';
 import { Splats, sampleSpacing } from './gl/splats.js';
+import { Surface } from './gl/surface.js';
 import { Symmetries } from './gl/symmetries.js';
 import { createTable } from './gl/table.js';
-import { paintCloud, paintCompleted } from './painting.js';
+import { Trajectory } from './gl/trajectory.js';
+import { paintCloud, paintCompleted, paintSurface } from './painting.js';
 import { objectColor } from './palette.js';
 
 const RADIUS_OF_SPACING = 1.15;
+const TABLE_THICKNESS = 0.004; // of its surface, with noise [m]
 const SCHEMES = {
-  light: { paper: [232, 235, 240], outline: [24, 28, 36], ink: [60, 70, 90], grid: 0.22, shadow: 0.34 },
-  dark: { paper: [38, 42, 49], outline: [255, 255, 255], ink: [150, 165, 190], grid: 0.2, shadow: 0.75 },
+  light: { paper: [232, 235, 240], outline: [24, 28, 36], ink: [60, 70, 90], path: [52, 60, 76], grid: 0.22, shadow: 0.34 },
+  dark: { paper: [38, 42, 49], outline: [255, 255, 255], ink: [150, 165, 190], path: [205, 214, 230], grid: 0.2, shadow: 0.75 },
 };
 
 function createCompleted(scene, radius, stage) {
@@ -28,6 +33,22 @@ function createSymmetries(scene, outlines, stage) {
   });
 }
 
+// The mesh, and which points it shows.
+function createSurface(scene, spacing, stage) {
+  if (!scene.surface) return null;
+  const mesh = new Surface(scene.surface);
+  stage.cloud.add(mesh.object);
+  const lowest = scene.table === null ? -Infinity : TABLE_THICKNESS;
+  return { mesh, ...coverage(scene.surface, mesh.normals, scene.cloud, spacing, lowest) };
+}
+
+function createTrajectory(scene, stage) {
+  if (!scene.trajectory) return null;
+  const trajectory = new Trajectory(scene.trajectory);
+  stage.overlay.add(trajectory.object);
+  return trajectory;
+}
+
 export class Drawing {
   constructor(scene, outlines, stage) {
     this.scene = scene;
@@ -39,6 +60,8 @@ export class Drawing {
     stage.cloud.add(this.cloud.object);
     this.completed = createCompleted(scene, this.radius, stage);
     this.symmetries = createSymmetries(scene, outlines, stage);
+    this.surface = createSurface(scene, spacing, stage);
+    this.trajectory = createTrajectory(scene, stage);
     this.table = createTable(scene.cloud.positions);
     this.cell = this.table.cell;
     stage.ground.add(this.table.mesh);
@@ -47,25 +70,35 @@ export class Drawing {
 
   setScheme(scheme) {
     this.scheme = scheme;
-    const { ink, grid, shadow, outline, paper } = SCHEMES[scheme];
+    const { ink, grid, shadow, outline, paper, path } = SCHEMES[scheme];
     this.table.uniforms.ink.value.setRGB(...ink.map((value) => value / 255));
     this.table.uniforms.gridOpacity.value = grid;
     this.table.uniforms.shadowOpacity.value = shadow;
     this.stage.setOutline(outline);
+    this.trajectory?.setColor(path);
     for (const symmetries of this.symmetries) symmetries.setScheme(scheme, paper);
     if (this.state) this.update(this.state, new Set(['mode', 'selected']));
   }
 
   update(state, changed) {
     this.state = state;
-    if (['mode', 'visible', 'rest'].some((key) => changed.has(key))) {
-      paintCloud(this.cloud, this.scene.cloud, this.scene.objects, state, this.scheme);
-    }
+    if (['mode', 'visible', 'rest', 'mesh'].some((key) => changed.has(key))) this.#paint(state);
+    if (this.surface) this.surface.mesh.object.visible = state.mesh;
+    if (this.trajectory) this.trajectory.object.visible = state.path;
     const { paper } = SCHEMES[this.scheme];
     const selected = state.visible.has(state.selected) ? state.selected : null;
-    for (const splats of [this.cloud, ...this.completed]) splats.emphasise(selected, state.hovered, paper);
+    for (const layer of [this.cloud, ...this.completed, this.surface?.mesh]) {
+      layer?.emphasise(selected, state.hovered, paper);
+    }
     this.stage.setOutlined(selected !== null || state.hovered !== null);
     this.scene.objects.forEach((object) => this.#updateObject(object, state, selected));
+  }
+
+  #paint(state) {
+    const { cloud, objects, surface } = this.scene;
+    paintCloud(this.cloud, cloud, objects, state, this.scheme, state.mesh ? this.surface?.covered : null);
+    if (!this.surface || !state.mesh) return;
+    paintSurface(this.surface.mesh, surface, this.surface.nearest, cloud, objects, state, this.scheme);
   }
 
   #updateObject({ index }, state, selected) {

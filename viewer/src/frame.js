@@ -65,10 +65,26 @@ function moveObject(object, frame) {
   }));
 }
 
-/** Moves every point and symmetry of the scene into the display frame, in place. */
+function moveCamera({ position, right, down, forward }, frame) {
+  return {
+    position: frame.point(position),
+    right: frame.direction(right),
+    down: frame.direction(down),
+    forward: frame.direction(forward),
+  };
+}
+
+function moveTrajectory(trajectory, frame) {
+  mapTriples(trajectory.path, frame.point);
+  trajectory.cameras = trajectory.cameras.map((camera) => moveCamera(camera, frame));
+}
+
+/** Moves every point, camera and symmetry of the scene into the display frame, in place. */
 export function moveToTableFrame(scene) {
   const frame = tableFrame(scene);
   moveCloud(scene.cloud, frame);
   for (const object of scene.objects) moveObject(object, frame);
+  if (scene.surface) mapTriples(scene.surface.positions, frame.point);
+  if (scene.trajectory) moveTrajectory(scene.trajectory, frame);
   return scene;
 }

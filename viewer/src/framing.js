@@ -1,4 +1,5 @@
-// What a view must show: the objects, and what stands around them unless it is far away.
+// What a view must show: the objects, and what stands around them unless it is far away; the
+// camera's path where it is drawn.
 import { outlinePoints } from './gl/symmetries.js';
 
 const AROUND = 1.5; // times the objects' radius
@@ -17,4 +18,25 @@ export function framePoints(scene, outlines) {
   const distance = (p) => Math.hypot(...p.map((value, axis) => value - middle[axis]));
   const radius = objects.reduce((most, p) => Math.max(most, distance(p)), 0);
   return objects.concat(cloud.filter((p) => distance(p) < AROUND * radius));
+}
+
+/** The places of the cameras; few, as each framing looks at them all. */
+export function pathPoints({ trajectory }) {
+  if (!trajectory) return [];
+  const { path, cameras } = trajectory;
+  const step = 3 * Math.ceil(path.length / 300);
+  const points = cameras.map(({ position }) => position);
+  for (let i = 0; i < path.length; i += step) points.push([...path.subarray(i, i + 3)]);
+  return points;
+}
+
+/** How far from the origin something is drawn that is not framed. */
+export function reach({ surface, trajectory }) {
+  let most = 0;
+  for (const positions of [surface?.positions ?? [], trajectory?.path ?? []]) {
+    for (let i = 0; i < positions.length; i += 3) {
+      most = Math.max(most, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));
+    }
+  }
+  return 1.1 * most;
 }

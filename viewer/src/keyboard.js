@@ -1,15 +1,15 @@
 // The keys of the page. With the canvas in focus the arrows orbit; letters work everywhere.
 
 const VIEW_KEYS = { h: 'home', f: 'front', s: 'side', t: 'top' };
-const TOGGLE_KEYS = { p: 'planes', a: 'axes', l: 'labels', o: 'rest' };
-const MODES = ['scan', 'blend', 'objects'];
+const TOGGLE_KEYS = { p: 'planes', a: 'axes', l: 'labels', o: 'rest', m: 'mesh', v: 'path' };
+const MODE_KEYS = { 1: 'scan', 2: 'blend', 3: 'objects' };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const STEP = 8; // degrees
 
 export const KEY_HELP = [
   ['Arrows', 'orbit (with Shift: pan)'], ['+  −', 'zoom'], ['H F S T', 'home, front, side, top'],
   ['[  ]', 'previous, next object'], ['P A C', 'planes, axes, completed points'],
-  ['L O M', 'labels, other points, colours'], ['Esc', 'select nothing'],
+  ['M V', 'mesh, camera path'], ['L O', 'labels, other points'], ['1 2 3', 'scan, blend, objects'], ['Esc', 'select nothing'],
 ];
 
 function moveCamera(event, viewpoint) {
@@ -33,7 +33,7 @@ function press(key, { store, actions, objects, viewpoint }) {
   if (VIEW_KEYS[key]) viewpoint.go(VIEW_KEYS[key]);
   else if (TOGGLE_KEYS[key]) actions.toggle(TOGGLE_KEYS[key]);
   else if (key === 'c') actions.toggleAllCompleted();
-  else if (key === 'm') actions.setMode(MODES[(MODES.indexOf(store.get().mode) + 1) % MODES.length]);
+  else if (MODE_KEYS[key]) actions.setMode(MODE_KEYS[key]);
   else if (key === ']') stepSelection(store, actions, objects, 1);
   else if (key === '[') stepSelection(store, actions, objects, -1);
   else if (key === 'escape') actions.select(null);

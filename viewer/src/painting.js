@@ -1,8 +1,10 @@
 // Which colour a point has: of the scan, of its object, or both; grey where it has none.
+import { NO_POINT } from './coverage.js';
 import { HIDDEN, REST, pointOwners } from './ownership.js';
 import { lighter, mix, objectColor } from './palette.js';
 
 const PLAIN = { light: [176, 181, 190], dark: [150, 156, 166] };
+const AROUND = { blend: 0.35, objects: 1 }; // how grey the surface around the objects is
 const HEIGHTEN = 1.12; // discs are lit, which darkens what the camera saw lit already
 
 const brighten = (value) => Math.min(255, Math.round(value * HEIGHTEN));
@@ -24,10 +26,14 @@ function restColor(scan, mode, plain) {
   return mix(scan, plain, mode === 'objects' ? 1 : 0.6);
 }
 
-export function paintCloud(splats, cloud, objects, state, scheme) {
-  const owners = pointOwners(cloud.count, objects, (index) => state.visible.has(index));
+const ownersNow = (cloud, objects, state) => pointOwners(cloud.count, objects, (index) => state.visible.has(index));
+const paletteOf = (objects) => objects.map((object) => objectColor(object.index));
+
+/** `covered` says which points the surface shows, where it is drawn. */
+export function paintCloud(splats, cloud, objects, state, scheme, covered) {
+  const owners = ownersNow(cloud, objects, state);
   if (!state.rest) owners.forEach((owner, i) => { if (owner === REST) owners[i] = HIDDEN; });
-  const palette = objects.map((object) => objectColor(object.index));
+  const palette = paletteOf(objects);
   const plain = PLAIN[scheme];
   splats.paint(owners, (i, owner) => {
     if (owner === HIDDEN) return plain;
@@ -35,6 +41,24 @@ export function paintCloud(splats, cloud, objects, state, scheme) {
     if (owner === REST) return restColor(scan, state.mode, plain);
     if (state.mode === 'scan') return scan;
     return state.mode === 'objects' || cloud.colors.length === 0 ? palette[owner] : blend(scan, palette[owner]);
+  }, covered);
+}
+
+/** Vertices have the owner of the point that is `nearest`; the others, and those of objects that are
+ * switched off, are what surrounds the objects. */
+export function paintSurface(drawn, { colors }, nearest, cloud, objects, state, scheme) {
+  const owners = ownersNow(cloud, objects, state);
+  const palette = paletteOf(objects);
+  const plain = PLAIN[scheme];
+  const ownerOf = (i) => {
+    const owner = nearest[i] === NO_POINT ? REST : owners[nearest[i]];
+    return owner === HIDDEN ? REST : owner;
+  };
+  drawn.paint(ownerOf, (i, owner) => {
+    const scan = scanColor(colors, i, plain);
+    if (state.mode === 'scan') return scan;
+    if (owner === REST) return mix(scan, plain, AROUND[state.mode]);
+    return state.mode === 'objects' || colors.length === 0 ? palette[owner] : blend(scan, palette[owner]);
   });
 }
 

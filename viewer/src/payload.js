@@ -37,6 +37,31 @@ function decodeCloud(cloud) {
   };
 }
 
+// Names of vertices: 0 is the next one, n that which came up n new ones ago. Seven bits a byte, the
+// lowest first; the eighth says that more follow.
+function decodeTriangles({ count, data }) {
+  const bytes = decodeBytes(data);
+  const triangles = new Uint32Array(3 * count);
+  let next = 0;
+  for (let i = 0, at = 0; i < triangles.length; ++i) {
+    let code = 0;
+    for (let shift = 0; ; shift += 7) {
+      code |= (bytes[at] & 0x7f) << shift;
+      if (bytes[at++] < 0x80) break;
+    }
+    triangles[i] = code === 0 ? next++ : next - code;
+  }
+  return triangles;
+}
+
+function decodeSurface({ positions, colors, triangles }) {
+  return {
+    positions: decodePositions(positions),
+    colors: decodeAs(Uint8Array, colors),
+    triangles: decodeTriangles(triangles),
+  };
+}
+
 function decodeObject(object, index) {
   return {
     ...object,
@@ -51,5 +76,7 @@ export function decodePayload(payload) {
     ...payload,
     cloud: decodeCloud(payload.cloud),
     objects: payload.objects.map(decodeObject),
+    surface: payload.surface ? decodeSurface(payload.surface) : null,
+    trajectory: payload.trajectory ? { ...payload.trajectory, path: decodePositions(payload.trajectory.path) } : null,
   };
 }

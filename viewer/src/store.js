@@ -18,7 +18,7 @@ export function createStore(initial) {
   };
 }
 
-export function initialState(objects) {
+export function initialState({ objects, surface }) {
   return {
     mode: objects.length ? 'blend' : 'scan',
     visible: new Set(objects.map((object) => object.index)),
@@ -29,6 +29,8 @@ export function initialState(objects) {
     axes: true,
     labels: true,
     rest: true,
+    mesh: Boolean(surface),
+    path: false,
   };
 }
 

@@ -8,11 +8,13 @@ const MODES = [
   ['objects', 'Objects', 'A colour for every object'],
 ];
 const TOGGLES = [
+  ['mesh', 'Mesh', 'The reconstructed surface; without it, the points (M)'],
   ['planes', 'Planes', 'Mirror planes (P)'],
   ['axes', 'Axes', 'Rotation axes (A)'],
   ['completed', 'Completed', 'Points that the symmetries add behind the visible surface (C)'],
   ['labels', 'Labels', 'Numbers (L)'],
   ['rest', 'Other', 'Points that belong to no object (O)'],
+  ['path', 'Camera', 'The path of the camera (V)'],
 ];
 const VIEWS = [['home', 'Home'], ['front', 'Front'], ['side', 'Side'], ['top', 'Top']];
 
@@ -20,7 +22,8 @@ export function createToolbar(scene, store, actions) {
   const modes = MODES.map(([mode, text, title]) =>
     h('button', { type: 'button', title, 'data-mode': mode, onclick: () => actions.setMode(mode) }, text));
   const press = (key) => (key === 'completed' ? actions.toggleAllCompleted() : actions.toggle(key));
-  const toggles = TOGGLES.map(([key, text, title]) =>
+  const missing = { mesh: !scene.surface, path: !scene.trajectory };
+  const toggles = TOGGLES.filter(([key]) => !missing[key]).map(([key, text, title]) =>
     h('button', { type: 'button', title, 'aria-label': text, 'data-toggle': key, onclick: () => press(key) },
       icon(key), h('span', { class: 'text' }, text)));
   const hasCompleted = scene.objects.some((object) => object.completed.count > 0);

@@ -16,9 +16,9 @@ namespace symscene {
 PointCloud parse_ply_cloud(std::string_view bytes, const std::string& name);
 PointCloud read_ply_cloud(const std::filesystem::path& path);
 
-/// The vertices and faces of a PLY file. A polygon becomes a fan of triangles about its first
-/// corner; faces with fewer than three corners are dropped.
-/// Throws InputError if the bytes are no such file, have no faces, or a face names no vertex.
+/// The vertices and faces of a PLY file, with normals and colours as above. A polygon becomes a fan
+/// of triangles about its first corner; faces with fewer than three corners are dropped. Throws
+/// InputError if the bytes are no such file, have no faces, or a face names no vertex.
 TriangleMesh parse_ply_mesh(std::string_view bytes, const std::string& name);
 TriangleMesh read_ply_mesh(const std::filesystem::path& path);
 

@@ -8,6 +8,14 @@ const MARKS = /* glsl */ `
   const float MARK_SELECTED = 0.5;
 `;
 
+// A lamp over the left shoulder of the viewer, and light from above.
+const LIGHT = /* glsl */ `
+  float light(vec3 n) {
+    float lamp = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
+    return 0.6 + 0.11 * upward + 0.42 * lamp;
+  }
+`;
+
 export const splatVertex = /* glsl */ `
   attribute vec3 shade;
   attribute float owner;
@@ -85,11 +93,7 @@ export const colorFragment = /* glsl */ `
   varying vec3 albedo;
   varying float ownerOut;
 
-  // A lamp over the left shoulder of the viewer, and light from above.
-  float light(vec3 n) {
-    float lamp = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
-    return 0.6 + 0.11 * upward + 0.42 * lamp;
-  }
+  ${LIGHT}
 
   void main() {
     Disc disc = discHere();
@@ -102,6 +106,61 @@ export const colorFragment = /* glsl */ `
     if (selected >= 0.0 && !isMarked) color = mix(color, paper, 0.38);
     float weight = exp(-4.0 * disc.squaredRadius) + 1e-3;
     gl_FragColor = vec4(color * weight, weight);
+  }
+`;
+
+export const surfaceVertex = /* glsl */ `
+  attribute vec3 shade;
+  attribute float owner;
+  varying vec3 viewNormal;
+  varying float upward;
+  varying vec3 albedo;
+  flat varying float ownerOut;
+  void main() {
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    viewNormal = normalMatrix * normal;
+    upward = normal.y;
+    albedo = shade;
+    ownerOut = owner;
+  }
+`;
+
+export const surfaceDepthFragment = /* glsl */ `
+  ${MARKS}
+  uniform float selected;
+  uniform float hovered;
+  flat varying float ownerOut;
+  void main() {
+    bool isSelected = abs(ownerOut - selected) < 0.5;
+    bool isHovered = abs(ownerOut - hovered) < 0.5;
+    gl_FragColor = vec4(0.0, 0.0, 0.0, isSelected ? MARK_SELECTED : isHovered ? MARK_HOVERED : MARK_NONE);
+  }
+`;
+
+// Where it is the nearest surface, whole; discs that stand out of it are blended with it.
+export const surfaceColorFragment = /* glsl */ `
+  uniform sampler2D depths;
+  uniform float near;
+  uniform float far;
+  uniform float selected;
+  uniform float hovered;
+  uniform vec3 paper;
+  varying vec3 viewNormal;
+  varying float upward;
+  varying vec3 albedo;
+  flat varying float ownerOut;
+  const float TOLERANCE = 0.0005; // metres
+  ${LIGHT}
+  float distanceOf(float depth) { return near * far / (far - (far - near) * depth); }
+
+  void main() {
+    float depth = texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r;
+    if (distanceOf(gl_FragCoord.z) > distanceOf(depth) + TOLERANCE) discard;
+    vec3 n = normalize(viewNormal);
+    vec3 color = albedo * (gl_FrontFacing ? light(n) : 0.6 * light(-n));
+    bool isMarked = abs(ownerOut - selected) < 0.5 || abs(ownerOut - hovered) < 0.5;
+    if (selected >= 0.0 && !isMarked) color = mix(color, paper, 0.38);
+    gl_FragColor = vec4(color, 1.0);
   }
 `;
 

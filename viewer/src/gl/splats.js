@@ -1,5 +1,6 @@
 // A cloud of points as discs on its surface.
 import * as THREE from 'three';
+import { HIDDEN } from '../ownership.js';
 import { colorFragment, depthFragment, splatVertex } from './shaders.js';
 import { quantile } from '../vector.js';
 
@@ -49,22 +50,25 @@ export class Splats {
     const count = positions.length / 3;
     this.positions = positions;
     this.shades = new Uint8Array(3 * count);
-    this.owners = new Uint16Array(count);
+    this.owners = new Uint16Array(count); // what a click hits
+    this.drawn = new Uint16Array(count); // HIDDEN where something else is drawn in its place
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
     const oriented = normals.length === positions.length ? normals : new Float32Array(3 * count);
     geometry.setAttribute('normal', new THREE.BufferAttribute(oriented, 3));
     geometry.setAttribute('shade', new THREE.BufferAttribute(this.shades, 3, true));
-    geometry.setAttribute('owner', new THREE.BufferAttribute(this.owners, 1));
+    geometry.setAttribute('owner', new THREE.BufferAttribute(this.drawn, 1));
     this.materials = splatMaterials(radius);
     this.object = new THREE.Points(geometry, this.materials.depth);
-    this.object.userData.splats = this;
+    this.object.userData.layer = this;
     this.object.frustumCulled = false;
   }
 
-  /** shadeOf(point, owner) is an RGB triple of bytes. */
-  paint(owners, shadeOf) {
+  /** shadeOf(point, owner) is an RGB triple of bytes. Points that are `covered` are not drawn. */
+  paint(owners, shadeOf, covered = null) {
     this.owners.set(owners);
+    this.drawn.set(owners);
+    covered?.forEach((isCovered, i) => { if (isCovered) this.drawn[i] = HIDDEN; });
     for (let i = 0; i < owners.length; ++i) this.shades.set(shadeOf(i, owners[i]), 3 * i);
     this.object.geometry.attributes.shade.needsUpdate = true;
     this.object.geometry.attributes.owner.needsUpdate = true;

@@ -1,4 +1,4 @@
-// The canvas: a table, the cloud in two passes, and lines and sheets over it. Draws on demand.
+// The canvas: a table, cloud and mesh in two passes, and lines and sheets over it. Draws on demand.
 import * as THREE from 'three';
 import { composeFragment, composeVertex } from './shaders.js';
 
@@ -160,15 +160,15 @@ export class Stage {
     for (const pass of ['depth', 'color']) {
       const target = pass === 'depth' ? targets.surface : targets.colors;
       target.setSize(pixels.x, pixels.y);
-      for (const { userData: { splats } } of this.cloud.children) {
-        const { uniforms } = splats.materials;
-        uniforms.focal.value = focal;
+      for (const { userData: { layer } } of this.cloud.children) {
+        const { uniforms } = layer.materials;
+        if (uniforms.focal) uniforms.focal.value = focal;
         uniforms.near.value = camera.near;
         uniforms.far.value = camera.far;
         // A texture must not be read while it is drawn to.
         uniforms.depths.value = pass === 'depth' ? null : targets.surface.depthTexture;
       }
-      for (const points of this.cloud.children) points.material = points.userData.splats.materials[pass];
+      for (const object of this.cloud.children) object.material = object.userData.layer.materials[pass];
       renderer.setRenderTarget(target);
       renderer.clear();
       renderer.render(this.cloud, camera);

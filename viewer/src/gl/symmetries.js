@@ -1,8 +1,7 @@
 // Reflection planes as bordered sheets and rotation axes as arrows, sized to their object.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { closed, group, quadrilateral, segments } from './lines.js';
 import { css, mix } from '../palette.js';
 import { add, cross, dot, planeBasis, quantile, scale, subtract } from '../vector.js';
 
@@ -30,15 +29,6 @@ function extentAlong(points, origin, direction) {
   return [quantile(values, 0.005), quantile(values, 0.995)];
 }
 
-function segments(pairs, material, order) {
-  const geometry = new LineSegmentsGeometry().setPositions(pairs.flat(2));
-  const lines = new LineSegments2(geometry, material);
-  lines.renderOrder = order;
-  return lines;
-}
-
-const closed = (corners) => corners.map((corner, i) => [corner, corners[(i + 1) % corners.length]]);
-
 function planeObject(plane, points, materials) {
   const [u, v] = planeBasis(plane.normal, UP);
   const [u0, u1] = extentAlong(points, plane.point, u);
@@ -49,19 +39,9 @@ function planeObject(plane, points, materials) {
     corner(u0 - margin, v0 - margin), corner(u1 + margin, v0 - margin),
     corner(u1 + margin, v1 + margin), corner(u0 - margin, v1 + margin),
   ];
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(corners.flat()), 3));
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  const sheet = new THREE.Mesh(geometry, materials.sheet);
-  sheet.renderOrder = 1;
+  const sheet = quadrilateral(corners, materials.sheet, 1);
   const border = closed(corners);
   return group(sheet, segments(border, materials.borderBehind, 2), segments(border, materials.border, 3));
-}
-
-function group(...children) {
-  const result = new THREE.Group();
-  result.add(...children);
-  return result;
 }
 
 // Three quarters of a turn about the axis: the line stands for rotations.

@@ -14,6 +14,26 @@ function stats({ objects, cloud, timings }) {
   return parts.join(' · ');
 }
 
+function pathLength(path) {
+  let sum = 0;
+  for (let i = 3; i < path.length; i += 3) {
+    sum += Math.hypot(path[i] - path[i - 3], path[i + 1] - path[i - 2], path[i + 2] - path[i - 1]);
+  }
+  return sum;
+}
+
+// What the layers of the reconstruction mean.
+function createLegend({ surface, trajectory }) {
+  const parts = [];
+  if (surface) {
+    parts.push(`Mesh: the reconstructed surface, objects in their colours (${format.plural(surface.triangles.length / 3, 'triangle')}).`);
+  }
+  if (trajectory) {
+    parts.push(`Camera: ${format.plural(trajectory.frames, 'frame')} over ${format.fixed(pathLength(trajectory.path), 2)} m, its first pyramid filled.`);
+  }
+  return parts.length > 0 && h('p', { class: 'lead' }, parts.join(' '));
+}
+
 function createControlsHelp(cell) {
   const rows = [
     ['Drag', 'orbit'], ['Right drag, two fingers', 'pan'], ['Wheel, pinch', 'zoom'], ['Click', 'select'], ...KEY_HELP,
@@ -69,6 +89,7 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
       scene.note && h('p', { class: 'note' }, scene.note),
       hasObjects && h('p', { class: 'lead' }, 'One colour per object, found by its symmetry alone: sheets are mirror planes, ' +
         'arrows are axes of rotation. Click an object for details.'),
+      createLegend(scene),
       hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
       createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)));
   return panel;
