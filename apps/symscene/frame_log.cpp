@@ -18,6 +18,10 @@ void FrameLog::add(std::size_t frame, const FrameReport& report) {
 
 void FrameLog::add_unreadable(std::size_t frame) { add(frame, "unreadable", ""); }
 
+void FrameLog::add_lost(std::size_t frame, const std::string& reason) {
+  add(frame, "lost", reason);
+}
+
 void FrameLog::add(std::size_t frame, const std::string& status, const std::string& detail) {
   ++frames_;
   // Frames are lost for different reasons; what is free of a degenerate one varies with noise.

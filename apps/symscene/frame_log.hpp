@@ -12,6 +12,7 @@ class FrameLog {
  public:
   void add(std::size_t frame, const FrameReport& report);
   void add_unreadable(std::size_t frame);
+  void add_lost(std::size_t frame, const std::string& reason);
 
   std::size_t fused() const { return fused_; }
 

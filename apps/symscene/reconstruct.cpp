@@ -51,6 +51,8 @@ class FrameReader {
   std::future<DepthFrame> ahead_;
 };
 
+constexpr int most_warnings = 5;  // about frames that cannot be read
+
 struct Reconstruct {
   SharedOptions shared;
   ReconstructOptions options;
@@ -92,6 +94,7 @@ struct Reconstruct {
     FrameReader reader(sequence);
     PlacedFrames placed;
     double waited = 0.0;
+    int unreadable = 0;
     for (std::size_t i = 0; i < sequence.size(); ++i) {
       session.on_begin()(fmt::format("frame {} of {}", i + 1, sequence.size()));
       const auto start = std::chrono::steady_clock::now();
@@ -100,11 +103,17 @@ struct Reconstruct {
         frame = reader.next();
       } catch (const InputError& error) {
         log.add_unreadable(i);
-        session.warn(error.what());
+        if (++unreadable <= most_warnings) session.warn(error.what());
       }
       waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       if (!frame) continue;
-      const FrameReport report = reconstruction.add(*frame, given_pose(sequence, i), use);
+      const std::optional<Eigen::Isometry3d> pose = given_pose(sequence, i);
+      if (!pose && !poses.empty() && reconstruction.volume().empty()) {
+        // Its camera would fix a world that is not the poses'.
+        log.add_lost(i, "no frame with a pose came before it");
+        continue;
+      }
+      const FrameReport report = reconstruction.add(*frame, pose, use);
       log.add(i, report);
       if (!report.fused) continue;
       placed.trajectory.push_back({sequence.time(i), report.tracking.T_world_camera});

@@ -18,7 +18,7 @@ struct TrackingOptions {
   double min_overlap = 0.3;          ///< share of the measured pixels that the model shows too
   double min_inliers = 0.5;          ///< share of the matches that agree to within three deviations
   double min_measured = 0.02;        ///< share of the pixels that must be measured
-  double degenerate_ratio = 1.5e-4;  ///< constraint on a motion below which it counts as free
+  double degenerate_ratio = 1e-4;    ///< constraint on a motion below which it counts as free
   double max_translation = 0.25;     ///< from one frame to the next [m]
   double max_rotation = 0.5;         ///< from one frame to the next [rad]
   double relocalize_overlap = 0.5;   ///< min_overlap where the camera is searched for
