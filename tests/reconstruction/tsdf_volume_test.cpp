@@ -198,7 +198,7 @@ TEST(TsdfVolume, TakesColoursFromPixelsThatMeasuredSomethingOnly) {
 
 /// What one frame makes of one voxel, in double.
 struct ScalarVoxel {
-  double distance = 0.0;  ///< [units]
+  double distance = TsdfBlock::never_seen;  ///< [units]
   int weight = 0;
   bool decided = true;  ///< not by rounding
 };

@@ -8,7 +8,7 @@ namespace symscene {
 struct TriangleMesh {
   Points vertices;  ///< V×3 [m]
   Eigen::Matrix<Index, Eigen::Dynamic, 3, Eigen::RowMajor>
-      triangles;  ///< T×3 indices, counter-clockwise from outside
+      triangles;   ///< T×3 indices, counter-clockwise from outside
   Colors colors;   ///< V×3, or 0×3
   Points normals;  ///< V×3 unit vectors that point out of the surface, or 0×3
 };
