@@ -70,13 +70,6 @@ struct Reconstruct {
     return fields;
   }
 
-  std::optional<Plane> given_plane() const {
-    if (plane.empty()) return {};
-    std::string words = plane;
-    std::replace(words.begin(), words.end(), ',', ' ');
-    return parse_table_plane(words, "--plane");
-  }
-
   std::optional<Eigen::Isometry3d> given_pose(const DepthSequence& sequence, std::size_t i) const {
     return poses.empty() ? std::nullopt : sequence.pose(i);
   }
@@ -132,14 +125,14 @@ struct Reconstruct {
     const TrajectoryError error = trajectory_error(known.poses, known.truth);
     session.say(fmt::format(
         "against the sequence's {} poses ({:.2f} m): absolute error {:.1f} mm, relative {:.1f} mm "
-        "and {:.2f} degrees over 30 frames, drift {:.1f} mm",
+        "and {:.2f} degrees over {} frames, drift {:.1f} mm",
         error.poses, error.length, 1e3 * error.absolute, 1e3 * error.relative,
-        degrees(error.relative_angle), 1e3 * error.drift));
+        degrees(error.relative_angle), error.interval, 1e3 * error.drift));
   }
 
   void run() {
     const OptionFields fields = configure();
-    const std::optional<Plane> table = given_plane();
+    const std::optional<Plane> table = plane_option(plane);
     require_not_input(shared.output, path);
     Session session("reconstruct", shared);
     StageTimer timer(session.on_begin());

@@ -1,9 +1,12 @@
 #include "scene_output.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "symscene/io/scene.hpp"
+#include "symscene/io/table_plane.hpp"
 #include "symscene/io/truth.hpp"
 #include "symscene/simulation/truth_transfer.hpp"
 
@@ -48,6 +51,13 @@ std::optional<SceneTruth> scene_truth(const std::filesystem::path& input,
 
 }  // namespace
 
+std::optional<Plane> plane_option(const std::string& text) {
+  if (text.empty()) return {};
+  std::string words = text;
+  std::replace(words.begin(), words.end(), ',', ' ');
+  return parse_table_plane(words, "--plane");
+}
+
 PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames& placed) {
   PosesAndTruth known;
   for (std::size_t k = 0; k < placed.frames.size(); ++k) {
@@ -74,6 +84,8 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
     });
   });
   report_table(input, built.table, session);
+  if (built.scene.cloud.empty())
+    throw InputError(input.string(), "something that stands on the table", "a bare table");
   timer.time("write", [&] {
     const auto truth = scene_truth(input, sequence, placed, built.scene.cloud);
     write_scene(absolute(output), built.scene,

@@ -21,6 +21,9 @@ struct PosesAndTruth {
 };
 PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames& placed);
 
+/// The table of --plane a,b,c,d; none where that is empty. Throws InputError if it is no plane.
+std::optional<Plane> plane_option(const std::string& text);
+
 /// The half of a subcommand that makes a scene folder of a reconstruction.
 struct SceneOutput {
   std::filesystem::path input;

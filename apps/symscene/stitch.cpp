@@ -71,11 +71,6 @@ struct Stitch {
     return fields;
   }
 
-  std::optional<Plane> given_plane() const {
-    if (plane.empty()) return {};
-    return parse_table_plane(plane, "--plane");
-  }
-
   static void require_matcher() {
     if (has_feature_matcher()) return;
     throw InputError("this build of symscene",
@@ -173,7 +168,7 @@ struct Stitch {
 
   void run() {
     const OptionFields fields = configure();
-    const std::optional<Plane> table = given_plane();
+    const std::optional<Plane> table = plane_option(plane);
     require_matcher();
     require_not_input(shared.output, path);
     Session session("stitch", shared);

@@ -55,6 +55,7 @@ TrajectoryError trajectory_error(std::span<const Eigen::Isometry3d> estimated,
   error.absolute_max = distances.maxCoeff();
   error.drift = motion_error(estimated, truth, 0, truth.size() - 1).translation().norm();
   const std::size_t step = std::clamp<std::size_t>(interval, 1, truth.size() - 1);
+  error.interval = step;
   double squares = 0.0, squared_angles = 0.0;
   for (std::size_t i = 0; i + step < truth.size(); ++i) {
     const Eigen::Isometry3d difference = motion_error(estimated, truth, i, i + step);

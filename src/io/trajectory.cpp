@@ -60,7 +60,8 @@ Eigen::Isometry3d to_pose(const Eigen::Matrix4d& matrix, const std::string& name
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
   const double error = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
   const double last = (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm();
-  if (!(error <= rotation_tolerance && last <= rotation_tolerance && rotation.determinant() > 0)) {
+  if (!(matrix.allFinite() && error <= rotation_tolerance && last <= rotation_tolerance &&
+        rotation.determinant() > 0)) {
     throw InputError(name, "a matrix of rotation and translation", "another");
   }
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

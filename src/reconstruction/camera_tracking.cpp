@@ -1,7 +1,6 @@
 #include "symscene/reconstruction/camera_tracking.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>

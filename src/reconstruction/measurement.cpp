@@ -106,7 +106,7 @@ void smooth_row(const float* const* rows, std::size_t width, float noise, float*
 DepthLevel smooth(const DepthLevel& raw, float noise) {
   DepthLevel smoothed = raw;
   const std::size_t width = raw.camera.width, height = raw.camera.height;
-  if (height <= 2 * smoothing_radius) return smoothed;
+  if (height <= 2 * smoothing_radius || width <= 2 * smoothing_radius) return smoothed;
   const std::size_t rows = height - 2 * smoothing_radius;
   parallel_for_blocks(rows, rows_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t top = begin; top < end; ++top) {
@@ -175,10 +175,11 @@ SurfaceImage with_normals(const DepthLevel& level, std::size_t reach, float step
   return image;
 }
 
-/// One row of Measurement::packed; `factor` is the ratio of the image's width to that of `surface`.
+/// One row of Measurement::packed; a pixel's surface is that of the pixel 2^shift times as large in
+/// `surface`, unless its depth is `step` off at 1 m.
 void pack_row(const float* depth, std::size_t width, const SurfacePixel* surface,
               std::size_t surface_width, std::size_t shift, const float* ray_x, float ray_y,
-              float noise, std::uint32_t* packed) {
+              float step, std::uint32_t* packed) {
   for (std::size_t u = 0; u < width; ++u) {
     packed[u] = 0;
     const float z = depth[u];
@@ -186,7 +187,7 @@ void pack_row(const float* depth, std::size_t width, const SurfacePixel* surface
     if (!(z > 0.0F) || at >= surface_width) continue;
     const SurfacePixel& pixel = surface[at];
     const float cosine = -(pixel.nx * ray_x[u] + pixel.ny * ray_y + pixel.nz);
-    if (!(cosine > 0.1F) || std::abs(pixel.depth - z) > noise * z * z) continue;
+    if (!(cosine > 0.1F) || std::abs(pixel.depth - z) > step * z * z) continue;
     const float ray_length = std::sqrt(1.0F + ray_x[u] * ray_x[u] + ray_y * ray_y);
     const float incidence = cosine / ray_length;
     const float weight = 16.0F * incidence * incidence / (z * z * z * z);
@@ -198,7 +199,7 @@ void pack_row(const float* depth, std::size_t width, const SurfacePixel* surface
 }
 
 std::vector<std::uint32_t> pack(const DepthLevel& raw, const SurfaceImage& surface,
-                                std::size_t shift, float noise) {
+                                std::size_t shift, float step) {
   std::vector<std::uint32_t> packed(raw.depth.size() + 1);
   const std::size_t width = raw.camera.width;
   std::vector<float> ray_x(width);
@@ -211,7 +212,7 @@ std::vector<std::uint32_t> pack(const DepthLevel& raw, const SurfaceImage& surfa
       pack_row(raw.depth.data() + v * width, width,
                surface.pixels.data() + row * surface.camera.width, surface.camera.width, shift,
                ray_x.data(), static_cast<float>(raw.camera.ray(0.0, static_cast<double>(v)).y()),
-               noise, packed.data() + v * width);
+               step, packed.data() + v * width);
     }
   });
   return packed;
@@ -224,9 +225,10 @@ std::size_t count_surface(const SurfaceImage& image) {
 }
 
 void require_camera(const CameraIntrinsics& camera, const DepthFrame& frame) {
-  if (camera.width < 8 || camera.height < 8 || !(camera.fx > 0.0) || !(camera.fy > 0.0) ||
+  if (camera.width < 8 || camera.height < 8 || !(camera.fx > 0.05 * camera.width) ||
+      !(camera.fy > 0.05 * camera.height) ||
       !std::isfinite(camera.fx + camera.fy + camera.cx + camera.cy)) {
-    throw InputError("camera", "at least 8×8 pixels and positive focal lengths",
+    throw InputError("camera", "at least 8×8 pixels and focal lengths over a twentieth of its size",
                      std::to_string(camera.width) + "×" + std::to_string(camera.height));
   }
   if (frame.depth.size() != camera.pixels()) {
@@ -241,7 +243,7 @@ void MeasurementOptions::validate() const {
   require_option(min_depth > 0, "min_depth", "a positive number", min_depth);
   require_option(max_depth > min_depth && max_depth < 6.5, "max_depth",
                  "more than min_depth and below 6.5 m", max_depth);
-  require_option(noise > 0 && noise <= 1, "noise", "a positive number up to 1 / m", noise);
+  require_option(noise >= 1e-6 && noise <= 1, "noise", "1e-6 to 1 / m", noise);
   require_option(edge_step > 0 && edge_step <= 1, "edge_step", "a positive number up to 1 m",
                  edge_step);
   require_option(tracking_width >= 40, "tracking_width", "at least 40 px", tracking_width);

@@ -1,6 +1,7 @@
 #include "symscene/reconstruction/reconstruction.hpp"
 
 #include <chrono>
+#include <limits>
 
 #include "symscene/core/error.hpp"
 
@@ -22,7 +23,9 @@ double fit(const TrackingResult& result) { return result.overlap * result.inlier
 void require_pose(const Eigen::Isometry3d& T_world_camera) {
   const Eigen::Matrix3d R = T_world_camera.linear();
   const bool rigid = (R * R.transpose()).isIdentity(1e-4) && R.determinant() > 0.0;
-  if (rigid && T_world_camera.translation().cwiseAbs().maxCoeff() < 1e5) return;
+  if (T_world_camera.matrix().allFinite() && rigid && T_world_camera.translation().norm() < 1e5) {
+    return;
+  }
   throw InputError("camera's pose", "a rotation and a place within 100 km", "another matrix");
 }
 
@@ -67,8 +70,12 @@ FrameReport Reconstruction::add(const DepthFrame& frame,
   if (T_world_camera && use == PoseUse::exact) {
     report.tracking = known_pose(*T_world_camera);
   } else {
-    report.tracking =
-        timed(track, [&] { return locate(measurement, T_world_camera, report.relocalized); });
+    report.tracking = locate(measurement, T_world_camera, report.relocalized);
+  }
+  if (report.tracking.status != TrackingStatus::lost &&
+      !volume_.in_reach(report.tracking.T_world_camera)) {
+    report.tracking.status = TrackingStatus::lost;
+    report.tracking.reason = "the camera is too far from the model's origin";
   }
   lost_ = report.tracking.status == TrackingStatus::lost;
   if (lost_) {
@@ -79,7 +86,7 @@ FrameReport Reconstruction::add(const DepthFrame& frame,
   // A motion that nothing confirms does not go on by itself.
   const bool is_known = !volume_.empty() && !report.relocalized &&
                         report.tracking.status == TrackingStatus::converged;
-  motion_ = is_known ? view_.T_world_camera.inverse() * pose : Eigen::Isometry3d::Identity();
+  motion_ = is_known ? T_world_last_.inverse() * pose : Eigen::Isometry3d::Identity();
   fuse(frame, measurement, pose);
   report.fused = true;
   return report;
@@ -89,21 +96,22 @@ void Reconstruction::fuse(const DepthFrame& frame, const Measurement& measuremen
                           const Eigen::Isometry3d& T_world_camera) {
   timed(integrate, [&] { volume_.integrate(measurement, T_world_camera); });
   timed(map_space, [&] { occupancy_.integrate(frame, camera_, T_world_camera); });
-  timed(predict_view, [&] {
-    view_ = predict(measurement.pyramid.front().camera, T_world_camera);
-    keyframes_.add(measurement, T_world_camera, options_.tracking.keyframe_distance,
-                   options_.tracking.keyframe_angle);
-  });
+  keyframes_.add(measurement, T_world_camera, options_.tracking.keyframe_distance,
+                 options_.tracking.keyframe_angle);
+  T_world_last_ = T_world_camera;
+  view_.reset();
 }
 
 /// Smoothed as measured images are: noise of the model's normals would hold the camera back.
 ModelView Reconstruction::predict(const CameraIntrinsics& camera,
-                                  const Eigen::Isometry3d& T_world_camera) const {
-  ModelView view = cast_model_view(volume_, camera, T_world_camera);
-  std::vector<float> depth(view.image.pixels.size());
-  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = view.image.pixels[i].depth;
-  view.image = find_surface(std::move(depth), camera, options_.measurement);
-  return view;
+                                  const Eigen::Isometry3d& T_world_camera) {
+  return timed(predict_view, [&] {
+    ModelView view = cast_model_view(volume_, camera, T_world_camera);
+    std::vector<float> depth(view.image.pixels.size());
+    for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = view.image.pixels[i].depth;
+    view.image = find_surface(std::move(depth), camera, options_.measurement);
+    return view;
+  });
 }
 
 TrackingResult Reconstruction::locate(const Measurement& measurement,
@@ -131,22 +139,32 @@ TrackingResult Reconstruction::locate(const Measurement& measurement,
 
 /// From where the camera must be by now if it moves on as it did; failing that, from where it was.
 TrackingResult Reconstruction::follow(const Measurement& measurement,
-                                      const std::optional<Eigen::Isometry3d>& guess) const {
+                                      const std::optional<Eigen::Isometry3d>& guess) {
+  const CameraIntrinsics& camera = measurement.pyramid.front().camera;
   TrackingOptions options = options_.tracking;
   if (lost_) {
     options.min_overlap = options.relocalize_overlap;
     options.min_inliers = options.relocalize_inliers;
   }
-  const Eigen::Isometry3d& last = view_.T_world_camera;
-  TrackingResult result = track_camera(measurement, view_, guess.value_or(last * motion_), options,
-                                       options_.measurement);
+  if (guess) {
+    const ModelView view = predict(camera, *guess);
+    return timed(track, [&] {
+      return track_camera(measurement, view, *guess, options, options_.measurement);
+    });
+  }
+  if (!view_) view_ = predict(camera, T_world_last_);
+  const auto from = [&](const Eigen::Isometry3d& start) {
+    return timed(track, [&] {
+      return track_camera(measurement, *view_, start, options, options_.measurement);
+    });
+  };
+  const TrackingResult result = from(T_world_last_ * motion_);
   if (result.status != TrackingStatus::lost) return result;
-  const TrackingResult again =
-      track_camera(measurement, view_, last, options, options_.measurement);
+  const TrackingResult again = from(T_world_last_);
   return again.status != TrackingStatus::lost ? again : result;
 }
 
-TrackingResult Reconstruction::search(const Measurement& measurement) const {
+TrackingResult Reconstruction::search(const Measurement& measurement) {
   constexpr std::size_t candidates = 4;
   TrackingOptions options = options_.tracking;
   options.min_overlap = options.relocalize_overlap;
@@ -156,7 +174,9 @@ TrackingResult Reconstruction::search(const Measurement& measurement) const {
   TrackingResult best;
   for (const Eigen::Isometry3d& pose : keyframes_.most_similar(measurement, candidates)) {
     const ModelView view = predict(measurement.pyramid.front().camera, pose);
-    TrackingResult result = track_camera(measurement, view, pose, options, options_.measurement);
+    TrackingResult result = timed(track, [&] {
+      return track_camera(measurement, view, pose, options, options_.measurement);
+    });
     if (result.status != TrackingStatus::converged) continue;
     if (best.status == TrackingStatus::lost || fit(result) > fit(best)) {
       best = std::move(result);

@@ -235,7 +235,9 @@ class SurfaceExtractor {
         (1.0F - between) * gradient_at(field, base) + between * gradient_at(field, next);
     const float norm = gradient.norm();
     mesh.normals.row(vertex) =
-        (norm > 0.0F ? Eigen::Vector3f(gradient / norm) : Eigen::Vector3f::Unit(axis)).transpose();
+        (norm > 0.0F ? Eigen::Vector3f(gradient / norm)
+                     : Eigen::Vector3f((d0 < d1 ? 1.0F : -1.0F) * Eigen::Vector3f::Unit(axis)))
+            .transpose();
     if (mesh.colors.rows() != 0) {
       mesh.colors.row(vertex) = color_at(slot, voxel, axis, between);
     }

@@ -108,7 +108,9 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
     const float cut = std::min(std::max(growth * depth * depth, least), most);
     const float full = (depth - depths[i]) * cosine;
     const float cut_off = std::min(full, cut);
-    const int seen = static_cast<int>(full > -cut) & static_cast<int>(tenths > 0);
+    // No farther behind along the ray either, where a surface is grazed.
+    const int seen = static_cast<int>(full > -cut) & static_cast<int>(depths[i] - depth < cut) &
+                     static_cast<int>(tenths > 0);
     const int before = weight[i];
     const int added = seen != 0 ? packed & 255 : 0;
     const int sum = before + added;
@@ -346,14 +348,15 @@ std::vector<std::uint32_t> TsdfVolume::visible_slots(
   return slots;
 }
 
+bool TsdfVolume::in_reach(const Eigen::Isometry3d& T_world_camera) const {
+  const double reach = BlockIndex::reach * edge * options_.voxel_size;
+  return T_world_camera.matrix().allFinite() &&
+         T_world_camera.translation().cwiseAbs().maxCoeff() < reach;
+}
+
 void TsdfVolume::integrate(const Measurement& measurement,
                            const Eigen::Isometry3d& T_world_camera) {
-  // Farther than this a frame cannot reach any block.
-  const double farthest = 10.0 + 2.0 * BlockIndex::reach * edge * options_.voxel_size;
-  if (!T_world_camera.matrix().allFinite() ||
-      T_world_camera.translation().cwiseAbs().maxCoeff() > farthest) {
-    return;
-  }
+  if (!in_reach(T_world_camera)) return;
   allocate(measurement, T_world_camera);
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
   const std::vector<std::uint32_t> slots = visible_slots(measurement, T_camera_world);

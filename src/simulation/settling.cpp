@@ -111,8 +111,9 @@ Eigen::Isometry3d random_pose(const ObjectModel& model, const DropOptions& optio
   if (random.chance(options.upright)) {
     const double heading = turn();
     const Eigen::Vector3d axis(std::cos(heading), std::sin(heading), 0.0);
-    orientation = Eigen::AngleAxisd(options.tilt * random.normal(), axis) *
-                  Eigen::AngleAxisd(turn(), Eigen::Vector3d::UnitZ());
+    const double tilt = options.tilt * random.normal();
+    const double spin = turn();
+    orientation = Eigen::AngleAxisd(tilt, axis) * Eigen::AngleAxisd(spin, Eigen::Vector3d::UnitZ());
   } else {
     Eigen::Vector4d q;
     for (int i = 0; i < 4; ++i) q[i] = random.normal();

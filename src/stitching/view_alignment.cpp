@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -121,7 +122,10 @@ class Aligner {
       for (const ViewPair& pair : pairs_) joint.add(pair.moved, pair.fixed, pair.system);
     }
     const Eigen::VectorXd twists = joint.solve();
-    if (!twists.allFinite()) return false;
+    if (!twists.allFinite()) {
+      last_step_ = std::numeric_limits<double>::infinity();
+      return false;
+    }
     for (std::size_t i = 1; i < poses_.size(); ++i) {
       const Vector6d twist = twists.segment<6>(6 * static_cast<Eigen::Index>(i));
       poses_[i] = orthonormal(motion(twist) * poses_[i]);
@@ -132,6 +136,7 @@ class Aligner {
 
   /// Leaves out the pairs that have too little in common to be worth their time.
   void keep_overlapping(std::size_t level) {
+    match(level);
     std::erase_if(pairs_, [&](const ViewPair& pair) {
       const auto pixels = static_cast<double>(image(pair.moved, level).pixels.size());
       return static_cast<double>(pair.system.matches) < options_.min_overlap * pixels;

@@ -224,9 +224,8 @@ ScalarVoxel fuse_scalar(const ScalarVoxel& old, const Eigen::Vector3d& center,
       std::clamp(o.truncation_sigmas * 1.425e-3 * depth * depth, o.truncation, o.max_truncation);
   const double full = (depth - p.z()) * cosine;
   if (std::abs(full + cut) < 1e-5) now.decided = false;
-  // So far behind a grazed surface no block need be looked at.
-  if (p.z() > depth + 0.9 * o.max_truncation) now.decided = false;
-  if (full <= -cut) return now;
+  if (std::abs(p.z() - depth - cut) < 1e-5) now.decided = false;
+  if (full <= -cut || p.z() - depth >= cut) return now;
   const int added = static_cast<int>(packed & 255), sum = old.weight + added;
   const double units = std::min(full, cut) / static_cast<double>(volume.distance_unit());
   now.distance = (old.distance * old.weight + units * added) / sum;

@@ -10,6 +10,7 @@ namespace symscene {
 /// evaluation of RGB-D SLAM systems").
 struct TrajectoryError {
   std::size_t poses = 0;
+  std::size_t interval = 0;     ///< poses over which the relative error is
   double absolute = 0.0;        ///< root mean square distance after rigid alignment [m]
   double absolute_max = 0.0;    ///< the largest of these [m]
   double relative = 0.0;        ///< root mean square error of the motion over `interval` [m]
@@ -18,8 +19,8 @@ struct TrajectoryError {
   double length = 0.0;          ///< of the true path [m]
 };
 
-/// Compares pose by pose. The relative error is over `interval` poses.
-/// Throws InputError if there are not as many of one as of the other.
+/// Compares pose by pose. The relative error is over `interval` poses, or all where there are
+/// fewer. Throws InputError if there are not as many of one as of the other.
 TrajectoryError trajectory_error(std::span<const Eigen::Isometry3d> estimated,
                                  std::span<const Eigen::Isometry3d> truth,
                                  std::size_t interval = 30);

@@ -77,9 +77,9 @@ class Reconstruction {
   TrackingResult locate(const Measurement& measurement,
                         const std::optional<Eigen::Isometry3d>& guess, bool& relocalized);
   TrackingResult follow(const Measurement& measurement,
-                        const std::optional<Eigen::Isometry3d>& guess) const;
-  TrackingResult search(const Measurement& measurement) const;
-  ModelView predict(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera) const;
+                        const std::optional<Eigen::Isometry3d>& guess);
+  TrackingResult search(const Measurement& measurement);
+  ModelView predict(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera);
   void fuse(const DepthFrame& frame, const Measurement& measurement,
             const Eigen::Isometry3d& T_world_camera);
 
@@ -88,7 +88,8 @@ class Reconstruction {
   TsdfVolume volume_;
   OccupancyVolume occupancy_;
   Keyframes keyframes_;
-  ModelView view_;                                            ///< from where the camera was last
+  Eigen::Isometry3d T_world_last_ = Eigen::Isometry3d::Identity();  ///< where the camera was last
+  std::optional<ModelView> view_;                             ///< from there, once it is asked for
   Eigen::Isometry3d motion_ = Eigen::Isometry3d::Identity();  ///< of the camera over the last frame
   bool lost_ = false;
   std::vector<StageTime> times_;

@@ -60,7 +60,11 @@ class TsdfVolume {
 
   /// Fuses every pixel of a measurement: voxels are projected into the image (Newcombe et al. 2011,
   /// Eqs. 6 to 13). The same bits for any number of threads.
+  /// Nothing happens for a pose from which in_reach() does not hold.
   void integrate(const Measurement& measurement, const Eigen::Isometry3d& T_world_camera);
+
+  /// Whether blocks can be kept about a camera: within 1024 blocks of the origin along each axis.
+  bool in_reach(const Eigen::Isometry3d& T_world_camera) const;
 
   const TsdfOptions& options() const { return options_; }
   const BlockIndex& index() const { return index_; }
