@@ -134,6 +134,7 @@ struct Reconstruct {
     const OptionFields fields = configure();
     const std::optional<Plane> table = plane_option(plane);
     require_not_input(shared.output, path);
+    require_folder(shared.output);
     Session session("reconstruct", shared);
     StageTimer timer(session.on_begin());
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
@@ -151,6 +152,7 @@ struct Reconstruct {
                      describe_run("reconstruct", fields, log.json()), session, timer);
     std::vector<ReportMember> members{
         {"output", shared.output}, {"frames", sequence->size()}, {"fused", log.fused()}};
+    members.push_back(ReportMember::raw("log", log.json()));
     members.insert(members.end(), written.begin(), written.end());
     session.finish(members, timer.stages());
   }

@@ -51,6 +51,11 @@ std::optional<SceneTruth> scene_truth(const std::filesystem::path& input,
 
 }  // namespace
 
+void require_folder(const std::filesystem::path& output) {
+  if (std::filesystem::exists(output) && !std::filesystem::is_directory(output))
+    throw InputError(output.string(), "a folder to write", "a file");
+}
+
 std::optional<Plane> plane_option(const std::string& text) {
   if (text.empty()) return {};
   std::string words = text;

@@ -21,6 +21,10 @@ struct PosesAndTruth {
 };
 PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames& placed);
 
+/// Throws InputError if a scene folder cannot be written because a file is in its place: before the
+/// work, not after it.
+void require_folder(const std::filesystem::path& output);
+
 /// The table of --plane a,b,c,d; none where that is empty. Throws InputError if it is no plane.
 std::optional<Plane> plane_option(const std::string& text);
 

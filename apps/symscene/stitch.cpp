@@ -171,6 +171,7 @@ struct Stitch {
     const std::optional<Plane> table = plane_option(plane);
     require_matcher();
     require_not_input(shared.output, path);
+    require_folder(shared.output);
     Session session("stitch", shared);
     StageTimer timer(session.on_begin());
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });

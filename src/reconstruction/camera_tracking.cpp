@@ -19,6 +19,8 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 constexpr std::size_t lanes = 64;
 constexpr std::size_t products = 27;  ///< upper half of JᵀJ, then Jᵀr
 constexpr std::size_t rows_a_task = 8;
+constexpr double least_matches = 50.0;
+constexpr float model_deviation = 5e-4F;  // of a depth that the model shows [m]
 
 /// Matches waiting to be summed, lane by lane. A lane without a match has weight 0.
 struct Batch {
@@ -31,6 +33,7 @@ struct Batch {
 struct Sums {
   float product[products][lanes] = {};
   double normal[products] = {};
+  double shown = 0;  ///< measured pixels where the model shows something
   double matches = 0, inliers = 0, squares = 0, weight = 0;
 
   void fold() {
@@ -45,6 +48,7 @@ struct Sums {
 
 Sums combined(Sums a, const Sums& b) {
   for (std::size_t k = 0; k < products; ++k) a.normal[k] += b.normal[k];
+  a.shown += b.shown;
   a.matches += b.matches;
   a.inliers += b.inliers;
   a.squares += b.squares;
@@ -159,6 +163,7 @@ class Matcher {
     const SurfacePixel& other = model_.pixels[line * camera.width + column];
     const Eigen::Vector3f n(other.nx, other.ny, other.nz);
     if (n.z() == 0.0F && n.x() == 0.0F && n.y() == 0.0F) return false;
+    sums.shown += 1.0;
     const Eigen::Vector3f q(model_x_[column] * other.depth, model_y_[line] * other.depth,
                             other.depth);
     const Eigen::Vector3f gap = q - p;
@@ -373,6 +378,7 @@ void TrackingOptions::validate() const {
   positive(max_rotation, "max_rotation");
   share(relocalize_overlap, "relocalize_overlap");
   share(relocalize_inliers, "relocalize_inliers");
+  share(max_disagreement, "max_disagreement");
   positive(keyframe_distance, "keyframe_distance");
   positive(keyframe_angle, "keyframe_angle");
 }
@@ -399,14 +405,16 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
     const Matcher matcher(
         measurement.pyramid[level], models[level],
         {static_cast<float>(distance * distance), static_cast<float>(std::cos(options.max_angle)),
-         static_cast<float>(sensor.noise), 5e-4F, static_cast<float>(options.robust_sigmas)});
+         static_cast<float>(sensor.noise), model_deviation,
+         static_cast<float>(options.robust_sigmas)});
     if (iterations[level] == 0) continue;
     const Sums constraining = matcher.match_constraints(T);
-    if (constraining.matches < 50.0) return lost(T_world_guess, "the model is not in view");
+    if (constraining.matches < least_matches)
+      return lost(T_world_guess, "the model is not in view");
     constraints = find_constraints(constraining, to_twist, options.degenerate_ratio);
     for (int k = 0; k < iterations[level]; ++k) {
       sums = matcher.match(T);
-      if (sums.matches < 50.0) return lost(T_world_guess, "the model is not in view");
+      if (sums.matches < least_matches) return lost(T_world_guess, "the model is not in view");
       const Vector6d step = solve(sums, to_twist, constraints);
       if (!step.allFinite()) return lost(T_world_guess, "the alignment diverged");
       T = motion(step) * T;
@@ -417,6 +425,7 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
   result.T_world_camera = orthonormal(view.T_world_camera * T);
   result.overlap = sums.matches / static_cast<double>(measurement.measured);
   result.inliers = sums.inliers / sums.matches;
+  result.agreement = sums.inliers / sums.shown;
   result.residual = std::sqrt(sums.squares / std::max(sums.inliers, 1.0));
   result.unconstrained = names_of_free_motions(constraints);
   if (result.overlap < options.min_overlap) {
@@ -431,6 +440,43 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
         result.unconstrained.empty() ? TrackingStatus::converged : TrackingStatus::degenerate;
   }
   return result;
+}
+
+std::vector<Eigen::Isometry3d> likely_poses(const Measurement& measurement, const ModelView& view,
+                                            const Eigen::Isometry3d& T_world_about,
+                                            std::size_t count, const TrackingOptions& options,
+                                            const MeasurementOptions& sensor) {
+  constexpr int reach = 5;        // steps of the grid to each side
+  constexpr double step = 0.05;   // [m], rotations by how far they move points about the centre
+  constexpr float near = 0.025F;  // between points that agree [m]
+  const std::vector<SurfaceImage> models = view_pyramid(view.image, measurement);
+  const Matcher matcher(measurement.pyramid.back(), models.back(),
+                        {near * near, static_cast<float>(std::cos(options.max_angle)),
+                         static_cast<float>(sensor.noise), model_deviation,
+                         static_cast<float>(options.robust_sigmas)});
+  const Eigen::Isometry3d T_about = view.T_world_camera.inverse() * T_world_about;
+  const Matrix6d to_twist = comparable_motions(mean_depth(measurement.pyramid.back()));
+  const Sums here = matcher.match_constraints(T_about);
+  if (here.matches < least_matches) return {};
+  const Constraints constraints = find_constraints(here, to_twist, options.degenerate_ratio);
+  std::vector<std::pair<double, Eigen::Isometry3d>> tried;
+  for (int a = -reach; a <= reach; ++a) {
+    for (int b = -reach; b <= reach; ++b) {
+      for (int c = -reach; c <= reach; ++c) {
+        const Vector6d offset =
+            constraints.motions.leftCols<3>() * (step * Eigen::Vector3d(a, b, c));
+        const Eigen::Isometry3d T = motion(to_twist * offset) * T_about;
+        tried.emplace_back(-matcher.match(T).inliers, view.T_world_camera * T);
+      }
+    }
+  }
+  std::stable_sort(tried.begin(), tried.end(),
+                   [](const auto& x, const auto& y) { return x.first < y.first; });
+  std::vector<Eigen::Isometry3d> poses{T_world_about};
+  for (std::size_t k = 0; k < std::min(count - 1, tried.size()); ++k) {
+    poses.push_back(orthonormal(tried[k].second));
+  }
+  return poses;
 }
 
 }  // namespace symscene

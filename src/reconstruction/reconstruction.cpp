@@ -18,8 +18,6 @@ TrackingResult known_pose(const Eigen::Isometry3d& T_world_camera) {
   return result;
 }
 
-double fit(const TrackingResult& result) { return result.overlap * result.inliers; }
-
 void require_pose(const Eigen::Isometry3d& T_world_camera) {
   const Eigen::Matrix3d R = T_world_camera.linear();
   const bool rigid = (R * R.transpose()).isIdentity(1e-4) && R.determinant() > 0.0;
@@ -87,6 +85,7 @@ FrameReport Reconstruction::add(const DepthFrame& frame,
   const bool is_known = !volume_.empty() && !report.relocalized &&
                         report.tracking.status == TrackingStatus::converged;
   motion_ = is_known ? T_world_last_.inverse() * pose : Eigen::Isometry3d::Identity();
+  if (is_known) disagreement_ += 0.25 * (1.0 - report.tracking.agreement - disagreement_);
   fuse(frame, measurement, pose);
   report.fused = true;
   return report;
@@ -126,15 +125,28 @@ TrackingResult Reconstruction::locate(const Measurement& measurement,
     }
     return first;
   }
-  const TrackingResult result = follow(measurement, guess);
+  TrackingResult result = follow(measurement, guess);
   const bool followed = result.status != TrackingStatus::lost;
-  if (!result.searchable || (followed && !lost_)) return result;
-  // Much of a table looks alike from all sides: a lost camera is where it fits best.
-  const TrackingResult found = search(measurement);
-  const bool better =
-      found.status != TrackingStatus::lost && (!followed || fit(found) > fit(result));
-  relocalized = better || followed;
-  return better ? found : result;
+  if (!result.searchable || (followed && !lost_ && agrees(result))) return result;
+  // Much of a table looks alike from all sides: a lost camera is where it fits best, and only if it
+  // fits as well there as frames did before.
+  TrackingResult found = search(measurement);
+  if (found.agreement < result.agreement && followed) found = result;
+  if (found.status != TrackingStatus::converged || !agrees(found)) {
+    if (followed) result.reason = "the image agrees with the model less than those before it";
+    result.status = TrackingStatus::lost;
+    return result;
+  }
+  relocalized = lost_;
+  return found;
+}
+
+/// A lost camera has to agree as well as it used to: half of what is measured may be a bare table,
+/// which agrees from everywhere.
+bool Reconstruction::agrees(const TrackingResult& result) const {
+  const double slack = options_.tracking.max_disagreement;
+  const double bound = lost_ ? 2.0 * disagreement_ + 0.4 * slack : 3.0 * disagreement_ + slack;
+  return 1.0 - result.agreement <= bound;
 }
 
 /// From where the camera must be by now if it moves on as it did; failing that, from where it was.
@@ -164,23 +176,27 @@ TrackingResult Reconstruction::follow(const Measurement& measurement,
   return again.status != TrackingStatus::lost ? again : result;
 }
 
+/// Around where it was and around keyframes that look alike.
 TrackingResult Reconstruction::search(const Measurement& measurement) {
-  constexpr std::size_t candidates = 4;
+  constexpr std::size_t keyframes = 3, starts = 8;
   TrackingOptions options = options_.tracking;
   options.min_overlap = options.relocalize_overlap;
   options.min_inliers = options.relocalize_inliers;
-  options.iterations_coarse *= 3;
   options.max_translation = options.max_rotation = std::numeric_limits<double>::infinity();
   TrackingResult best;
-  for (const Eigen::Isometry3d& pose : keyframes_.most_similar(measurement, candidates)) {
-    const ModelView view = predict(measurement.pyramid.front().camera, pose);
-    TrackingResult result = timed(track, [&] {
-      return track_camera(measurement, view, pose, options, options_.measurement);
+  std::vector<Eigen::Isometry3d> places = keyframes_.most_similar(measurement, keyframes);
+  places.insert(places.begin(), T_world_last_);
+  for (const Eigen::Isometry3d& place : places) {
+    const ModelView view = predict(measurement.pyramid.front().camera, place);
+    timed(track, [&] {
+      for (const Eigen::Isometry3d& start :
+           likely_poses(measurement, view, place, starts, options, options_.measurement)) {
+        TrackingResult result =
+            track_camera(measurement, view, start, options, options_.measurement);
+        if (result.status != TrackingStatus::converged) continue;
+        if (result.agreement > best.agreement) best = std::move(result);
+      }
     });
-    if (result.status != TrackingStatus::converged) continue;
-    if (best.status == TrackingStatus::lost || fit(result) > fit(best)) {
-      best = std::move(result);
-    }
   }
   return best;
 }

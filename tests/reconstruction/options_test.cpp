@@ -50,7 +50,7 @@ int expect_every_field_is_checked() {
 TEST(ReconstructionOptions, OutOfRangeAreRefusedFieldByField) {
   EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 5);
   EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 5);
-  EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 16);
+  EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 17);
   EXPECT_EQ(expect_every_field_is_checked<SurfaceExtractionOptions>(), 2);
 }
 

@@ -144,13 +144,26 @@ TEST(Reconstruction, FindsACameraThatTurnedAwayAndCameBackElsewhere) {
   // Not where it was last, at 0.72 rad, but near where it began.
   const FrameReport back = reconstruction.add(table_frame(0.04));
   EXPECT_TRUE(back.relocalized);
-  EXPECT_TRUE(back.fused) << back.tracking.reason;
+  EXPECT_TRUE(back.fused) << back.tracking.reason << ", agreement " << back.tracking.agreement;
   EXPECT_LT(apart(back.tracking.T_world_camera, in_sweep(0.04)), 0.005);
   EXPECT_LT(degrees_apart(back.tracking.T_world_camera, in_sweep(0.04)), 0.5);
   const FrameReport next = reconstruction.add(table_frame(0.07));
   EXPECT_TRUE(next.fused);
   EXPECT_FALSE(next.relocalized);
   EXPECT_LT(apart(next.tracking.T_world_camera, in_sweep(0.07)), 0.005);
+}
+
+TEST(Reconstruction, GoesOnInNoWrongPlaceAfterAGap) {
+  for (const double gap : {0.1, 0.25, 0.4}) {
+    Reconstruction reconstruction(small_camera());
+    for (int k = 0; k <= 8; ++k) {
+      ASSERT_TRUE(reconstruction.add(table_frame(0.045 * k)).fused) << k;
+    }
+    const FrameReport after = reconstruction.add(table_frame(0.36 + gap));
+    if (!after.fused) continue;
+    EXPECT_LT(apart(after.tracking.T_world_camera, in_sweep(0.36 + gap)), 0.005) << gap;
+    EXPECT_LT(degrees_apart(after.tracking.T_world_camera, in_sweep(0.36 + gap)), 0.5) << gap;
+  }
 }
 
 TEST(Reconstruction, TakesExactPosesAsTheyAre) {

@@ -23,6 +23,7 @@ struct TrackingOptions {
   double max_rotation = 0.5;         ///< from one frame to the next [rad]
   double relocalize_overlap = 0.5;   ///< min_overlap where the camera is searched for
   double relocalize_inliers = 0.75;  ///< min_inliers where the camera is searched for
+  double max_disagreement = 0.01;    ///< more than three times that of the frames before
   double keyframe_distance = 0.15;   ///< between keyframes [m]
   double keyframe_angle = 0.26;      ///< between keyframes [rad]
 
@@ -43,6 +44,8 @@ struct TrackingOptions {
     visit("max_rotation", self.max_rotation, "rad", "from one frame to the next");
     visit("relocalize_overlap", self.relocalize_overlap, "", "overlap that finds a lost camera");
     visit("relocalize_inliers", self.relocalize_inliers, "", "inliers that find a lost camera");
+    visit("max_disagreement", self.max_disagreement, "",
+          "share of pixels that may disagree beyond three times that of before");
     visit("keyframe_distance", self.keyframe_distance, "m", "between keyframes");
     visit("keyframe_angle", self.keyframe_angle, "rad", "between keyframes");
   }
@@ -62,9 +65,11 @@ const char* to_string(TrackingStatus status);
 struct TrackingResult {
   TrackingStatus status = TrackingStatus::lost;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  double overlap = 0.0;                    ///< share of the measured pixels that were matched
-  double inliers = 0.0;                    ///< share of the matches within three deviations
-  double residual = 0.0;                   ///< root of the mean squared residual of those [m]
+  double overlap = 0.0;    ///< share of the measured pixels that were matched
+  double inliers = 0.0;    ///< share of the matches within three deviations
+  double agreement = 0.0;  ///< share of the measured pixels where the model shows something that
+                           ///< match it within three deviations
+  double residual = 0.0;   ///< root of the mean squared residual of those [m]
   std::vector<std::string> unconstrained;  ///< motions of the camera that are free, if degenerate
   const char* reason = "";                 ///< why it is lost
   bool searchable = true;  ///< the image shows enough that the camera may be looked for
@@ -78,5 +83,14 @@ struct TrackingResult {
 TrackingResult track_camera(const Measurement& measurement, const ModelView& view,
                             const Eigen::Isometry3d& T_world_guess, const TrackingOptions& options,
                             const MeasurementOptions& sensor);
+
+/// At most `count` poses from which to track: the one given, then, best first, on a grid along the
+/// three motions that the surface constrains least, those at which most pixels agree with the view.
+/// A table looks the same from all along it; what stands on it does not. Empty where nothing
+/// matches.
+std::vector<Eigen::Isometry3d> likely_poses(const Measurement& measurement, const ModelView& view,
+                                            const Eigen::Isometry3d& T_world_about,
+                                            std::size_t count, const TrackingOptions& options,
+                                            const MeasurementOptions& sensor);
 
 }  // namespace symscene

@@ -79,6 +79,7 @@ class Reconstruction {
   TrackingResult follow(const Measurement& measurement,
                         const std::optional<Eigen::Isometry3d>& guess);
   TrackingResult search(const Measurement& measurement);
+  bool agrees(const TrackingResult& result) const;
   ModelView predict(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera);
   void fuse(const DepthFrame& frame, const Measurement& measurement,
             const Eigen::Isometry3d& T_world_camera);
@@ -91,6 +92,8 @@ class Reconstruction {
   Eigen::Isometry3d T_world_last_ = Eigen::Isometry3d::Identity();  ///< where the camera was last
   std::optional<ModelView> view_;                             ///< from there, once it is asked for
   Eigen::Isometry3d motion_ = Eigen::Isometry3d::Identity();  ///< of the camera over the last frame
+  double disagreement_ =
+      0.05;  ///< 1 less the agreement of the frames so far, the last counting most
   bool lost_ = false;
   std::vector<StageTime> times_;
 };
