@@ -225,10 +225,9 @@ std::size_t count_surface(const SurfaceImage& image) {
 }
 
 void require_camera(const CameraIntrinsics& camera, const DepthFrame& frame) {
-  if (camera.width < 8 || camera.height < 8 || !(camera.fx > 0.05 * camera.width) ||
-      !(camera.fy > 0.05 * camera.height) ||
+  if (camera.width < 8 || camera.height < 8 || !(camera.fx >= 1.0) || !(camera.fy >= 1.0) ||
       !std::isfinite(camera.fx + camera.fy + camera.cx + camera.cy)) {
-    throw InputError("camera", "at least 8×8 pixels and focal lengths over a twentieth of its size",
+    throw InputError("camera", "at least 8×8 pixels and focal lengths of a pixel or more",
                      std::to_string(camera.width) + "×" + std::to_string(camera.height));
   }
   if (frame.depth.size() != camera.pixels()) {
