@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include "core/twist.hpp"
 #include "symscene/core/dispatch.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 constexpr std::size_t lanes = 64;
 constexpr std::size_t products = 27;  ///< upper half of JᵀJ, then Jᵀr
@@ -209,22 +206,6 @@ class Matcher {
   Gates gates_;
   std::vector<float> ray_x_, ray_y_, model_x_, model_y_;
 };
-
-/// A small motion: of rotation vector ω and translation t.
-Eigen::Isometry3d motion(const Vector6d& twist) {
-  const Eigen::Vector3d omega = twist.head<3>();
-  const double angle = omega.norm();
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  if (angle > 0.0) T.linear() = Eigen::AngleAxisd(angle, omega / angle).toRotationMatrix();
-  T.translation() = twist.tail<3>();
-  return T;
-}
-
-/// The pose without what rounding has done to its rotation, which else grows from frame to frame.
-Eigen::Isometry3d orthonormal(Eigen::Isometry3d T) {
-  T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
-  return T;
-}
 
 /// From motions that compare with each other to twists: rotations are about the centre of what is
 /// seen, at (0, 0, range), and measured by how far they move points about it.

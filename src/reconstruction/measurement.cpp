@@ -11,7 +11,6 @@ namespace symscene {
 namespace {
 
 constexpr std::size_t rows_a_task = 16;
-constexpr float packed_unit = 1e-4F;  // [m]
 
 /// A depth image of one level.
 struct DepthLevel {
@@ -158,18 +157,13 @@ SurfaceImage with_normals(const DepthLevel& level, std::size_t reach, float step
   const std::size_t width = level.camera.width, height = level.camera.height;
   for (std::size_t i = 0; i < level.depth.size(); ++i) image.pixels[i].depth = level.depth[i];
   if (width <= 2 * reach || height <= 2 * reach) return image;
-  std::vector<float> ray_x(width);
-  for (std::size_t u = 0; u < width; ++u) {
-    ray_x[u] = static_cast<float>(level.camera.ray(static_cast<double>(u), 0.0).x());
-  }
-  const auto ray_y = [&](std::size_t v) {
-    return static_cast<float>(level.camera.ray(0.0, static_cast<double>(v)).y());
-  };
+  const std::vector<float> ray_x = level.camera.column_rays();
+  const std::vector<float> ray_y = level.camera.row_rays();
   parallel_for_blocks(height - 2 * reach, rows_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin + reach; v < end + reach; ++v) {
       const float* here = level.depth.data() + v * width;
-      normal_row(here - reach * width, here, here + reach * width, ray_x.data(), ray_y(v - reach),
-                 ray_y(v), ray_y(v + reach), width, reach, step, image.pixels.data() + v * width);
+      normal_row(here - reach * width, here, here + reach * width, ray_x.data(), ray_y[v - reach],
+                 ray_y[v], ray_y[v + reach], width, reach, step, image.pixels.data() + v * width);
     }
   });
   return image;
@@ -191,7 +185,7 @@ void pack_row(const float* depth, std::size_t width, const SurfacePixel* surface
     const float ray_length = std::sqrt(1.0F + ray_x[u] * ray_x[u] + ray_y * ray_y);
     const float incidence = cosine / ray_length;
     const float weight = 16.0F * incidence * incidence / (z * z * z * z);
-    const auto tenths = static_cast<std::uint32_t>(z / packed_unit + 0.5F);
+    const auto tenths = static_cast<std::uint32_t>(z / Measurement::depth_unit + 0.5F);
     const auto factor = static_cast<std::uint32_t>(255.0F * std::min(cosine, 1.0F) + 0.5F);
     const auto units = static_cast<std::uint32_t>(std::clamp(weight, 1.0F, 255.0F));
     packed[u] = (tenths << 16) | (factor << 8) | units;
@@ -202,17 +196,14 @@ std::vector<std::uint32_t> pack(const DepthLevel& raw, const SurfaceImage& surfa
                                 std::size_t shift, float step) {
   std::vector<std::uint32_t> packed(raw.depth.size() + 1);
   const std::size_t width = raw.camera.width;
-  std::vector<float> ray_x(width);
-  for (std::size_t u = 0; u < width; ++u) {
-    ray_x[u] = static_cast<float>(raw.camera.ray(static_cast<double>(u), 0.0).x());
-  }
+  const std::vector<float> ray_x = raw.camera.column_rays();
+  const std::vector<float> ray_y = raw.camera.row_rays();
   parallel_for_blocks(raw.camera.height, rows_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const std::size_t row = std::min<std::size_t>(v >> shift, surface.camera.height - 1);
       pack_row(raw.depth.data() + v * width, width,
                surface.pixels.data() + row * surface.camera.width, surface.camera.width, shift,
-               ray_x.data(), static_cast<float>(raw.camera.ray(0.0, static_cast<double>(v)).y()),
-               step, packed.data() + v * width);
+               ray_x.data(), ray_y[v], step, packed.data() + v * width);
     }
   });
   return packed;
@@ -221,7 +212,7 @@ std::vector<std::uint32_t> pack(const DepthLevel& raw, const SurfaceImage& surfa
 std::size_t count_surface(const SurfaceImage& image) {
   return static_cast<std::size_t>(
       std::count_if(image.pixels.begin(), image.pixels.end(),
-                    [](const SurfacePixel& pixel) { return pixel.nz < 0.0F; }));
+                    [](const SurfacePixel& pixel) { return pixel.shows_surface(); }));
 }
 
 void require_camera(const CameraIntrinsics& camera, const DepthFrame& frame) {

@@ -181,11 +181,9 @@ class ViewCaster {
         view_(view),
         camera_(view.image.camera),
         ranges_(find_depth_ranges(volume, camera_, view.T_world_camera.inverse())),
-        band_(static_cast<float>(1.5 * volume.options().truncation)) {
-    for (Index u = 0; u < camera_.width; ++u) {
-      ray_x_.push_back(static_cast<float>(camera_.ray(u, 0.0).x()));
-    }
-  }
+        band_(static_cast<float>(1.5 * volume.options().truncation)),
+        ray_x_(camera_.column_rays()),
+        ray_y_(camera_.row_rays()) {}
 
   void cast() {
     const std::size_t rows = (camera_.height + tile - 1) / tile;
@@ -211,9 +209,7 @@ class ViewCaster {
   std::size_t tile_of(Index u, Index v) const {
     return std::size_t{v / tile} * ranges_.columns + u / tile;
   }
-  Eigen::Vector3f ray(Index u, Index v) const {
-    return {ray_x_[u], static_cast<float>(camera_.ray(0.0, v).y()), 1.0F};
-  }
+  Eigen::Vector3f ray(Index u, Index v) const { return {ray_x_[u], ray_y_[v], 1.0F}; }
 
   void cast_corners(RayCaster& caster, Index row) const {
     const Index v = corner(row, camera_.height);
@@ -266,7 +262,7 @@ class ViewCaster {
   const CameraIntrinsics& camera_;
   DepthRanges ranges_;
   float band_;  ///< [m]
-  std::vector<float> ray_x_;
+  std::vector<float> ray_x_, ray_y_;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr int edge = TsdfBlock::edge;
 constexpr int voxels = TsdfBlock::voxels;
 constexpr std::size_t blocks_a_task = 64;
-constexpr float packed_unit = 1e-4F;  // of a packed depth [m]
+constexpr float packed_unit = Measurement::depth_unit;
 
 /// How voxels fall into an image, in the units of the camera's frame: what is the same for all
 /// blocks of a frame.
@@ -273,20 +273,19 @@ void TsdfVolume::allocate(const Measurement& measurement, const Eigen::Isometry3
   const std::size_t rows = (camera.height + stride - 1) / stride;
   constexpr std::size_t rows_a_task = 8;
   std::vector<std::vector<Eigen::Vector3i>> missing((rows + rows_a_task - 1) / rows_a_task);
-  std::vector<float> ray_x(camera.width);
-  for (Index u = 0; u < camera.width; ++u) ray_x[u] = static_cast<float>(camera.ray(u, 0.0).x());
+  const std::vector<float> ray_x = camera.column_rays();
+  const std::vector<float> ray_y = camera.row_rays();
   parallel_for_blocks(rows, rows_a_task, [&](std::size_t begin, std::size_t end) {
     std::vector<Eigen::Vector3i>& found = missing[begin / rows_a_task];
     Eigen::Vector3i last = Eigen::Vector3i::Constant(BlockIndex::reach);
     for (std::size_t row = begin; row < end; ++row) {
       const std::size_t v = row * stride;
-      const auto ray_y = static_cast<float>(camera.ray(0.0, static_cast<double>(v)).y());
       for (Index u = 0; u < camera.width; u += stride) {
         const std::uint32_t packed = measurement.packed[v * camera.width + u];
         if (packed == 0) continue;
         const float depth = static_cast<float>(packed >> 16) * packed_unit;
         const auto band = static_cast<float>(truncation(depth));
-        const Eigen::Vector3f ray = R * Eigen::Vector3f(ray_x[u], ray_y, 1.0F);
+        const Eigen::Vector3f ray = R * Eigen::Vector3f(ray_x[u], ray_y[v], 1.0F);
         const int steps = 1 + static_cast<int>(4.0F * band / static_cast<float>(block_size));
         for (int k = 0; k <= steps; ++k) {
           const float at =

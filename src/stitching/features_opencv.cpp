@@ -1,3 +1,4 @@
+#include "core/twist.hpp"
 #include "stitching/image_features.hpp"
 #include "symscene/core/error.hpp"
 
@@ -62,12 +63,9 @@ cv::Matx33d camera_matrix(const CameraIntrinsics& camera) {
 }
 
 Eigen::Isometry3d to_pose(const cv::Vec3d& rotation, const cv::Vec3d& translation) {
-  const Eigen::Vector3d omega(rotation[0], rotation[1], rotation[2]);
-  const double angle = omega.norm();
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  if (angle > 0.0) T.linear() = Eigen::AngleAxisd(angle, omega / angle).toRotationMatrix();
-  T.translation() << translation[0], translation[1], translation[2];
-  return T;
+  Vector6d twist;
+  twist << rotation[0], rotation[1], rotation[2], translation[0], translation[1], translation[2];
+  return motion(twist);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "stitching/twist.hpp"
+#include "core/twist.hpp"
 
 namespace symscene {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "stitching/surface_lookup.hpp"
+
 namespace symscene {
 namespace {
 
@@ -10,12 +12,6 @@ constexpr double surface_floor = 5e-4;  ///< deviation of a near surface: errors
 Eigen::Vector3d normal_of(const SurfacePixel& pixel) {
   return {static_cast<double>(pixel.nx), static_cast<double>(pixel.ny),
           static_cast<double>(pixel.nz)};
-}
-
-bool has_normal(const SurfacePixel& pixel) { return pixel.nz < 0.0F; }
-
-Eigen::Vector3d point_at(const SurfaceImage& image, Index u, Index v, const SurfacePixel& pixel) {
-  return static_cast<double>(pixel.depth) * image.camera.ray(u, v);
 }
 
 /// Two pixels that show the same, in the camera's frame of the fixed one.
@@ -29,17 +25,12 @@ struct Match {
 bool find_match(const Eigen::Vector3d& point_fixed, const Eigen::Vector3d& normal_fixed,
                 const SurfaceImage& fixed, const MatchGates& gates,
                 const MeasurementOptions& sensor, Match& match) {
-  if (!(point_fixed.z() > 0.05)) return false;
-  const Eigen::Vector2d at = fixed.camera.project(point_fixed) + Eigen::Vector2d::Constant(0.5);
-  if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() < static_cast<double>(fixed.camera.width) &&
-        at.y() < static_cast<double>(fixed.camera.height))) {
-    return false;
-  }
-  const auto u = static_cast<Index>(at.x()), v = static_cast<Index>(at.y());
-  const SurfacePixel& pixel = fixed.pixels[std::size_t{v} * fixed.camera.width + u];
-  if (!has_normal(pixel)) return false;
+  constexpr double nearest = 0.05;  // [m]
+  const std::optional<PixelPlace> place = find_pixel(fixed, point_fixed, nearest);
+  if (!place) return false;
+  const SurfacePixel& pixel = pixel_of(fixed, *place);
   match.normal = normal_of(pixel);
-  const Eigen::Vector3d gap = point_fixed - point_at(fixed, u, v, pixel);
+  const Eigen::Vector3d gap = point_fixed - point_of(fixed, *place);
   if (gap.squaredNorm() > gates.distance * gates.distance ||
       match.normal.dot(normal_fixed) < gates.cosine) {
     return false;
@@ -74,16 +65,12 @@ PairSystem match_surfaces(const PlacedSurface& moved, const PlacedSurface& fixed
   const Eigen::Matrix3d turn = T.linear();
   PairSystem system;
   Match match;
-  for (Index v = 0; v < moved.image.camera.height; ++v) {
-    for (Index u = 0; u < moved.image.camera.width; ++u) {
-      const SurfacePixel& pixel = moved.image.pixels[std::size_t{v} * moved.image.camera.width + u];
-      if (!has_normal(pixel)) continue;
-      const Eigen::Vector3d point = T * point_at(moved.image, u, v, pixel);
-      if (!find_match(point, turn * normal_of(pixel), fixed.image, gates, sensor, match)) continue;
-      add(match, fixed.T_world_camera * point, fixed.T_world_camera.linear(), gates.robust_sigmas,
-          system);
-    }
-  }
+  for_each_surface_pixel(moved.image, [&](PixelPlace place, const SurfacePixel& pixel) {
+    const Eigen::Vector3d point = T * point_of(moved.image, place);
+    if (!find_match(point, turn * normal_of(pixel), fixed.image, gates, sensor, match)) return;
+    add(match, fixed.T_world_camera * point, fixed.T_world_camera.linear(), gates.robust_sigmas,
+        system);
+  });
   return system;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stitching/twist.hpp"
+#include "core/twist.hpp"
 #include "symscene/stitching/view_alignment.hpp"
 
 namespace symscene {

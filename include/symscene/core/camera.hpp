@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -27,6 +28,19 @@ struct CameraIntrinsics {
   }
   /// The direction with z = 1 of the ray through a pixel: times the depth it is the point.
   Eigen::Vector3d ray(double u, double v) const { return {(u - cx) / fx, (v - cy) / fy, 1.0}; }
+
+  /// x of the rays through each column.
+  std::vector<float> column_rays() const {
+    std::vector<float> x(width);
+    for (Index u = 0; u < width; ++u) x[u] = static_cast<float>(ray(u, 0.0).x());
+    return x;
+  }
+  /// y of the rays through each row.
+  std::vector<float> row_rays() const {
+    std::vector<float> y(height);
+    for (Index v = 0; v < height; ++v) y[v] = static_cast<float>(ray(0.0, v).y());
+    return y;
+  }
 };
 
 }  // namespace symscene

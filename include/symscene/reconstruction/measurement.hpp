@@ -35,6 +35,8 @@ struct SurfacePixel {
   float nx = 0.0F;     ///< unit normal towards the camera; zero at edges
   float ny = 0.0F;
   float nz = 0.0F;
+
+  bool shows_surface() const { return nz < 0.0F; }
 };
 
 /// A depth image as the tracker sees it: smoothed, with normals. A level of a pyramid.
@@ -45,9 +47,11 @@ struct SurfaceImage {
 
 /// A depth image made ready to be tracked and fused.
 struct Measurement {
+  static constexpr float depth_unit = 1e-4F;  ///< of packed depths [m]
+
   CameraIntrinsics camera;
 
-  /// One entry a pixel and an empty one at the end: the depth in tenths of a millimetre in the
+  /// One entry a pixel and an empty one at the end: the depth in units in the
   /// upper 16 bits, 0 for none; then 8 bits for the cosine by which a depth difference becomes a
   /// distance to the surface, in 255ths; then 8 bits for the weight, in 16ths of that of a frontal
   /// view at 1 m.

@@ -17,7 +17,7 @@ inline Eigen::Isometry3d motion(const Vector6d& twist) {
   return T;
 }
 
-/// The pose without what rounding has done to its rotation.
+/// The pose without what rounding has done to its rotation, which else grows from step to step.
 inline Eigen::Isometry3d orthonormal(Eigen::Isometry3d T) {
   T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
   return T;
