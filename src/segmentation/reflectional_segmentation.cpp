@@ -47,8 +47,6 @@ class ReflectionalCutter {
     hypothesis.points = object_nodes(second.is_object);
     hypothesis.scores = scores(second, plane, hypothesis.points);
     hypothesis.reflectional = {{plane, hypothesis.scores.symmetry}};
-    if (const auto rejection = judge(hypothesis, options_.bounds, "reflectional"))
-      return *rejection;
     return hypothesis;
   }
 
@@ -199,7 +197,7 @@ HypothesisSet segment_reflectional(const PointCloud& cloud, const std::vector<We
   HypothesisSet set;
   for (std::variant<Hypothesis, Rejection>& outcome : outcomes) {
     if (auto* hypothesis = std::get_if<Hypothesis>(&outcome)) {
-      set.accepted.push_back(std::move(*hypothesis));
+      set.hypotheses.push_back(std::move(*hypothesis));
     } else {
       set.rejected.push_back(std::get<Rejection>(std::move(outcome)));
     }

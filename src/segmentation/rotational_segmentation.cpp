@@ -107,25 +107,18 @@ void RotationalSegmentationOptions::validate() const {
   bounds.validate();
 }
 
-HypothesisSet segment_rotational(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
-                                 const std::vector<RotationalCandidate>& candidates,
-                                 const DistanceField& field,
-                                 const RotationalDetectionOptions& detection,
-                                 const RotationalSegmentationOptions& options) {
+std::vector<Hypothesis> segment_rotational(const PointCloud& cloud,
+                                           const std::vector<WeightedEdge>& edges,
+                                           const std::vector<RotationalCandidate>& candidates,
+                                           const DistanceField& field,
+                                           const RotationalDetectionOptions& detection,
+                                           const RotationalSegmentationOptions& options) {
   options.validate();
   const RotationalCutter cutter(cloud, edges, field, detection, options);
   std::vector<Hypothesis> hypotheses(candidates.size());
   parallel_for_each(candidates.size(),
                     [&](std::size_t c) { hypotheses[c] = cutter.segment(candidates[c].axis); });
-  HypothesisSet set;
-  for (Hypothesis& hypothesis : hypotheses) {
-    if (const auto rejection = judge(hypothesis, options.bounds, "rotational")) {
-      set.rejected.push_back(*rejection);
-    } else {
-      set.accepted.push_back(std::move(hypothesis));
-    }
-  }
-  return set;
+  return hypotheses;
 }
 
 }  // namespace symscene

@@ -45,8 +45,8 @@ struct Hypothesis {
 
 /// What the cuts of one stream left.
 struct HypothesisSet {
-  std::vector<Hypothesis> accepted;
-  std::vector<Rejection> rejected;
+  std::vector<Hypothesis> hypotheses;
+  std::vector<Rejection> rejected;  ///< cuts that lost what proposed them
 };
 
 /// The first bound that a segment breaks, or nothing.

@@ -49,7 +49,7 @@ struct ReflectionalSegmentationOptions {
 };
 
 /// Cuts the points out that agree with each reflection plane (sections 4.3, 4.3.1.2), refits the
-/// plane to its cut, cuts once more and judges the outcome (section 4.3.3). `edges` is the surface
+/// plane to its cut, cuts once more and scores the outcome (section 4.3.3). `edges` is the surface
 /// graph of `cloud`. Equal for any number of threads; hypotheses are in the order of their
 /// candidates.
 HypothesisSet segment_reflectional(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,

@@ -45,13 +45,14 @@ struct RotationalSegmentationOptions {
 };
 
 /// Cuts the points out that agree with each rotation axis (section 4.3, 4.3.1.1), refits the axis
-/// to its cut, cuts once more and judges the outcome by the detector's scores. `edges` is the
-/// surface graph of `cloud`. Equal for any number of threads; hypotheses are in the order of their
-/// candidates.
-HypothesisSet segment_rotational(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
-                                 const std::vector<RotationalCandidate>& candidates,
-                                 const DistanceField& field,
-                                 const RotationalDetectionOptions& detection,
-                                 const RotationalSegmentationOptions& options = {});
+/// to its cut, cuts once more and scores the outcome by the detector's scores. `edges` is the
+/// surface graph of `cloud`. Equal for any number of threads; a hypothesis each, in the order of
+/// the candidates; some may be empty.
+std::vector<Hypothesis> segment_rotational(const PointCloud& cloud,
+                                           const std::vector<WeightedEdge>& edges,
+                                           const std::vector<RotationalCandidate>& candidates,
+                                           const DistanceField& field,
+                                           const RotationalDetectionOptions& detection,
+                                           const RotationalSegmentationOptions& options = {});
 
 }  // namespace symscene

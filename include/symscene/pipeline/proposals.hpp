@@ -1,0 +1,33 @@
+#pragma once
+
+#include "symscene/pipeline/pipeline.hpp"
+
+namespace symscene {
+
+/// What a scene proposes as objects before anything is decided: every segment that was cut out,
+/// with its scores. Computed once, thresholds can be swept over it.
+struct SceneProposals {
+  PointCloud cloud;            ///< the 5 mm cloud that all indices count in
+  std::optional<Plane> table;  ///< of the scene, where it is known
+  DistanceField field;
+  std::vector<RotationalCandidate> axes;      ///< what the rotational stream detected
+  std::vector<ReflectionalCandidate> planes;  ///< what the reflectional stream detected
+  std::vector<Hypothesis> rotational;         ///< a cut each
+  std::vector<Hypothesis> reflectional;       ///< a cut each that holds its support
+  std::vector<Rejection> rejected;            ///< cuts that do not
+  std::vector<FunnelStep> funnel;
+  std::vector<StageTime> timings;
+};
+
+/// Both streams of section 4.4, without the bounds of section 4.3.3. The bounds and the removal
+/// score of `options` still decide which rotational objects hide their points from the reflectional
+/// stream. Throws InputError as segment_scene() does.
+SceneProposals propose_objects(const Scene& scene, const PipelineOptions& options = {},
+                               const StageTimer::OnBegin& on_begin = {});
+
+/// Applies the bounds, joins equal segments and lets them compete; no completed shapes. Of
+/// `options` only the bounds of both streams, `merge` and `selection` count.
+SegmentationResult choose_objects(const SceneProposals& proposals,
+                                  const PipelineOptions& options = {});
+
+}  // namespace symscene

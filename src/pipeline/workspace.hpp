@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "symscene/pipeline/pipeline.hpp"
+
+namespace symscene {
+
+/// The 5 mm cloud with its space and its surface: what both streams read.
+struct Workspace {
+  PointCloud cloud;
+  DistanceField field;
+  std::optional<Eigen::Vector3d> up;
+  std::vector<WeightedEdge> edges;
+  std::vector<PointIndices> segments;
+};
+
+/// Samples the scene's cloud, maps the space around it and its surface. Warns of frames that do not
+/// belong together. Throws InputError as segment_scene() does.
+Workspace build_workspace(const Scene& scene, const PipelineOptions& options, StageTimer& timer);
+
+/// The part of a workspace that a set of points does not cover, with where its points stand in the
+/// whole. Its field is left empty: it is the whole's.
+struct Remainder {
+  Workspace space;
+  PointIndices original;
+};
+
+/// Removes the points of rotational objects (section 4.4) that are certain enough: the limb of a
+/// toy passes for a body of revolution now and then, and the toy needs it. Segments are thinned,
+/// small leftovers dropped.
+Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>& objects,
+                          const PipelineOptions& options);
+
+}  // namespace symscene
