@@ -225,9 +225,9 @@ struct Dataset {
       show();
     });
     if (!failed.empty())
-      throw InputError(
-          dir.string(), fmt::format("{} scenes", total),
-          fmt::format("{}: {} could not be made", total - failed.size(), fmt::join(failed, ", ")));
+      throw InputError(dir.string(), fmt::format("{} scenes", total),
+                       fmt::format("{}, as {} could not be made", total - failed.size(),
+                                   fmt::join(failed, ", ")));
     session.say(fmt::format("{}: {} scenes, {} made now with {} objects", dir.string(), total,
                             wanted.size(), objects));
     session.finish({{"output", dir}, {"scenes", total}, {"made", wanted.size()}}, stages);

@@ -32,9 +32,12 @@ Split parse_split(const std::string& text, const std::string& where) {
 
 std::uint64_t scene_seed(std::uint64_t dataset_seed, Split split, std::size_t index,
                          std::size_t attempt) {
-  const std::uint64_t mixed = scrambled(scrambled(scrambled(dataset_seed) ^ index) ^ attempt);
+  const std::uint64_t own = split == Split::report ? 1U : 0U;
+  std::uint64_t mixed = dataset_seed;
+  for (const std::uint64_t part : {own, std::uint64_t{index}, std::uint64_t{attempt}})
+    mixed = scrambled(scrambled(mixed) ^ part);
   // The lowest bit tells the splits apart.
-  return ((mixed >> 12U) << 1U) | (split == Split::report ? 1U : 0U);
+  return ((mixed >> 12U) << 1U) | own;
 }
 
 int object_count(std::uint64_t dataset_seed, Split split, std::size_t index, int min_objects,
