@@ -60,7 +60,8 @@ Patches find_patches(const PointCloud& cloud, const LccpOptions& options) {
   Patches patches;
   clustering.extract(patches.supervoxels);
   clustering.getSupervoxelAdjacency(patches.adjacency);
-  for (const auto& point : *clustering.getLabeledCloud()) patches.of_point.push_back(point.label);
+  const pcl::PointCloud<pcl::PointXYZL>::Ptr labeled = clustering.getLabeledCloud();
+  for (const pcl::PointXYZL& point : *labeled) patches.of_point.push_back(point.label);
   return patches;
 }
 

@@ -10,14 +10,14 @@ namespace symscene {
 /// comment says.
 struct LccpOptions {
   double concavity_tolerance = radians(10.0);  ///< β: bends inwards up to this are convex [rad]
-  double voxel_size = 0.005;                  ///< [m]
-  double seed_spacing = 0.025;                  ///< of the supervoxels [m]
+  double voxel_size = 0.005;                   ///< [m]
+  double seed_spacing = 0.025;                 ///< of the supervoxels [m]
   double spatial_importance = 1.0;             ///< how supervoxels grow; colour does not count
   double normal_importance = 4.0;
-  double smoothness = 0.1;         ///< steps higher than so many voxels part surfaces
+  double smoothness = 0.1;          ///< steps higher than so many voxels part surfaces
   bool extended_convexity = false;  ///< a common neighbour has to be convex with both
-  bool sanity_check = true;        ///< supervoxels that touch in a point alone are not neighbours
-  int min_size = 100;              ///< smaller segments are left out [points]
+  bool sanity_check = true;         ///< supervoxels that touch in a point alone are not neighbours
+  int min_size = 200;               ///< smaller segments are left out [points]
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
