@@ -10,7 +10,7 @@ struct FelzenszwalbOptions {
   double k = 3.0;        ///< preference for large segments (0.5 to 7 in table 4.2)
   int neighbors = 8;     ///< each point is joined to so many of its nearest
   double radius = 0.01;  ///< within this [m]
-  int merge_size = 500;  ///< smaller segments join a neighbour, as in the paper [points]
+  int merge_size = 500;  ///< smaller segments join a neighbour (m_size of Karpathy et al.) [points]
   int min_size = 100;    ///< what has no neighbour and is smaller is left out [points]
 
   template <class Self, class Visit>

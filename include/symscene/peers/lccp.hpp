@@ -6,8 +6,8 @@
 
 namespace symscene {
 
-/// Defaults are those of the authors' example (PCL, `example_lccp_segmentation`) but for what a
-/// comment says.
+/// Sizes and checks are those that did best on simulated tables (docs/decisions.md), weights those
+/// of the authors' example in PCL.
 struct LccpOptions {
   double concavity_tolerance = radians(10.0);  ///< β: bends inwards up to this are convex [rad]
   double voxel_size = 0.005;                   ///< [m]
