@@ -1,7 +1,5 @@
 #include "scene_evaluation.hpp"
 
-#include <algorithm>
-
 namespace symscene::bench {
 namespace {
 
@@ -9,12 +7,6 @@ std::vector<PointIndices> masks_of(const SegmentationResult& result) {
   std::vector<PointIndices> masks;
   for (const SceneObject& object : result.objects) masks.push_back(object.points);
   return masks;
-}
-
-template <class Symmetries>
-std::size_t strict_count(const Symmetries& symmetries) {
-  return static_cast<std::size_t>(
-      std::count_if(symmetries.begin(), symmetries.end(), [](const auto& s) { return s.strict; }));
 }
 
 /// Counts the next `count` entries of a scene's list of met symmetries.
@@ -58,6 +50,8 @@ SceneScore evaluate(const Scene& scene, const SceneTruth& truth, const Segmentat
   score.over_75 = mask_score(overlaps, 0.75);
   score.axes = axes.score();
   score.planes = planes.score();
+  const std::vector<std::size_t> to_meet_axes = axis_targets(truth);
+  const std::vector<std::size_t> to_meet_planes = plane_targets(truth);
   std::size_t next_axis = 0;
   std::size_t next_plane = 0;
   for (std::size_t k = 0; k < truth.objects.size(); ++k) {
@@ -66,10 +60,9 @@ SceneScore evaluate(const Scene& scene, const SceneTruth& truth, const Segmentat
     kind.over_90 = best[k] > 0.9 ? 1 : 0;
     kind.over_75 = best[k] > 0.75 ? 1 : 0;
     kind.overlap_sum = best[k];
-    const TrueObject& object = truth.objects[k];
-    count_met(axes, object.sphere ? 1 : strict_count(object.rotational), next_axis, kind);
-    count_met(planes, strict_count(object.reflectional), next_plane, kind);
-    score.kinds[object.name] += kind;
+    count_met(axes, to_meet_axes[k], next_axis, kind);
+    count_met(planes, to_meet_planes[k], next_plane, kind);
+    score.kinds[truth.objects[k].name] += kind;
     score.overlap_sum += best[k];
   }
   return score;

@@ -13,6 +13,7 @@ void add_reconstruct(CLI::App& app);
 void add_stitch(CLI::App& app);
 void add_segment(CLI::App& app);
 void add_symmetry(CLI::App& app);
+void add_evaluate(CLI::App& app);
 void add_view(CLI::App& app);
 void add_info(CLI::App& app);
 

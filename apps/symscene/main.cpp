@@ -48,6 +48,7 @@ void add_commands(CLI::App& app) {
   symscene::app::add_stitch(app);
   symscene::app::add_segment(app);
   symscene::app::add_symmetry(app);
+  symscene::app::add_evaluate(app);
   symscene::app::add_view(app);
   symscene::app::add_info(app);
 }

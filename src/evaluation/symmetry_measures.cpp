@@ -84,7 +84,51 @@ bool follows_from_rotation(const ReflectionPlane& plane, const TrueObject& objec
   });
 }
 
+/// A true plane that its own object's rotation implies is one of endless many: nobody has to find
+/// it. Truth is exact, so that the tolerance is that of a grasp whatever is asked for.
+bool has_to_be_found(const TruePlane& own, const TrueObject& object) {
+  return own.strict && !follows_from_rotation(own.plane, object, SymmetryTolerance{});
+}
+
 }  // namespace
+
+std::vector<std::size_t> axis_targets(const SceneTruth& truth) {
+  std::vector<std::size_t> counts;
+  for (const TrueObject& object : truth.objects) {
+    const auto strict = std::count_if(object.rotational.begin(), object.rotational.end(),
+                                      [](const TrueAxis& own) { return own.strict; });
+    counts.push_back(object.sphere ? 1 : static_cast<std::size_t>(strict));
+  }
+  return counts;
+}
+
+std::vector<std::size_t> plane_targets(const SceneTruth& truth) {
+  std::vector<std::size_t> counts;
+  for (const TrueObject& object : truth.objects) {
+    const auto strict =
+        std::count_if(object.reflectional.begin(), object.reflectional.end(),
+                      [&](const TruePlane& own) { return has_to_be_found(own, object); });
+    counts.push_back(static_cast<std::size_t>(strict));
+  }
+  return counts;
+}
+
+bool is_symmetry_of(const TrueObject& object, const RotationAxis& axis,
+                    const SymmetryTolerance& tolerance) {
+  if (object.sphere && axis.distance(object.centroid) < tolerance.distance) return true;
+  return std::any_of(object.rotational.begin(), object.rotational.end(), [&](const TrueAxis& own) {
+    return within(difference(own.axis, axis, object.centroid), tolerance);
+  });
+}
+
+bool is_symmetry_of(const TrueObject& object, const ReflectionPlane& plane,
+                    const SymmetryTolerance& tolerance) {
+  if (follows_from_rotation(plane, object, tolerance)) return true;
+  return std::any_of(object.reflectional.begin(), object.reflectional.end(),
+                     [&](const TruePlane& own) {
+                       return within(difference(own.plane, plane, object.centroid), tolerance);
+                     });
+}
 
 SymmetryMatch match_axes(const SceneTruth& truth, std::span<const RotationAxis> found,
                          const SymmetryTolerance& tolerance) {
@@ -106,7 +150,7 @@ SymmetryMatch match_planes(const SceneTruth& truth, std::span<const ReflectionPl
   std::vector<Target<ReflectionPlane>> targets;
   for (const TrueObject& object : truth.objects) {
     for (const TruePlane& own : object.reflectional) {
-      targets.push_back({own.plane, object.centroid, own.strict});
+      targets.push_back({own.plane, object.centroid, has_to_be_found(own, object)});
     }
   }
   return match<ReflectionPlane>(targets, found, tolerance, [&](const ReflectionPlane& plane) {

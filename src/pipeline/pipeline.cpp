@@ -57,6 +57,7 @@ void reflectional_stream(const Remainder& rest, const DistanceField& field,
   proposals.reflectional = std::move(set.hypotheses);
   for (Hypothesis& hypothesis : proposals.reflectional) to_whole(hypothesis.points);
   proposals.rejected = std::move(set.rejected);
+  for (Rejection& rejection : proposals.rejected) to_whole(rejection.points);
 }
 
 void append_rated(std::vector<Hypothesis>&& hypotheses, const HypothesisBounds& bounds,
@@ -112,7 +113,7 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
   proposals.funnel = {{"points", scene.cloud.size()},
                       {"points at the working spacing", space.cloud.size()},
                       {"smooth segments", space.segments.size()}};
-  rotational_stream(space, options, timer, proposals);
+  if (options.rotational_stream) rotational_stream(space, options, timer, proposals);
   std::vector<Rejection> not_removed;
   const Remainder rest = timer.time("removal of rotational objects", [&] {
     return without_objects(

@@ -149,8 +149,12 @@ double share_held_by_parts(const std::vector<SceneObject>& objects, std::size_t 
 
 Rejection overlap_rejection(const SceneObject& object, const char* reason, double value,
                             double bound) {
-  return {object.rotational.empty() ? "reflectional" : "rotational", reason, value, bound,
-          object.points.size()};
+  return {object.rotational.empty() ? "reflectional" : "rotational",
+          reason,
+          value,
+          bound,
+          object.points.size(),
+          object.points};
 }
 
 std::vector<SceneObject> without_composites(std::vector<SceneObject> objects,

@@ -27,19 +27,17 @@ std::optional<Rejection> judge(const Hypothesis& hypothesis, const HypothesisBou
                                const std::string& kind) {
   const std::size_t size = hypothesis.points.size();
   const HypothesisScores& scores = hypothesis.scores;
-  if (size < static_cast<std::size_t>(bounds.min_size)) {
-    return Rejection{kind, "size", static_cast<double>(size), static_cast<double>(bounds.min_size),
-                     size};
-  }
-  if (scores.symmetry >= bounds.max_symmetry) {
-    return Rejection{kind, "symmetry", scores.symmetry, bounds.max_symmetry, size};
-  }
-  if (scores.occlusion >= bounds.max_occlusion) {
-    return Rejection{kind, "occlusion", scores.occlusion, bounds.max_occlusion, size};
-  }
-  if (scores.smoothness >= bounds.max_smoothness) {
-    return Rejection{kind, "smoothness", scores.smoothness, bounds.max_smoothness, size};
-  }
+  const auto refusal = [&](const char* reason, double value, double bound) {
+    return Rejection{kind, reason, value, bound, size, hypothesis.points};
+  };
+  if (size < static_cast<std::size_t>(bounds.min_size))
+    return refusal("size", static_cast<double>(size), static_cast<double>(bounds.min_size));
+  if (scores.symmetry >= bounds.max_symmetry)
+    return refusal("symmetry", scores.symmetry, bounds.max_symmetry);
+  if (scores.occlusion >= bounds.max_occlusion)
+    return refusal("occlusion", scores.occlusion, bounds.max_occlusion);
+  if (scores.smoothness >= bounds.max_smoothness)
+    return refusal("smoothness", scores.smoothness, bounds.max_smoothness);
   return std::nullopt;
 }
 

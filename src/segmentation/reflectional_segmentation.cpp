@@ -124,8 +124,10 @@ class ReflectionalCutter {
   }
 
   Rejection support_rejection(const PlaneCut& cut, const PointIndices& support) const {
-    return {"reflectional", "support", held_share(cut, support), options_.min_support_share,
-            object_nodes(cut.is_object).size()};
+    PointIndices points = object_nodes(cut.is_object);
+    const std::size_t size = points.size();
+    return {"reflectional", "support",        held_share(cut, support), options_.min_support_share,
+            size,           std::move(points)};
   }
 
   ReflectionPlane refitted(const ReflectionPlane& plane,

@@ -108,12 +108,46 @@ TEST(MatchPlanes, WeakPlanesDoNotCount) {
 }
 
 TEST(MatchPlanes, AStrictMatchGoesBeforeAnExcuse) {
-  TrueObject both = can_at(0.0);
-  both.reflectional.push_back({across({0, 1, 0}, {0, 0, 0}), true});
+  TrueObject box;
+  box.reflectional.push_back({across({0, 1, 0}, {0, 0, 0}), true});
   SceneTruth truth;
-  truth.objects = {both};
+  truth.objects = {box, can_at(0.3)};  // the can's axis stands in the box's plane
   EXPECT_EQ(match_planes(truth, std::vector{across({0, 1, 0}, {0, 0, 0})}, one_centimetre).right,
             1U);
+}
+
+TEST(MatchPlanes, ATruePlaneThroughItsOwnObjectsAxisHasNotToBeFound) {
+  TrueObject can = can_at(0.0);
+  can.reflectional.push_back({across({0, 1, 0}, {0, 0, 0}), true});  // holds the axis
+  can.reflectional.push_back({across({0, 0, 1}, {0, 0, 0}), true});  // stands across it
+  TrueObject weak = can;
+  weak.rotational.front().strict = false;
+  TrueObject ball;
+  ball.sphere = true;
+  ball.reflectional.push_back({across({1, 0, 0}, {0, 0, 0}), true});
+  SceneTruth truth;
+  for (const TrueObject& object : {can, weak, ball}) {
+    truth.objects = {object};
+    const SymmetryMatch match =
+        match_planes(truth, std::vector{across({0, 1, 0}, {0, 0, 0})}, one_centimetre);
+    EXPECT_EQ(match.neither, 1U);
+    EXPECT_EQ(match.wrong, 0U);
+  }
+  truth.objects = {can, weak, ball};
+  EXPECT_EQ(plane_targets(truth), (std::vector<std::size_t>{1, 1, 0}));
+  EXPECT_EQ(axis_targets(truth), (std::vector<std::size_t>{1, 0, 1}));
+}
+
+TEST(IsSymmetryOf, TakesWeakAndImpliedOnesToo) {
+  TrueObject can = can_at(0.0);
+  can.rotational.front().strict = false;
+  EXPECT_TRUE(is_symmetry_of(can, vertical(0.004, 3.0)));
+  EXPECT_FALSE(is_symmetry_of(can, vertical(0.02)));
+  EXPECT_TRUE(is_symmetry_of(can, across({1, 3, 0}, {0, 0, 0})));
+  EXPECT_FALSE(is_symmetry_of(can, across({0, 0, 1}, {0, 0, 0})));
+  TrueObject ball;
+  ball.sphere = true;
+  EXPECT_TRUE(is_symmetry_of(ball, vertical(0.0, 70.0)));
 }
 
 TEST(AllSymmetries, ArePooledOverTheObjects) {

@@ -43,11 +43,12 @@ struct SceneObject {
 
 /// A candidate that did not become an object, or was merged, and the bound that it failed.
 struct Rejection {
-  std::string kind;      ///< "rotational" or "reflectional"
-  std::string reason;    ///< the score that failed: "symmetry", "occlusion", "smoothness", ...
-  double value = 0.0;    ///< what was measured
-  double bound = 0.0;    ///< what was allowed
-  std::size_t size = 0;  ///< points of the hypothesis
+  std::string kind;          ///< "rotational" or "reflectional"
+  std::string reason;        ///< the score that failed: "symmetry", "occlusion", "smoothness", ...
+  double value = 0.0;        ///< what was measured
+  double bound = 0.0;        ///< what was allowed
+  std::size_t size = 0;      ///< points of the hypothesis
+  PointIndices points = {};  ///< they, into the result's cloud, where known; not kept in files
 };
 
 /// How many candidates were left after a step, in order.

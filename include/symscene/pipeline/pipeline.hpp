@@ -22,6 +22,7 @@ struct PipelineOptions {
   double space_margin = 0.15;  ///< of known space around the cloud [m]
   double min_removal_score =
       0.6;  ///< a less certain rotational object leaves its points to the planes
+  bool rotational_stream = true;  ///< without it planes alone find the objects (section 4.5)
   NormalEstimationOptions normals;
   DistanceFieldOptions distance_field;
   OversegmentationOptions oversegmentation;
@@ -42,6 +43,8 @@ struct PipelineOptions {
     visit("space_margin", self.space_margin, "m", "known space that is looked at around the cloud");
     visit("min_removal_score", self.min_removal_score, "",
           "a rotational object of a lower score leaves its points to the reflectional stream too");
+    visit("rotational_stream", self.rotational_stream, "",
+          "look for rotational objects first; without it planes alone find the objects");
     visit("normals", self.normals);
     visit("distance_field", self.distance_field);
     visit("oversegmentation", self.oversegmentation);

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <memory>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "evaluation_dataset.hpp"
+#include "session.hpp"
+#include "symscene/evaluation/report.hpp"
+#include "symscene/io/atomic_file.hpp"
+
+namespace symscene::app {
+namespace {
+
+bool belongs_to_report(const std::string& file) {
+  static constexpr std::array files = {"report.html", "report.json", "curves.csv", "objects.csv",
+                                       "scenes.csv"};
+  return std::find(files.begin(), files.end(), file) != files.end();
+}
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr))); }
+
+void write_report(const std::filesystem::path& folder, const Evaluation& evaluation,
+                  const ReportInfo& info, const std::string& json) {
+  AtomicDirectory report(folder, {"a report folder", "report.json", belongs_to_report});
+  report.write("report.html", report_page(evaluation, info));
+  report.write("report.json", json);
+  report.write("curves.csv", curves_csv(evaluation));
+  report.write("objects.csv", objects_csv(evaluation));
+  report.write("scenes.csv", scenes_csv(evaluation));
+  report.commit();
+}
+
+/// Stages summed over scenes, in the order of their first mention.
+std::vector<StageTime> summed_times(const Evaluation& evaluation) {
+  std::vector<StageTime> sums;
+  for (const SceneEvaluation& scene : evaluation.scenes) {
+    for (const StageTime& time : scene.timings) {
+      auto sum = std::find_if(sums.begin(), sums.end(),
+                              [&](const StageTime& known) { return known.stage == time.stage; });
+      if (sum == sums.end()) sum = sums.insert(sum, {time.stage, 0.0});
+      sum->seconds += time.seconds;
+    }
+  }
+  return sums;
+}
+
+std::string format_subsets(const Evaluation& evaluation) {
+  std::string text;
+  for (const auto& [subset, sweeps] : evaluation.subsets)
+    text += fmt::format("\nsubset {}\n{}", subset, headline_text(sweeps));
+  return text;
+}
+
+struct Evaluate {
+  SharedOptions shared;
+  EvaluationOptions options;
+  std::filesystem::path dataset;
+  std::filesystem::path earlier;
+  bool fast = false;
+
+  OptionFields configure() {
+    OptionFields fields = option_fields(options.pipeline);
+    if (!shared.config.empty()) read_config(shared.config, fields);
+    options.validate();
+    return fields;
+  }
+
+  Evaluation evaluate(const std::vector<DatasetEntry>& entries, Session& session) const {
+    Evaluation evaluation;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      const DatasetEntry& entry = entries[k];
+      const auto on_begin = [&](const std::string& stage) {
+        session.on_begin()(
+            fmt::format("scene {} of {}, {}: {}", k + 1, entries.size(), entry.name, stage));
+      };
+      on_begin("read");
+      const KnownScene known = entry.load();
+      SceneEvaluation scene = naming(dataset / entry.name, [&] {
+        return evaluate_scene(known.scene, known.truth, options, on_begin);
+      });
+      scene.name = entry.name;
+      scene.subset = entry.subset;
+      evaluation.add(std::move(scene));
+    }
+    return evaluation;
+  }
+
+  void say(const Evaluation& evaluation, const std::string& json, const std::string& then,
+           Session& session) const {
+    session.say(fmt::format("{} scenes, {} objects; F in percent\n", evaluation.scenes.size(),
+                            evaluation.losses.objects));
+    session.say(headline_text(evaluation.segmentation) + format_subsets(evaluation));
+    session.say(loss_text(evaluation));
+    session.say(runtime_text(evaluation));
+    if (!then.empty()) session.say(report_difference(json, then, earlier.string()));
+    session.say((shared.output / "report.html").string());
+  }
+
+  void run() {
+    configure();
+    require_not_input(shared.output, dataset);
+    const std::string then = earlier.empty() ? "" : read_file(earlier);
+    if (!then.empty()) report_difference(then, then, earlier.string());  // before the work
+    options.reflectional_only = !fast;
+    Session session("evaluate", shared);
+    const std::vector<DatasetEntry> entries = read_dataset(dataset);
+    const Evaluation evaluation = evaluate(entries, session);
+    const ReportInfo info{folder_name(dataset), today(), SYMSCENE_VERSION};
+    const std::string json = report_json(evaluation, info);
+    write_report(absolute(shared.output), evaluation, info, json);
+    say(evaluation, json, then, session);
+    session.finish(
+        {{"output", shared.output},
+         {"scenes", evaluation.scenes.size()},
+         {"objects", evaluation.losses.objects},
+         ReportMember::raw("headline", nlohmann::ordered_json::parse(json).at("headline").dump())},
+        summed_times(evaluation));
+  }
+};
+
+}  // namespace
+
+void add_evaluate(CLI::App& app) {
+  const auto state = std::make_shared<Evaluate>();
+  Arguments arguments(app, "evaluate", "Compare what is found in scenes with what is true of them",
+                      "symscene evaluate dataset -o report");
+  arguments.input(state->dataset, "DATASET", "folder of scene folders, each with truth.json");
+  arguments.required_output(state->shared, "report folder to write");
+  arguments.file("--compare", state->earlier, "report.json of an earlier run: print what changed");
+  arguments.flag("--fast", state->fast, "leave out the variant without rotations");
+  arguments.threads(state->shared);
+  arguments.reporting(state->shared);
+  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run([state] { state->run(); });
+}
+
+}  // namespace symscene::app

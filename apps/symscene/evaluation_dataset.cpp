@@ -1,0 +1,60 @@
+#include "evaluation_dataset.hpp"
+
+#include <algorithm>
+
+#include "arguments.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/io/scene.hpp"
+#include "symscene/io/truth.hpp"
+
+namespace symscene::app {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_scene(const fs::path& folder) {
+  const bool has_cloud = fs::exists(folder / "cloud.ply") || fs::exists(folder / "cloud.pcd");
+  return has_cloud && !fs::exists(folder / "objects.json");
+}
+
+KnownScene read_known_scene(const fs::path& folder) {
+  KnownScene known;
+  known.scene = read_scene(folder);
+  known.truth = read_truth(folder / "truth.json", known.scene.cloud.size());
+  return known;
+}
+
+/// "a/0001" of "data/a/0001/scene".
+std::string entry_name(const fs::path& scene, const fs::path& dataset) {
+  if (scene == dataset) return folder_name(dataset);
+  fs::path name = scene.lexically_relative(dataset);
+  if (name.filename() == "scene" && name.has_parent_path()) name = name.parent_path();
+  return name.generic_string();
+}
+
+}  // namespace
+
+std::vector<DatasetEntry> read_dataset(const fs::path& folder) {
+  const char* expected = "a folder of scene folders, each with truth.json";
+  if (!fs::is_directory(folder)) {
+    throw InputError(folder.string(), expected,
+                     fs::exists(folder) ? "a file" : "nothing of that name");
+  }
+  std::vector<fs::path> scenes;
+  if (is_scene(folder)) scenes.push_back(folder);
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory() && is_scene(entry.path())) scenes.push_back(entry.path());
+  }
+  if (scenes.empty()) throw InputError(folder.string(), expected, "no scene");
+  std::sort(scenes.begin(), scenes.end());
+  std::vector<DatasetEntry> entries;
+  for (const fs::path& scene : scenes) {
+    if (!fs::exists(scene / "truth.json")) {
+      throw InputError(scene.string(), "truth.json beside the cloud", "a scene without truth");
+    }
+    entries.push_back({entry_name(scene, folder), "", [scene] { return read_known_scene(scene); }});
+  }
+  return entries;
+}
+
+}  // namespace symscene::app

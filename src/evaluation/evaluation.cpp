@@ -1,0 +1,69 @@
+#include "symscene/evaluation/evaluation.hpp"
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+void add_sweeps(const std::vector<Sweep>& from, std::vector<Sweep>& to) {
+  if (to.empty()) to.resize(from.size());
+  if (to.size() != from.size()) {
+    throw InputError("scene", std::to_string(to.size()) + " methods as in the scenes before",
+                     std::to_string(from.size()));
+  }
+  for (std::size_t k = 0; k < from.size(); ++k) to[k] += from[k];
+}
+
+void add_time(const StageTime& time, RuntimeClass& to) {
+  const bool rotational =
+      time.stage.starts_with("rotational") || time.stage == "removal of rotational objects";
+  const bool reflectional = time.stage.starts_with("reflectional");
+  (rotational ? to.rotational : reflectional ? to.reflectional : to.other) += time.seconds;
+}
+
+}  // namespace
+
+void LossCounts::add(const ObjectOutcome& outcome) {
+  const auto fate = static_cast<std::size_t>(outcome.fate);
+  ++objects;
+  ++fates[fate];
+  if (!outcome.reason.empty()) ++reasons[fate][outcome.reason];
+  over_75 += outcome.best_overlap > 0.75 ? 1 : 0;
+  overlap_sum += outcome.best_overlap;
+  symmetries += outcome.symmetries;
+  symmetries_met += outcome.symmetries_met;
+}
+
+void Evaluation::add(SceneEvaluation scene) {
+  add_sweeps(scene.segmentation, segmentation);
+  add_sweeps(scene.detection, detection);
+  if (!scene.subset.empty()) add_sweeps(scene.segmentation, subsets[scene.subset]);
+  for (const ObjectOutcome& outcome : scene.objects) {
+    losses.add(outcome);
+    kinds[outcome.kind].add(outcome);
+  }
+  scenes.push_back(std::move(scene));
+}
+
+std::vector<RuntimeClass> runtimes(const Evaluation& evaluation) {
+  std::vector<RuntimeClass> classes(3);
+  classes[0].name = "4 or fewer objects";
+  classes[1].name = "5 to 10 objects";
+  classes[2].name = "more than 10 objects";
+  for (const SceneEvaluation& scene : evaluation.scenes) {
+    const std::size_t objects = scene.objects.size();
+    RuntimeClass& its = classes[objects <= 4 ? 0 : objects <= 10 ? 1 : 2];
+    ++its.scenes;
+    for (const StageTime& time : scene.timings) add_time(time, its);
+  }
+  for (RuntimeClass& its : classes) {
+    if (its.scenes == 0) continue;
+    const auto count = static_cast<double>(its.scenes);
+    its.rotational /= count;
+    its.reflectional /= count;
+    its.other /= count;
+  }
+  return classes;
+}
+
+}  // namespace symscene

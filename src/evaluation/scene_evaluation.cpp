@@ -1,0 +1,243 @@
+#include "symscene/evaluation/scene_evaluation.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "evaluation/setting_counts.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
+#include "symscene/pipeline/detections.hpp"
+
+namespace symscene {
+namespace {
+
+const std::vector<Measure> mask_measures = {Measure::masks_90, Measure::masks_75,
+                                            Measure::masks_50};
+
+/// The bounds of table 4.2, in this order.
+const std::vector<std::string> segmentation_parameters = {"refl_symmetry", "refl_occlusion",
+                                                          "rot_symmetry", "rot_occlusion"};
+
+std::vector<std::vector<double>> segmentation_grid(bool rotational) {
+  const auto of_planes =
+      std::vector{evenly_spaced(0.1, 0.6, 0.1), evenly_spaced(0.005, 0.045, 0.01)};
+  if (!rotational) return all_settings(of_planes);
+  return all_settings({of_planes[0], of_planes[1], evenly_spaced(0.01, 0.03, 0.01),
+                       evenly_spaced(0.01, 0.015, 0.005)});
+}
+
+PipelineOptions at_setting(PipelineOptions options, const std::vector<double>& setting) {
+  options.reflectional_segmentation.bounds.max_symmetry = setting[0];
+  options.reflectional_segmentation.bounds.max_occlusion = setting[1];
+  if (setting.size() < 4) return options;
+  options.rotational_segmentation.bounds.max_symmetry = setting[2];
+  options.rotational_segmentation.bounds.max_occlusion = setting[3];
+  return options;
+}
+
+/// Table 4.2 over the proposals of one variant of the pipeline.
+Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
+                         const CountingContext& context, const PipelineOptions& options) {
+  Sweep sweep;
+  sweep.method = method;
+  sweep.parameters = segmentation_parameters;
+  if (!options.rotational_stream) sweep.parameters.resize(2);
+  sweep.settings = segmentation_grid(options.rotational_stream);
+  sweep.measures = {all_measures.begin(), all_measures.end()};
+  sweep.counts.resize(sweep.settings.size());
+  parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
+    const SegmentationResult result =
+        choose_objects(proposals, at_setting(options, sweep.settings[k]));
+    sweep.counts[k] = context.count(result.objects);
+  });
+  return sweep;
+}
+
+/// The least score over one result.
+Sweep score_sweep(const std::string& method, const std::vector<SceneObject>& objects,
+                  const CountingContext& context) {
+  Sweep sweep;
+  sweep.method = method + ", by score";
+  sweep.parameters = {"min_score"};
+  sweep.settings = all_settings({evenly_spaced(0.0, 0.95, 0.05)});
+  sweep.measures = {all_measures.begin(), all_measures.end()};
+  sweep.counts.resize(sweep.settings.size());
+  parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
+    std::vector<SceneObject> kept;
+    std::copy_if(
+        objects.begin(), objects.end(), std::back_inserter(kept),
+        [&](const SceneObject& object) { return object.score >= sweep.settings[k].front(); });
+    sweep.counts[k] = context.count(kept);
+  });
+  return sweep;
+}
+
+Sweep peer_sweep(const PeerMethod& peer, const PointCloud& cloud, const CountingContext& context,
+                 StageTimer& timer) {
+  const PeerMasks found = timer.time("peers", [&] { return peer(cloud); });
+  if (found.values.size() != found.masks.size()) {
+    throw InputError(found.method, "masks for each of its values",
+                     fmt::format("{} for {}", found.masks.size(), found.values.size()));
+  }
+  Sweep sweep;
+  sweep.method = found.method;
+  sweep.parameters = {found.parameter};
+  sweep.settings = all_settings({found.values});
+  sweep.measures = mask_measures;
+  sweep.counts.resize(found.masks.size());
+  parallel_for_each(found.masks.size(), [&](std::size_t k) {
+    sweep.counts[k] = context.count(found.masks[k], {}, {});
+  });
+  const auto runs = static_cast<double>(std::max<std::size_t>(found.values.size(), 1));
+  sweep.seconds = timer.stages().back().seconds / runs;
+  return sweep;
+}
+
+std::vector<RotationAxis> axes_within(const SceneDetections& detections, double max_symmetry,
+                                      double max_perpendicularity) {
+  std::vector<RotationAxis> axes;
+  for (const RotationalCandidate& candidate : detections.axes) {
+    if (candidate.scores.symmetry < max_symmetry &&
+        candidate.scores.perpendicularity < max_perpendicularity)
+      axes.push_back(candidate.axis);
+  }
+  return axes;
+}
+
+std::vector<ReflectionPlane> planes_within(const SceneDetections& detections, double min_symmetry,
+                                           double min_inlier) {
+  std::vector<ReflectionPlane> planes;
+  for (const ReflectionalCandidate& candidate : detections.planes) {
+    if (candidate.scores.symmetry > min_symmetry && candidate.scores.inlier > min_inlier)
+      planes.push_back(candidate.plane);
+  }
+  return planes;
+}
+
+/// Table 3.1, first the axes, then the planes.
+std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const SceneTruth& truth,
+                                    const PipelineOptions& options) {
+  const auto count_axes = [&](double symmetry, double perpendicularity) {
+    return count_symmetries(truth, axes_within(detections, symmetry, perpendicularity), {});
+  };
+  const auto count_planes = [&](double symmetry, double inlier) {
+    return count_symmetries(truth, {}, planes_within(detections, symmetry, inlier));
+  };
+  Sweep axes;
+  axes.method = axis_detection_method;
+  axes.parameters = {"symmetry", "perpendicularity"};
+  axes.measures = {Measure::axes, Measure::axes_near};
+  axes.settings = all_settings({evenly_spaced(0.004, 0.03, 0.002), evenly_spaced(0.6, 0.7, 0.1)});
+  for (const auto& setting : axes.settings)
+    axes.counts.push_back(count_axes(setting[0], setting[1]));
+  axes.at_default = count_axes(options.rotational_detection.max_symmetry_score,
+                               options.rotational_detection.max_perpendicularity);
+  Sweep planes;
+  planes.method = plane_detection_method;
+  planes.parameters = {"symmetry", "inlier"};
+  planes.measures = {Measure::planes, Measure::planes_near};
+  planes.settings = all_settings({evenly_spaced(0.7, 0.95, 0.05), evenly_spaced(0.2, 0.8, 0.2)});
+  for (const auto& setting : planes.settings)
+    planes.counts.push_back(count_planes(setting[0], setting[1]));
+  planes.at_default = count_planes(options.reflectional_detection.min_symmetry_score,
+                                   options.reflectional_detection.min_inlier_score);
+  return {axes, planes};
+}
+
+/// The options with table 3.1's loosest bounds, and the given ones' if those are looser.
+PipelineOptions relaxed(PipelineOptions options) {
+  RotationalDetectionOptions& axes = options.rotational_detection;
+  axes.max_symmetry_score = std::max(axes.max_symmetry_score, 0.03);
+  axes.max_perpendicularity = std::max(axes.max_perpendicularity, 0.7);
+  ReflectionalDetectionOptions& planes = options.reflectional_detection;
+  planes.min_symmetry_score = std::min(planes.min_symmetry_score, 0.7);
+  planes.min_inlier_score = std::min(planes.min_inlier_score, 0.2);
+  return options;
+}
+
+/// The pipeline as it is given: the sweep, the outcome of every object and the times.
+void evaluate_given(const Scene& scene, const SceneTruth& truth, const EvaluationOptions& options,
+                    StageTimer& timer, const StageTimer::OnBegin& on_begin,
+                    SceneEvaluation& evaluation) {
+  const SceneProposals proposals = propose_objects(scene, options.pipeline, on_begin);
+  const SegmentationResult result =
+      timer.time("choice", [&] { return choose_objects(proposals, options.pipeline); });
+  evaluation.timings = proposals.timings;
+  evaluation.timings.push_back(timer.stages().back());
+  evaluation.returned = result.objects.size();
+  if (on_begin) on_begin("sweep");
+  const CountingContext context(scene, truth, proposals.cloud, options);
+  const bool full = options.pipeline.rotational_stream;
+  Sweep sweep = segmentation_sweep(full ? full_method : reflectional_method, proposals, context,
+                                   options.pipeline);
+  sweep.at_default = context.count(result.objects);
+  for (const StageTime& time : evaluation.timings) sweep.seconds += time.seconds;
+  evaluation.segmentation.push_back(std::move(sweep));
+  evaluation.segmentation.push_back(
+      score_sweep(evaluation.segmentation.front().method, result.objects, context));
+  evaluation.objects = object_outcomes(truth, context.masks(), proposals, result);
+  for (const PeerMethod& peer : options.peers)
+    evaluation.segmentation.push_back(peer_sweep(peer, proposals.cloud, context, timer));
+}
+
+void evaluate_reflectional_only(const Scene& scene, const SceneTruth& truth,
+                                EvaluationOptions options, const StageTimer::OnBegin& on_begin,
+                                SceneEvaluation& evaluation) {
+  options.pipeline.rotational_stream = false;
+  const SceneProposals proposals = propose_objects(scene, options.pipeline, on_begin);
+  const CountingContext context(scene, truth, proposals.cloud, options);
+  Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, options.pipeline);
+  sweep.at_default = context.count(choose_objects(proposals, options.pipeline).objects);
+  for (const StageTime& time : proposals.timings) sweep.seconds += time.seconds;
+  evaluation.segmentation.insert(evaluation.segmentation.begin() + 2, std::move(sweep));
+}
+
+}  // namespace
+
+void EvaluationOptions::validate() const {
+  pipeline.validate();
+  require_option(boundary_radius > 0.0 && boundary_radius < 1.0, "boundary_radius",
+                 "a length in (0, 1) m", boundary_radius);
+  require_option(mask_radius > 0.0 && mask_radius < 1.0, "mask_radius", "a length in (0, 1) m",
+                 mask_radius);
+}
+
+void require_usable_truth(const Scene& scene, const SceneTruth& truth) {
+  if (truth.objects.empty()) throw InputError("truth", "at least one object", "none");
+  std::vector<Index> owner(scene.cloud.size(), unlabeled);
+  for (std::size_t k = 0; k < truth.objects.size(); ++k) {
+    const TrueObject& object = truth.objects[k];
+    const std::string where = fmt::format("truth of object {} ({})", k, object.name);
+    if (object.points.empty()) throw InputError(where, "points of the cloud", "none");
+    for (const Index i : object.points) {
+      if (i >= owner.size()) {
+        throw InputError(where, fmt::format("indices below {}", owner.size()),
+                         fmt::format("{}", i));
+      }
+      if (owner[i] != unlabeled) {
+        throw InputError(where, "points that no other object has",
+                         fmt::format("point {} of object {} too", i, owner[i]));
+      }
+      owner[i] = static_cast<Index>(k);
+    }
+  }
+}
+
+SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
+                               const EvaluationOptions& options,
+                               const StageTimer::OnBegin& on_begin) {
+  options.validate();
+  require_usable_truth(scene, truth);
+  SceneEvaluation evaluation;
+  StageTimer timer(on_begin);
+  evaluate_given(scene, truth, options, timer, on_begin, evaluation);
+  if (options.reflectional_only && options.pipeline.rotational_stream)
+    evaluate_reflectional_only(scene, truth, options, on_begin, evaluation);
+  evaluation.detection = detection_sweeps(
+      detect_symmetries(scene, relaxed(options.pipeline), on_begin), truth, options.pipeline);
+  return evaluation;
+}
+
+}  // namespace symscene

@@ -1,0 +1,42 @@
+#include "evaluation/setting_counts.hpp"
+
+namespace symscene {
+
+SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
+                               const std::vector<ReflectionPlane>& planes) {
+  const SymmetryTolerance wide{radians(10.0), 0.1};
+  const SymmetryTolerance near{radians(10.0), 0.01};
+  SettingCounts counts;
+  counts.score(Measure::axes) = match_axes(truth, axes, wide).score();
+  counts.score(Measure::axes_near) = match_axes(truth, axes, near).score();
+  counts.score(Measure::planes) = match_planes(truth, planes, wide).score();
+  counts.score(Measure::planes_near) = match_planes(truth, planes, near).score();
+  counts.scenes = 1;
+  return counts;
+}
+
+CountingContext::CountingContext(const Scene& scene, const SceneTruth& truth,
+                                 const PointCloud& cloud, const EvaluationOptions& options)
+    : truth_(truth),
+      masks_(transfer_masks(scene.cloud, truth, cloud, static_cast<float>(options.mask_radius))),
+      neighbors_(radius_neighbors(cloud.positions, static_cast<float>(options.boundary_radius))) {}
+
+SettingCounts CountingContext::count(const std::vector<PointIndices>& found,
+                                     const std::vector<RotationAxis>& axes,
+                                     const std::vector<ReflectionPlane>& planes) const {
+  SettingCounts counts = count_symmetries(truth_, axes, planes);
+  const OverlapMatrix overlaps = overlap_matrix(masks_, found);
+  for (std::size_t k = 0; k < mask_overlaps.size(); ++k)
+    counts.scores[k] = mask_score(overlaps, mask_overlaps[k]);
+  for (const double best : best_overlaps(overlaps)) counts.overlap_sum += best;
+  counts.segments = segment_measures(masks_, found, neighbors_);
+  return counts;
+}
+
+SettingCounts CountingContext::count(const std::vector<SceneObject>& objects) const {
+  std::vector<PointIndices> found;
+  for (const SceneObject& object : objects) found.push_back(object.points);
+  return count(found, all_axes(objects), all_planes(objects));
+}
+
+}  // namespace symscene

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "symscene/evaluation/scene_evaluation.hpp"
+
+namespace symscene {
+
+/// The symmetries' part of the counts of a setting.
+SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
+                               const std::vector<ReflectionPlane>& planes);
+
+/// What the counts of every setting over one scene share: the true masks in the cloud that the
+/// settings' masks count in, and its neighbours.
+class CountingContext {
+ public:
+  CountingContext(const Scene& scene, const SceneTruth& truth, const PointCloud& cloud,
+                  const EvaluationOptions& options);
+
+  const std::vector<PointIndices>& masks() const { return masks_; }
+
+  /// Masks by falling confidence.
+  SettingCounts count(const std::vector<PointIndices>& found, const std::vector<RotationAxis>& axes,
+                      const std::vector<ReflectionPlane>& planes) const;
+  SettingCounts count(const std::vector<SceneObject>& objects) const;
+
+ private:
+  const SceneTruth& truth_;
+  std::vector<PointIndices> masks_;
+  NeighborLists neighbors_;
+};
+
+}  // namespace symscene

@@ -1,0 +1,27 @@
+#include "symscene/pipeline/detections.hpp"
+
+#include "pipeline/workspace.hpp"
+
+namespace symscene {
+
+SceneDetections detect_symmetries(const Scene& scene, const PipelineOptions& options,
+                                  const StageTimer::OnBegin& on_begin) {
+  options.validate();
+  StageTimer timer(on_begin);
+  Workspace space = build_workspace(scene, options, timer);
+  SceneDetections detections;
+  detections.axes = timer.time("rotational detection", [&] {
+    return detect_rotational(space.cloud, space.segments, space.field, space.up,
+                             options.rotational_detection)
+        .candidates;
+  });
+  detections.planes = timer.time("reflectional detection", [&] {
+    return detect_reflectional(space.cloud, space.segments, space.field, space.up,
+                               options.reflectional_detection)
+        .candidates;
+  });
+  detections.cloud = std::move(space.cloud);
+  return detections;
+}
+
+}  // namespace symscene
