@@ -9,8 +9,16 @@
 
 namespace symscene {
 
+/// What is different of a single look: it has to do with slanted faces too, whose depths rise in
+/// steps of a centimetre and more.
+inline ReconstructionOptions of_one_look() {
+  ReconstructionOptions options;
+  options.measurement.edge_step = 0.025;
+  return options;
+}
+
 struct SingleViewOptions {
-  ReconstructionOptions reconstruction;
+  ReconstructionOptions reconstruction = of_one_look();
   SceneBuildingOptions scene;
   double label_depth = 0.015;   ///< from its pixel's depth up to which a point has its label [m]
   int min_object_points = 100;  ///< at 5 mm; the truth leaves out what shows fewer
