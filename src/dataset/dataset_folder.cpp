@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -170,9 +169,8 @@ DatasetListing list_single_views(const fs::path& path) {
   return listing;
 }
 
-bool has_single_views(const fs::path& path) {
-  return !names_with(path, depth_ending).empty() || !names_with(path, label_ending).empty();
-}
+/// Labels tell them from a sequence of 7-Scenes, whose depth images have the same ending.
+bool has_single_views(const fs::path& path) { return !names_with(path, label_ending).empty(); }
 
 /// Every object has a mask, and no point is in two.
 void require_masks(const SceneTruth& truth, const std::string& name) {
@@ -245,8 +243,11 @@ DatasetListing read_dataset(const fs::path& path) {
   DatasetListing listing{"scenes", {}, {}, {}, {}};
   constexpr int levels = 2;
   find_scenes(path, path, levels, listing.entries);
-  if (listing.entries.empty())
-    throw InputError(path.string(), any_dataset, "a folder of other things");
+  if (listing.entries.empty()) {
+    const bool has_depth = !names_with(path, depth_ending).empty();
+    throw InputError(path.string(), any_dataset,
+                     has_depth ? "depth images without labels" : "a folder of other things");
+  }
   return listing;
 }
 

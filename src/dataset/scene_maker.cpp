@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -104,9 +103,9 @@ std::string flaw(const SweptScene& made, const DatasetOptions& options) {
   return "";
 }
 
-SweepOptions sweep_of(const DatasetOptions& options, const TabletopOptions& tabletop) {
+SweepOptions sweep_of(const DatasetOptions& options, std::uint64_t seed) {
   SweepOptions sweep;
-  sweep.tabletop = tabletop;
+  sweep.tabletop.seed = seed;
   sweep.camera = options.camera;
   sweep.shake = options.shake;
   sweep.sensor = options.sensor;
@@ -144,7 +143,16 @@ void DatasetOptions::validate() const {
   require_option(max_error > 0, "max_error", "a positive number", max_error);
   require_option(max_table_error > 0, "max_table_error", "a positive number", max_table_error);
   making.validate();
-  sweep_of(*this, {}).validate();
+  sweep_of(*this, seed).validate();
+}
+
+Tabletop place_objects(const DatasetOptions& options, std::span<const ObjectModel> models,
+                       int objects, std::uint64_t seed, bool drop) {
+  TabletopOptions tabletop;
+  tabletop.objects = objects;
+  tabletop.random_frame = true;
+  tabletop.seed = seed;
+  return drop ? dropped(options, models, tabletop) : arranged(options, tabletop);
 }
 
 MadeScene make_scene(const DatasetOptions& options, Split split,
@@ -161,14 +169,10 @@ MadeScene make_scene(const DatasetOptions& options, Split split,
   StageTimer timer;
   for (int attempt = 0; attempt < options.attempts && !facts.good; ++attempt) {
     facts.seed = scene_seed(options.seed, split, index, static_cast<std::size_t>(attempt));
-    TabletopOptions tabletop;
-    tabletop.objects = count;
-    tabletop.random_frame = true;
-    tabletop.seed = facts.seed;
     const Tabletop table = timer.time("place objects", [&] {
-      return facts.dropped ? dropped(options, models, tabletop) : arranged(options, tabletop);
+      return place_objects(options, models, count, facts.seed, facts.dropped);
     });
-    SweptScene swept = reconstruct_sweep(table, sweep_of(options, tabletop), options.making);
+    SweptScene swept = reconstruct_sweep(table, sweep_of(options, facts.seed), options.making);
     for (const StageTime& time : swept.stages) timer.add(time.stage, time.seconds);
     facts.objects_placed = table.objects.size();
     facts.objects_seen = swept.truth.objects.size();
