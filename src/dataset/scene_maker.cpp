@@ -122,6 +122,29 @@ bool is_dropped(const DatasetOptions& options, std::span<const ObjectModel> mode
   return every == 0 || index % every != every - 1;
 }
 
+/// Makes the scene of the seed in its facts.
+void try_seed(const DatasetOptions& options, std::span<const ObjectModel> models, MadeScene& made) {
+  SceneFacts& facts = made.facts;
+  StageTimer timer;
+  const Tabletop table = timer.time("place objects", [&] {
+    return place_objects(options, models, static_cast<int>(facts.objects_asked), facts.seed,
+                         facts.dropped);
+  });
+  SweptScene swept = reconstruct_sweep(table, sweep_of(options, facts.seed), options.making);
+  facts.objects_placed = table.objects.size();
+  facts.objects_seen = swept.truth.objects.size();
+  facts.frames = swept.frames;
+  facts.fused = swept.fused;
+  facts.path_error = swept.trajectory.absolute;
+  const std::string reason = flaw(swept, options);
+  facts.good = reason.empty();
+  if (!facts.good) facts.failed.push_back({facts.seed, reason});
+  made.scene = std::move(swept.scene);
+  made.truth = std::move(swept.truth);
+  for (const std::vector<StageTime>& times : {timer.stages(), swept.stages})
+    made.stages.insert(made.stages.end(), times.begin(), times.end());
+}
+
 }  // namespace
 
 void DatasetOptions::validate() const {
@@ -159,33 +182,16 @@ MadeScene make_scene(const DatasetOptions& options, Split split,
                      std::span<const ObjectModel> models, std::size_t index) {
   options.validate();
   MadeScene made;
-  SceneFacts& facts = made.facts;
-  facts.index = index;
-  facts.split = split;
-  facts.dropped = is_dropped(options, models, index);
-  const int count =
-      object_count(options.seed, split, index, options.min_objects, options.max_objects);
-  facts.objects_asked = static_cast<std::size_t>(count);
-  StageTimer timer;
-  for (int attempt = 0; attempt < options.attempts && !facts.good; ++attempt) {
-    facts.seed = scene_seed(options.seed, split, index, static_cast<std::size_t>(attempt));
-    const Tabletop table = timer.time("place objects", [&] {
-      return place_objects(options, models, count, facts.seed, facts.dropped);
-    });
-    SweptScene swept = reconstruct_sweep(table, sweep_of(options, facts.seed), options.making);
-    for (const StageTime& time : swept.stages) timer.add(time.stage, time.seconds);
-    facts.objects_placed = table.objects.size();
-    facts.objects_seen = swept.truth.objects.size();
-    facts.frames = swept.frames;
-    facts.fused = swept.fused;
-    facts.path_error = swept.trajectory.absolute;
-    const std::string reason = flaw(swept, options);
-    facts.good = reason.empty();
-    if (!facts.good) facts.failed.push_back({facts.seed, reason});
-    made.scene = std::move(swept.scene);
-    made.truth = std::move(swept.truth);
+  made.facts.index = index;
+  made.facts.split = split;
+  made.facts.dropped = is_dropped(options, models, index);
+  made.facts.objects_asked = static_cast<std::size_t>(
+      object_count(options.seed, split, index, options.min_objects, options.max_objects));
+  for (std::size_t attempt = 0;
+       attempt < static_cast<std::size_t>(options.attempts) && !made.facts.good; ++attempt) {
+    made.facts.seed = scene_seed(options.seed, split, index, attempt);
+    try_seed(options, models, made);
   }
-  made.stages = timer.stages();
   return made;
 }
 
