@@ -46,7 +46,9 @@ std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypothese
   for (RatedHypothesis& rated : hypotheses) {
     PointIndices& points = rated.hypothesis.points;
     auto same = std::find_if(objects.begin(), objects.end(), [&](const SceneObject& object) {
-      return intersection_over_union(object.points, points) > options.same_object;
+      const auto [smaller, larger] = std::minmax({object.points.size(), points.size()});
+      return static_cast<double>(smaller) > options.same_object * static_cast<double>(larger) &&
+             intersection_over_union(object.points, points) > options.same_object;
     });
     const Eigen::Vector3d here = centroid(cloud.positions, points);
     if (same == objects.end()) {

@@ -1,7 +1,10 @@
 #include "symscene/pipeline/pipeline.hpp"
 
+#include "pipeline/mask_symmetry.hpp"
+#include "pipeline/object_proposals.hpp"
 #include "pipeline/workspace.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
 #include "symscene/pipeline/proposals.hpp"
 
 namespace symscene {
@@ -81,6 +84,12 @@ void complete_objects(const DistanceField& field, const CompletionOptions& optio
 
 }  // namespace
 
+void ObjectSymmetryBounds::validate() const {
+  visit_fields(*this, [](const char* name, double value, const char*, const char*) {
+    require_option(value >= 0.0, name, "a number of at least 0", value);
+  });
+}
+
 void PipelineOptions::validate() const {
   require_option(voxel_size >= 1e-4 && voxel_size <= 1.0, "voxel_size",
                  "a length from 0.0001 to 1 m", voxel_size);
@@ -94,12 +103,14 @@ void PipelineOptions::validate() const {
   distance_field.validate();
   oversegmentation.validate();
   surface_graph.validate();
+  surface_parts.validate();
   rotational_detection.validate();
   rotational_segmentation.validate();
   reflectional_detection.validate();
   reflectional_segmentation.validate();
   merge.validate();
   selection.validate();
+  object_symmetry.validate();
   completion.validate();
 }
 
@@ -122,17 +133,20 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
         options);
   });
   reflectional_stream(rest, space.field, options, timer, proposals);
+  proposals.objects =
+      timer.time("proposals", [&] { return object_proposals(space, proposals, options); });
+  proposals.funnel.push_back({"distinct proposals", proposals.objects.size()});
   proposals.cloud = std::move(space.cloud);
   proposals.field = std::move(space.field);
   proposals.timings = timer.stages();
   return proposals;
 }
 
-SegmentationResult choose_objects(const SceneProposals& proposals, const PipelineOptions& options) {
-  SegmentationResult result;
-  result.cloud = proposals.cloud;
-  result.table = proposals.table;
-  result.funnel = proposals.funnel;
+namespace {
+
+/// Section 4.3.3: cuts within the bounds, equal ones joined, composites out.
+void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions& options,
+                          SegmentationResult& result) {
   const HypothesisBounds& of_axes = options.rotational_segmentation.bounds;
   const HypothesisBounds& of_planes = options.reflectional_segmentation.bounds;
   std::vector<Hypothesis> rotational =
@@ -150,6 +164,30 @@ SegmentationResult choose_objects(const SceneProposals& proposals, const Pipelin
   result.objects = merge_hypotheses(std::move(rated), proposals.cloud, options.merge);
   result.funnel.push_back({"distinct segments", result.objects.size()});
   result.objects = select_consistent(std::move(result.objects), options.selection, result.rejected);
+}
+
+void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
+                     SegmentationResult& result) {
+  for (const ObjectProposal& proposal : proposals.objects)
+    result.objects.push_back(proposal.object);
+  result.rejected = proposals.rejected;
+  result.objects = select_probable(std::move(result.objects), options.selection, result.rejected);
+  parallel_for_each(result.objects.size(),
+                    [&](std::size_t k) { find_symmetries(proposals, options, result.objects[k]); });
+}
+
+}  // namespace
+
+SegmentationResult choose_objects(const SceneProposals& proposals, const PipelineOptions& options) {
+  SegmentationResult result;
+  result.cloud = proposals.cloud;
+  result.table = proposals.table;
+  result.funnel = proposals.funnel;
+  if (options.selection.by_score) {
+    choose_probable(proposals, options, result);
+  } else {
+    choose_within_bounds(proposals, options, result);
+  }
   result.funnel.push_back({"objects", result.objects.size()});
   return result;
 }

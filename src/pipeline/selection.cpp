@@ -25,18 +25,19 @@ double shared_part(const SceneObject& a, const SceneObject& b) {
                             static_cast<double>(smaller);
 }
 
-Rivalry rivalry_of(const std::vector<SceneObject>& objects, const SelectionOptions& options) {
+Rivalry rivalry_of(const std::vector<SceneObject>& objects, std::vector<double> worth,
+                   double max_overlap) {
   Rivalry rivalry;
+  rivalry.worth = std::move(worth);
   rivalry.rivals.resize(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    rivalry.worth.push_back(static_cast<double>(objects[i].points.size()) *
-                            std::pow(objects[i].score, options.score_exponent));
     for (std::size_t j = 0; j < i; ++j) {
-      if (shared_part(objects[i], objects[j]) <= options.max_overlap) continue;
+      if (shared_part(objects[i], objects[j]) <= max_overlap) continue;
       rivalry.rivals[i].push_back(j);
       rivalry.rivals[j].push_back(i);
     }
   }
+  for (std::vector<std::size_t>& rivals : rivalry.rivals) std::sort(rivals.begin(), rivals.end());
   return rivalry;
 }
 
@@ -102,17 +103,85 @@ class ExactSearch {
   double best_worth_ = -1.0;
 };
 
-std::vector<std::size_t> greedy(const Rivalry& rivalry, std::vector<std::size_t> group) {
-  std::stable_sort(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
-    return rivalry.worth[a] > rivalry.worth[b];
-  });
-  std::vector<std::size_t> chosen;
-  for (const std::size_t member : group) {
-    const auto& rivals = rivalry.rivals[member];
-    const bool admissible = std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
-      return std::find(rivals.begin(), rivals.end(), other) != rivals.end();
+/// By falling worth, then exchanges as long as one gains: a member that is out for its rivals that
+/// are in, or one that is in for those that only it keeps out.
+class LocalSearch {
+ public:
+  LocalSearch(const Rivalry& rivalry, std::vector<std::size_t> group)
+      : rivalry_(rivalry), group_(std::move(group)), is_chosen_(rivalry.worth.size(), false) {
+    std::stable_sort(group_.begin(), group_.end(), [&](std::size_t a, std::size_t b) {
+      return rivalry_.worth[a] > rivalry_.worth[b];
     });
-    if (admissible) chosen.push_back(member);
+  }
+
+  std::vector<std::size_t> run() {
+    for (const std::size_t member : group_) {
+      if (chosen_rivals(member).empty()) is_chosen_[member] = true;
+    }
+    for (bool gained = true; gained;) {
+      gained = false;
+      for (const std::size_t member : group_)
+        gained = (is_chosen_[member] ? make_way(member) : force_in(member)) || gained;
+    }
+    std::vector<std::size_t> chosen;
+    for (const std::size_t member : group_) {
+      if (is_chosen_[member]) chosen.push_back(member);
+    }
+    return chosen;
+  }
+
+ private:
+  static constexpr double least_gain = 1e-9;
+
+  std::vector<std::size_t> chosen_rivals(std::size_t member) const {
+    std::vector<std::size_t> chosen;
+    for (const std::size_t rival : rivalry_.rivals[member]) {
+      if (is_chosen_[rival]) chosen.push_back(rival);
+    }
+    return chosen;
+  }
+
+  bool force_in(std::size_t member) {
+    const std::vector<std::size_t> rivals = chosen_rivals(member);
+    double gain = rivalry_.worth[member];
+    for (const std::size_t rival : rivals) gain -= rivalry_.worth[rival];
+    if (gain <= least_gain) return false;
+    for (const std::size_t rival : rivals) is_chosen_[rival] = false;
+    is_chosen_[member] = true;
+    return true;
+  }
+
+  bool make_way(std::size_t member) {
+    is_chosen_[member] = false;
+    double gain = -rivalry_.worth[member];
+    std::vector<std::size_t> added;
+    for (const std::size_t rival : group_) {
+      const auto& rivals = rivalry_.rivals[rival];
+      if (!std::binary_search(rivals.begin(), rivals.end(), member)) continue;
+      if (!chosen_rivals(rival).empty()) continue;
+      is_chosen_[rival] = true;
+      added.push_back(rival);
+      gain += rivalry_.worth[rival];
+    }
+    if (gain > least_gain) return true;
+    for (const std::size_t rival : added) is_chosen_[rival] = false;
+    is_chosen_[member] = true;
+    return false;
+  }
+
+  const Rivalry& rivalry_;
+  std::vector<std::size_t> group_;
+  std::vector<bool> is_chosen_;
+};
+
+/// The set of greatest worth without two rivals, as flags.
+std::vector<bool> best_set(const Rivalry& rivalry) {
+  std::vector<bool> chosen(rivalry.worth.size(), false);
+  for (const std::vector<std::size_t>& group : groups_of(rivalry)) {
+    const std::vector<std::size_t> winners = group.size() <= max_exact_rivals
+                                                 ? ExactSearch(rivalry, group).run()
+                                                 : LocalSearch(rivalry, group).run();
+    for (const std::size_t winner : winners) chosen[winner] = true;
   }
   return chosen;
 }
@@ -147,14 +216,11 @@ double share_held_by_parts(const std::vector<SceneObject>& objects, std::size_t 
   return static_cast<double>(intersection_size(held, points)) / static_cast<double>(points.size());
 }
 
-Rejection overlap_rejection(const SceneObject& object, const char* reason, double value,
-                            double bound) {
-  return {object.rotational.empty() ? "reflectional" : "rotational",
-          reason,
-          value,
-          bound,
-          object.points.size(),
-          object.points};
+Rejection rejection_of(const SceneObject& object, const char* reason, double value, double bound) {
+  const char* kind = !object.rotational.empty()     ? "rotational"
+                     : !object.reflectional.empty() ? "reflectional"
+                                                    : "surface";
+  return {kind, reason, value, bound, object.points.size(), object.points};
 }
 
 std::vector<SceneObject> without_composites(std::vector<SceneObject> objects,
@@ -166,8 +232,7 @@ std::vector<SceneObject> without_composites(std::vector<SceneObject> objects,
   std::vector<SceneObject> kept;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (held[i] > options.min_parts_cover) {
-      rejected.push_back(
-          overlap_rejection(objects[i], "composite", held[i], options.min_parts_cover));
+      rejected.push_back(rejection_of(objects[i], "composite", held[i], options.min_parts_cover));
     } else {
       kept.push_back(std::move(objects[i]));
     }
@@ -185,9 +250,26 @@ double greatest_overlap(const std::vector<SceneObject>& objects, std::size_t los
   return greatest;
 }
 
+/// What is chosen; the others are rejected.
+std::vector<SceneObject> winners(std::vector<SceneObject> objects, const std::vector<bool>& chosen,
+                                 double max_overlap, std::vector<Rejection>& rejected) {
+  std::vector<SceneObject> selected;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (chosen[i]) continue;
+    rejected.push_back(
+        rejection_of(objects[i], "overlap", greatest_overlap(objects, i, chosen), max_overlap));
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (chosen[i]) selected.push_back(std::move(objects[i]));
+  }
+  return selected;
+}
+
 }  // namespace
 
 void SelectionOptions::validate() const {
+  require_option(min_score >= 0.0 && min_score <= 1.0, "min_score", "a probability in [0, 1]",
+                 min_score);
   require_option(max_overlap >= 0.0 && max_overlap <= 1.0, "max_overlap", "a share in [0, 1]",
                  max_overlap);
   require_option(min_parts_cover >= 0.0 && min_parts_cover <= 1.0, "min_parts_cover",
@@ -200,24 +282,30 @@ std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
                                            const SelectionOptions& options,
                                            std::vector<Rejection>& rejected) {
   objects = without_composites(std::move(objects), options, rejected);
-  const Rivalry rivalry = rivalry_of(objects, options);
-  std::vector<bool> chosen(objects.size(), false);
-  for (const std::vector<std::size_t>& group : groups_of(rivalry)) {
-    const std::vector<std::size_t> winners = group.size() <= max_exact_rivals
-                                                 ? ExactSearch(rivalry, group).run()
-                                                 : greedy(rivalry, group);
-    for (const std::size_t winner : winners) chosen[winner] = true;
+  std::vector<double> worth;
+  for (const SceneObject& object : objects) {
+    worth.push_back(static_cast<double>(object.points.size()) *
+                    std::pow(object.score, options.score_exponent));
   }
-  std::vector<SceneObject> selected;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (chosen[i]) continue;
-    rejected.push_back(overlap_rejection(
-        objects[i], "overlap", greatest_overlap(objects, i, chosen), options.max_overlap));
+  const Rivalry rivalry = rivalry_of(objects, std::move(worth), options.max_overlap);
+  return winners(std::move(objects), best_set(rivalry), options.max_overlap, rejected);
+}
+
+std::vector<SceneObject> select_probable(std::vector<SceneObject> objects,
+                                         const SelectionOptions& options,
+                                         std::vector<Rejection>& rejected) {
+  std::vector<SceneObject> probable;
+  std::vector<double> worth;
+  for (SceneObject& object : objects) {
+    if (object.score <= options.min_score) {
+      rejected.push_back(rejection_of(object, "score", object.score, options.min_score));
+      continue;
+    }
+    worth.push_back(object.score - options.min_score);
+    probable.push_back(std::move(object));
   }
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (chosen[i]) selected.push_back(std::move(objects[i]));
-  }
-  return selected;
+  const Rivalry rivalry = rivalry_of(probable, std::move(worth), options.max_overlap);
+  return winners(std::move(probable), best_set(rivalry), options.max_overlap, rejected);
 }
 
 }  // namespace symscene

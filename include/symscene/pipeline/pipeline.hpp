@@ -10,10 +10,40 @@
 #include "symscene/segmentation/reflectional_segmentation.hpp"
 #include "symscene/segmentation/rotational_segmentation.hpp"
 #include "symscene/segmentation/surface_graph.hpp"
+#include "symscene/segmentation/surface_parts.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
 #include "symscene/symmetry/rotational_detection.hpp"
 
 namespace symscene {
+
+/// Which symmetries an object has, once its points are known.
+struct ObjectSymmetryBounds {
+  double max_axis_misfit = 0.05;               ///< greatest mean angle score (Eq. 3.5)
+  double max_axis_occlusion = 0.05;            ///< greatest mean occlusion score (Eq. 4.3)
+  double min_axis_coverage = 0.25;             ///< of a full turn
+  double min_plane_symmetry = 0.8;             ///< least agreement of matched normals (Eq. 3.9)
+  double min_plane_inlier = 0.4;               ///< least share of points that agree (Eq. 3.10)
+  double max_plane_occlusion = 0.02;           ///< greatest mean occlusion score (Eq. 4.7)
+  double plane_in_axis_angle = radians(10.0);  ///< planes that hold an axis so nearly follow [rad]
+  double plane_in_axis_distance = 0.01;        ///< and pass it this near [m]
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("max_axis_misfit", self.max_axis_misfit, "", "greatest mean angle score of an axis");
+    visit("max_axis_occlusion", self.max_axis_occlusion, "", "greatest occlusion of an axis");
+    visit("min_axis_coverage", self.min_axis_coverage, "",
+          "share of a full turn that is seen about an axis");
+    visit("min_plane_symmetry", self.min_plane_symmetry, "",
+          "least mean agreement of matched normals");
+    visit("min_plane_inlier", self.min_plane_inlier, "", "least share of points that agree");
+    visit("max_plane_occlusion", self.max_plane_occlusion, "", "greatest occlusion of a plane");
+    visit("plane_in_axis_angle", self.plane_in_axis_angle, "rad",
+          "planes that hold an axis so nearly follow from it");
+    visit("plane_in_axis_distance", self.plane_in_axis_distance, "m", "and pass it this near");
+  }
+  /// Throws InputError on a value below 0.
+  void validate() const;
+};
 
 /// Every option of every stage.
 struct PipelineOptions {
@@ -27,12 +57,14 @@ struct PipelineOptions {
   DistanceFieldOptions distance_field;
   OversegmentationOptions oversegmentation;
   SurfaceGraphOptions surface_graph;
+  SurfacePartsOptions surface_parts;
   RotationalDetectionOptions rotational_detection;
   RotationalSegmentationOptions rotational_segmentation;
   ReflectionalDetectionOptions reflectional_detection;
   ReflectionalSegmentationOptions reflectional_segmentation;
   MergeOptions merge;
   SelectionOptions selection;
+  ObjectSymmetryBounds object_symmetry;
   CompletionOptions completion;
 
   template <class Self, class Visit>
@@ -49,12 +81,14 @@ struct PipelineOptions {
     visit("distance_field", self.distance_field);
     visit("oversegmentation", self.oversegmentation);
     visit("surface_graph", self.surface_graph);
+    visit("surface_parts", self.surface_parts);
     visit("rotational_detection", self.rotational_detection);
     visit("rotational_segmentation", self.rotational_segmentation);
     visit("reflectional_detection", self.reflectional_detection);
     visit("reflectional_segmentation", self.reflectional_segmentation);
     visit("merge", self.merge);
     visit("selection", self.selection);
+    visit("object_symmetry", self.object_symmetry);
     visit("completion", self.completion);
   }
   /// Throws InputError if a field of any stage is out of its range.

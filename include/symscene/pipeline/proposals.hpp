@@ -1,8 +1,15 @@
 #pragma once
 
 #include "symscene/pipeline/pipeline.hpp"
+#include "symscene/segmentation/object_measures.hpp"
 
 namespace symscene {
+
+/// A set of points that may be an object, with the symmetries under which it was cut out, if any.
+struct ObjectProposal {
+  SceneObject object;  ///< its score is the probability of being one whole object
+  ObjectMeasures measures;
+};
 
 /// What a scene proposes as objects before anything is decided: every segment that was cut out,
 /// with its scores. Computed once, thresholds can be swept over it.
@@ -15,6 +22,7 @@ struct SceneProposals {
   std::vector<Hypothesis> rotational;         ///< a cut each
   std::vector<Hypothesis> reflectional;       ///< a cut each that holds its support
   std::vector<Rejection> rejected;            ///< cuts that do not
+  std::vector<ObjectProposal> objects;        ///< distinct cuts and parts, by falling score
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
 };
