@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -25,7 +26,10 @@ std::vector<ObjectModel> drawn(std::span<const ObjectModel> models, std::size_t 
   std::vector<ObjectModel> chosen;
   std::vector<std::size_t> left;
   while (chosen.size() < count) {
-    for (std::size_t i = 0; left.empty() && i < models.size(); ++i) left.push_back(i);
+    if (left.empty()) {
+      left.resize(models.size());
+      std::iota(left.begin(), left.end(), std::size_t{0});
+    }
     const std::size_t k = random.below(static_cast<std::uint32_t>(left.size()));
     chosen.push_back(models[left[k]]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
