@@ -129,7 +129,7 @@ struct Tally {
 
   /// "scene 12 of 89, 8 min left"
   std::string progress() const {
-    const std::string scene =
+    std::string scene =
         fmt::format("scene {} of {}", std::min(total, total - wanted + finished + 1), total);
     if (finished == 0) return scene;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -227,11 +227,11 @@ fs::path scene_folder(const fs::path& dataset, std::size_t index) {
 bool is_dataset(const fs::path& path) {
   if (!fs::is_directory(path) || is_scene_folder(path)) return false;
   if (fs::exists(path / dataset_file) || has_single_views(path)) return true;
-  for (const fs::path& child : sorted_children(path)) {
-    if (!fs::is_directory(child)) continue;
-    if (is_scene_folder(child) || is_scene_folder(child / "scene")) return true;
-  }
-  return false;
+  return std::any_of(
+      fs::directory_iterator(path), fs::directory_iterator(), [](const fs::directory_entry& child) {
+        return child.is_directory() &&
+               (is_scene_folder(child.path()) || is_scene_folder(child.path() / "scene"));
+      });
 }
 
 DatasetListing read_dataset(const fs::path& path) {

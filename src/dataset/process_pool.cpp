@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstring>
 #include <deque>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -64,8 +65,7 @@ int wait_for(pid_t process) {
 
 std::string describe_end(int status) {
   if (WIFSIGNALED(status))
-    return fmt::format("its process was ended by signal {} ({})", WTERMSIG(status),
-                       strsignal(WTERMSIG(status)));
+    return fmt::format("its process was ended by signal {}", WTERMSIG(status));
   return fmt::format("its process ended with code {}", WEXITSTATUS(status));
 }
 
@@ -127,7 +127,8 @@ ProcessPool::~ProcessPool() { close_workers(); }
 void ProcessPool::add_worker(const Work& work) {
   std::array<int, 2> sockets{};
   const auto refuse = [] {
-    throw InputError("the processes to work in", "another one", std::strerror(errno));
+    throw InputError("the processes to work in", "another one",
+                     std::generic_category().message(errno));
   };
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets.data()) != 0) refuse();
   const pid_t self = getpid();

@@ -39,12 +39,13 @@ std::vector<ObjectModel> drawn(std::span<const ObjectModel> models, std::size_t 
 
 /// A procedural object under a name of its own: physics knows shapes by name.
 ObjectModel procedural(std::size_t number, Random& random) {
-  ObjectModel model;
+  HouseholdObject object;
   do {
-    model = make_household_object(random_object_kind(random), random);
-  } while (!is_droppable(model));
+    object = make_household_object(random_object_kind(random), random);
+  } while (!is_droppable(object));
+  ObjectModel& model = object;
   model.name += fmt::format("#{}", number);
-  return model;
+  return std::move(model);
 }
 
 std::vector<ObjectModel> chosen_models(const DatasetOptions& options,

@@ -27,7 +27,7 @@ Split parse_split(const std::string& text, const std::string& where) {
   for (const Split split : {Split::tune, Split::report}) {
     if (text == to_string(split)) return split;
   }
-  throw InputError(where, "the split \"tune\" or \"report\"", "\"" + text + "\"");
+  throw InputError(where, "the split tune or report", text);
 }
 
 std::uint64_t scene_seed(std::uint64_t dataset_seed, Split split, std::size_t index,

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "symscene/core/error.hpp"
 #include "symscene/io/octomap.hpp"
 #include "symscene/io/ply.hpp"
@@ -85,6 +87,25 @@ TEST(SceneMaker, DropsScannedModelsAmongProceduralOnes) {
     EXPECT_NE(placed.object.name, "scanned");
     EXPECT_EQ(placed.object.name.find('#'), std::string::npos);
   }
+}
+
+TEST(SceneMaker, DropsNoModelTwiceWhileThereAreOthers) {
+  if (!has_physics()) GTEST_SKIP() << "no physics";
+  DatasetOptions options = small_options();
+  options.scanned = 1.0;
+  options.min_spread = options.max_spread = 0.08;
+  std::vector<ObjectModel> models;
+  for (const char* name : {"a", "b", "c", "d"})
+    models.push_back({name, make_box(Eigen::Vector3d(0.06, 0.05, 0.04), 0.1), {}, {}, false});
+  std::set<std::string> used;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    std::set<std::string> names;
+    const Tabletop tabletop = place_objects(options, models, 3, seed, true);
+    for (const PlacedObject& placed : tabletop.objects) names.insert(placed.object.name);
+    EXPECT_EQ(names.size(), tabletop.objects.size());
+    used.insert(names.begin(), names.end());
+  }
+  EXPECT_EQ(used.size(), 4U);
 }
 
 TEST(SceneMaker, RefusesOptionsOutOfRange) {

@@ -45,9 +45,9 @@ class ProcessPool {
 
   void add_worker(const Work& work);
   void close_workers();
-  bool give(Worker& worker, std::size_t item);
-  ItemOutcome take(Worker& worker);
-  void retire(Worker& worker);
+  static bool give(Worker& worker, std::size_t item);
+  static ItemOutcome take(Worker& worker);
+  static void retire(Worker& worker);
 
   std::vector<Worker> workers_;
 };
