@@ -96,7 +96,8 @@ double table_error(const SweptScene& made) {
 /// What is wrong with a scene; empty for a good one.
 std::string flaw(const SweptScene& made, const DatasetOptions& options) {
   const auto lost = static_cast<double>(made.frames - made.fused);
-  if (made.fused < 3 || lost > options.max_lost * static_cast<double>(made.frames))
+  if (made.fused < std::min<std::size_t>(3, made.frames) ||
+      lost > options.max_lost * static_cast<double>(made.frames))
     return fmt::format("tracking lost {} of {} frames", made.frames - made.fused, made.frames);
   if (made.trajectory.absolute > options.max_error)
     return fmt::format("the camera's path is {:.1f} mm off", 1e3 * made.trajectory.absolute);

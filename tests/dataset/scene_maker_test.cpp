@@ -59,19 +59,6 @@ TEST(SceneMaker, TriesOtherSeedsAndSaysWhyWhereTrackingIsLost) {
   EXPECT_FALSE(made.facts.failed[0].reason.empty());
 }
 
-TEST(SceneMaker, UsesNoModelTwiceWhileThereAreOthers) {
-  if (!has_physics()) GTEST_SKIP() << "no physics";
-  DatasetOptions options = small_options();
-  options.scanned = 1.0;
-  std::vector<ObjectModel> models;
-  for (const char* name : {"a", "b", "c"})
-    models.push_back({name, make_box(Eigen::Vector3d(0.06, 0.05, 0.04), 0.06), {}, {}, false});
-  std::set<std::string> names;
-  for (const PlacedObject& placed : place_objects(options, models, 3, 5, true).objects)
-    EXPECT_TRUE(names.insert(placed.object.name).second) << placed.object.name;
-  EXPECT_EQ(names.size(), 3U);
-}
-
 TEST(SceneMaker, DropsScannedModelsAmongProceduralOnes) {
   if (!has_physics()) GTEST_SKIP() << "no physics";
   DatasetOptions options = small_options();
