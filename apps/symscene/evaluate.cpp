@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "evaluation_dataset.hpp"
+#include "evaluation_peers.hpp"
 #include "session.hpp"
 #include "symscene/evaluation/report.hpp"
 #include "symscene/io/atomic_file.hpp"
@@ -61,6 +62,7 @@ struct Evaluate {
   EvaluationOptions options;
   std::filesystem::path dataset;
   std::filesystem::path earlier;
+  std::string peers = "all";
   bool fast = false;
 
   OptionFields configure() {
@@ -94,7 +96,8 @@ struct Evaluate {
            Session& session) const {
     session.say(fmt::format("{} scenes, {} objects; F in percent\n", evaluation.scenes.size(),
                             evaluation.losses.objects));
-    session.say(headline_text(evaluation.segmentation) + format_subsets(evaluation));
+    session.say(headline_text(evaluation.segmentation) + "\n" +
+                default_text(evaluation.segmentation) + format_subsets(evaluation));
     session.say(loss_text(evaluation));
     session.say(runtime_text(evaluation));
     if (!then.empty()) session.say(report_difference(json, then, earlier.string()));
@@ -107,6 +110,7 @@ struct Evaluate {
     const std::string then = earlier.empty() ? "" : read_file(earlier);
     if (!then.empty()) report_difference(then, then, earlier.string());  // before the work
     options.reflectional_only = !fast;
+    options.peers = peer_methods(peers);
     Session session("evaluate", shared);
     const std::vector<DatasetEntry> entries = read_dataset(dataset);
     const Evaluation evaluation = evaluate(entries, session);
@@ -132,6 +136,8 @@ void add_evaluate(CLI::App& app) {
   arguments.input(state->dataset, "DATASET", "folder of scene folders, each with truth.json");
   arguments.required_output(state->shared, "report folder to write");
   arguments.file("--compare", state->earlier, "report.json of an earlier run: print what changed");
+  arguments.text("--peers", state->peers,
+                 "methods to compare with: all, none or names with commas (default: all)");
   arguments.flag("--fast", state->fast, "leave out the variant without rotations");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

@@ -100,13 +100,6 @@ std::string series(const Sweep& sweep, Measure measure, std::size_t color) {
   return svg + star(point_of(sweep.counts[*best].score(measure)), color);
 }
 
-std::string setting_text(const Sweep& sweep, std::size_t k) {
-  std::string text;
-  for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
-    text += fmt::format("{}{} {:g}", p == 0 ? "" : ", ", sweep.parameters[p], sweep.settings[k][p]);
-  return text;
-}
-
 std::string legend_entry(const Sweep& sweep, Measure measure, std::size_t color) {
   const auto best = best_setting(sweep, measure);
   if (!best) return "";

@@ -15,14 +15,6 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// "refl_symmetry=0.3 refl_occlusion=0.005"
-std::string setting_text(const Sweep& sweep, const std::vector<double>& setting) {
-  std::string text;
-  for (std::size_t p = 0; p < setting.size(); ++p)
-    text += fmt::format("{}{}={:g}", p == 0 ? "" : " ", sweep.parameters[p], setting[p]);
-  return text;
-}
-
 void add_lines(const std::string& subset, const Sweep& sweep, const std::string& setting,
                const SettingCounts& counts, std::string& csv) {
   for (const Measure measure : sweep.measures) {
@@ -38,7 +30,7 @@ void add_sweeps(const std::string& subset, const std::vector<Sweep>& sweeps, std
   for (const Sweep& sweep : sweeps) {
     if (sweep.at_default) add_lines(subset, sweep, "default", *sweep.at_default, csv);
     for (std::size_t k = 0; k < sweep.settings.size(); ++k)
-      add_lines(subset, sweep, setting_text(sweep, sweep.settings[k]), sweep.counts[k], csv);
+      add_lines(subset, sweep, setting_text(sweep, k), sweep.counts[k], csv);
   }
 }
 
@@ -102,8 +94,7 @@ std::string scenes_csv(const Evaluation& evaluation) {
     for (const ObjectOutcome& outcome : scene.objects) counts.add(outcome);
     csv += fmt::format("{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
                        counts.objects, counts.count(Fate::found), scene.returned,
-                       counts.overlap_sum / static_cast<double>(counts.objects),
-                       total_seconds(scene.timings));
+                       counts.mean_overlap(), total_seconds(scene.timings));
     for (const std::string& stage : stages) csv += fmt::format(",{:.6f}", seconds_of(scene, stage));
     csv += "\n";
   }

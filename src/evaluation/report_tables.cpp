@@ -87,6 +87,20 @@ TextTable headline_table(const std::vector<Sweep>& sweeps) {
   return table;
 }
 
+TextTable default_table(const std::vector<Sweep>& sweeps) {
+  TextTable table{{"masks at 0.9", "default F", "best F", "difference", "best setting"}};
+  for (const Sweep& sweep : sweeps) {
+    const auto best = best_setting(sweep, Measure::masks_90);
+    if (!sweep.at_default || !best) continue;
+    const double given = sweep.at_default->score(Measure::masks_90).f_measure();
+    const double greatest = sweep.counts[*best].score(Measure::masks_90).f_measure();
+    table.push_back({sweep.method, percent(given), percent(greatest),
+                     fmt::format("{:+.1f}", 100.0 * (given - greatest)),
+                     setting_text(sweep, *best)});
+  }
+  return table;
+}
+
 TextTable loss_table(const Evaluation& evaluation) {
   TextTable table{{"kind", "objects"}};
   for (const Fate fate : all_fates) table.front().push_back(fate_name(fate));
@@ -110,8 +124,7 @@ TextTable kind_table(const Evaluation& evaluation) {
     table.push_back({name, fmt::format("{}", counts.objects),
                      count_and_share(counts.count(Fate::found), counts.objects),
                      count_and_share(counts.over_75, counts.objects),
-                     percent(counts.overlap_sum / static_cast<double>(counts.objects)),
-                     fmt::format("{}", counts.symmetries),
+                     percent(counts.mean_overlap()), fmt::format("{}", counts.symmetries),
                      count_and_share(counts.symmetries_met, counts.symmetries)});
   }
   return table;
@@ -146,6 +159,10 @@ TextTable worst_scene_table(const Evaluation& evaluation, std::size_t most) {
 
 std::string headline_text(const std::vector<Sweep>& sweeps) {
   return aligned(headline_table(sweeps), 2);
+}
+
+std::string default_text(const std::vector<Sweep>& sweeps) {
+  return aligned(default_table(sweeps), 1);
 }
 
 std::string loss_text(const Evaluation& evaluation) {

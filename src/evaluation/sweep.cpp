@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -65,6 +67,14 @@ std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measu
   }
   std::reverse(envelope.begin(), envelope.end());
   return envelope;
+}
+
+std::string setting_text(const Sweep& sweep, std::size_t setting) {
+  std::string text;
+  for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
+    text += fmt::format("{}{}={:g}", p == 0 ? "" : " ", sweep.parameters[p],
+                        sweep.settings.at(setting).at(p));
+  return text;
 }
 
 std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values) {

@@ -28,6 +28,9 @@ std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps);
 
 /// Tables for a terminal, aligned, in percent.
 std::string headline_text(const std::vector<Sweep>& sweeps);
+/// A line a method that has a default: how far that is from the best for masks at 0.9, and where
+/// the best is.
+std::string default_text(const std::vector<Sweep>& sweeps);
 std::string loss_text(const Evaluation& evaluation);
 std::string runtime_text(const Evaluation& evaluation);
 

@@ -46,9 +46,8 @@ inline constexpr const char* reflectional_method = "Refl only";
 inline constexpr const char* axis_detection_method = "Axes before segmentation";
 inline constexpr const char* plane_detection_method = "Planes before segmentation";
 
-/// Throws InputError, naming the object, if a truth is missing (no objects, an object without
-/// points) or contradicts itself or the cloud (an index that the cloud does not have, a point of
-/// two objects).
+/// Throws InputError, naming the object, if a truth is missing (an object without points) or
+/// contradicts itself or the cloud (an index that the cloud does not have, a point of two objects).
 void require_usable_truth(const Scene& scene, const SceneTruth& truth);
 
 /// Segments and scores are computed once, thresholds are swept over them: the bounds of table 4.2

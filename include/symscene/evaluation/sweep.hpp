@@ -71,6 +71,9 @@ struct CurvePoint {
 /// precision: no setting has more of one and as much of the other than some point of the curve.
 std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measure);
 
+/// "refl_symmetry=0.3 refl_occlusion=0.005" of a setting by its number.
+std::string setting_text(const Sweep& sweep, std::size_t setting);
+
 /// Every combination of the parameters' values, the last parameter fastest.
 std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values);
 
