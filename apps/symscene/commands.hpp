@@ -8,6 +8,7 @@ namespace symscene::app {
 
 // Each adds its subcommand, which runs as the command line is parsed.
 void add_simulate(CLI::App& app);
+void add_dataset(CLI::App& app);
 void add_reconstruct(CLI::App& app);
 void add_stitch(CLI::App& app);
 void add_segment(CLI::App& app);

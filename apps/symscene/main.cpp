@@ -43,6 +43,7 @@ void add_commands(CLI::App& app) {
       "  symscene simulate -o scene && symscene segment scene -o result &&\n"
       "    symscene view result -o page.html");
   symscene::app::add_simulate(app);
+  symscene::app::add_dataset(app);
   symscene::app::add_reconstruct(app);
   symscene::app::add_stitch(app);
   symscene::app::add_segment(app);

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "scanned_models.hpp"
 #include "session.hpp"
+#include "symscene/dataset/scanned_models.hpp"
 #include "symscene/io/ply.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/sequence.hpp"

@@ -152,4 +152,29 @@ NeighborLists nearest_neighbors(const Points& points, std::size_t count) {
       });
 }
 
+std::vector<std::pair<Index, Index>> nearest_pairs(const Points& points, std::size_t count,
+                                                   float radius) {
+  const CellList cells(points, radius);
+  const auto size = static_cast<std::size_t>(points.rows());
+  std::vector<std::vector<std::pair<Index, Index>>> blocks((size + query_block - 1) / query_block);
+  parallel_for_blocks(size, query_block, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::pair<float, Index>> near;  // by squared distance
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      near.clear();
+      cells.for_each_within(points.row(i).transpose(), radius, [&](Index j, float distance) {
+        if (j != i) near.emplace_back(distance, j);
+      });
+      const std::size_t kept = std::min(near.size(), count);
+      std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
+      for (std::size_t k = 0; k < kept; ++k)
+        blocks[begin / query_block].push_back(std::minmax(i, near[k].second));
+    }
+  });
+  std::vector<std::pair<Index, Index>> pairs;
+  for (const auto& part : blocks) pairs.insert(pairs.end(), part.begin(), part.end());
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 }  // namespace symscene

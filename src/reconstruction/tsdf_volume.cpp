@@ -112,7 +112,12 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
     const int seen = static_cast<int>(full > -cut) & static_cast<int>(depths[i] - depth < cut) &
                      static_cast<int>(tenths > 0);
     const int before = weight[i];
-    const int added = seen != 0 ? packed & 255 : 0;
+    // Behind a thin wall is the space before its other side: there is less and less to say.
+    const float says = (TsdfVolume::reach_behind * cut + full) /
+                       ((TsdfVolume::reach_behind - TsdfVolume::sure_behind) * cut);
+    const float weighed = static_cast<float>(packed & 255) * std::clamp(says, 0.0F, 1.0F);
+    const auto share = static_cast<int>(weighed + 0.5F);
+    const int added = seen != 0 ? share : 0;
     const int sum = before + added;
     const int old = distance[i];
     const float mean = (static_cast<float>(old) * static_cast<float>(before) +

@@ -2,34 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/disjoint_sets.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
-
-/// Disjoint sets of nodes, each led by its lowest.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : leader_(count) {
-    std::iota(leader_.begin(), leader_.end(), Index{0});
-  }
-
-  Index leader(Index node) {
-    while (leader_[node] != node) node = leader_[node] = leader_[leader_[node]];
-    return node;
-  }
-
-  void join(Index a, Index b) {
-    const Index of_a = leader(a);
-    const Index of_b = leader(b);
-    leader_[std::max(of_a, of_b)] = std::min(of_a, of_b);
-  }
-
- private:
-  std::vector<Index> leader_;
-};
 
 double margin(double value, double bound) {
   return bound > 0.0 ? std::clamp(1.0 - value / bound, 0.0, 1.0) : 0.0;

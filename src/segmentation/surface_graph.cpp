@@ -9,16 +9,6 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t block = 1024;
-
-struct Candidate {
-  float squared_distance;
-  Index index;
-  bool operator<(const Candidate& other) const {
-    return std::pair(squared_distance, index) < std::pair(other.squared_distance, other.index);
-  }
-};
-
 class EdgeWeight {
  public:
   EdgeWeight(const PointCloud& cloud, const SurfaceGraphOptions& options)
@@ -52,29 +42,10 @@ void SurfaceGraphOptions::validate() const {
 std::vector<WeightedEdge> surface_graph(const PointCloud& cloud,
                                         const SurfaceGraphOptions& options) {
   options.validate();
-  const auto radius = static_cast<float>(options.radius);
-  const CellList cells(cloud.positions, radius);
   const EdgeWeight weight(cloud, options);
-  const std::size_t count = cloud.size();
-  std::vector<std::vector<std::pair<Index, Index>>> blocks((count + block - 1) / block);
-  parallel_for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
-    std::vector<Candidate> near;
-    for (auto i = static_cast<Index>(begin); i < end; ++i) {
-      near.clear();
-      cells.for_each_within(cloud.position(i), radius, [&](Index j, float squared_distance) {
-        if (j != i) near.push_back({squared_distance, j});
-      });
-      const std::size_t kept = std::min(near.size(), static_cast<std::size_t>(options.neighbors));
-      std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
-      for (std::size_t k = 0; k < kept; ++k)
-        blocks[begin / block].push_back(std::minmax(i, near[k].index));
-    }
-  });
-  std::vector<std::pair<Index, Index>> pairs;
-  for (const auto& part : blocks) pairs.insert(pairs.end(), part.begin(), part.end());
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-
+  const std::vector<std::pair<Index, Index>> pairs =
+      nearest_pairs(cloud.positions, static_cast<std::size_t>(options.neighbors),
+                    static_cast<float>(options.radius));
   std::vector<WeightedEdge> edges(pairs.size());
   parallel_for_blocks(pairs.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {

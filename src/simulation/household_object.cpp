@@ -211,6 +211,24 @@ const char* to_string(ObjectKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+ObjectKind random_object_kind(Random& random) {
+  constexpr std::array<std::pair<ObjectKind, double>, object_kind_count> shares = {{
+      {ObjectKind::box, 0.32},
+      {ObjectKind::can, 0.18},
+      {ObjectKind::lying_can, 0.05},
+      {ObjectKind::bowl, 0.12},
+      {ObjectKind::bottle, 0.11},
+      {ObjectKind::cup, 0.12},
+      {ObjectKind::toy, 0.10},
+  }};
+  double left = random.uniform();
+  for (const auto& [kind, share] : shares) {
+    if (left < share) return kind;
+    left -= share;
+  }
+  return ObjectKind::box;
+}
+
 HouseholdObject make_household_object(ObjectKind kind, Random& random, double scale) {
   HouseholdObject object = make_shape(kind, random, scale);
   object.mesh.colors = paint(object.mesh.vertices, random);

@@ -1,7 +1,6 @@
 #include "symscene/simulation/tabletop.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -33,24 +32,6 @@ struct Standing {
   bool carries = false;
 };
 
-ObjectKind random_kind(Random& random) {
-  constexpr std::array<std::pair<ObjectKind, double>, object_kind_count> shares = {{
-      {ObjectKind::box, 0.32},
-      {ObjectKind::can, 0.18},
-      {ObjectKind::lying_can, 0.05},
-      {ObjectKind::bowl, 0.12},
-      {ObjectKind::bottle, 0.11},
-      {ObjectKind::cup, 0.12},
-      {ObjectKind::toy, 0.10},
-  }};
-  double left = random.uniform();
-  for (const auto& [kind, share] : shares) {
-    if (left < share) return kind;
-    left -= share;
-  }
-  return ObjectKind::box;
-}
-
 class Arranger {
  public:
   explicit Arranger(const TabletopOptions& options) : options_(options), random_(options.seed) {}
@@ -58,7 +39,7 @@ class Arranger {
   std::vector<Standing> arrange() {
     for (int i = 0; i < options_.objects; ++i) {
       if (!standing_.empty() && random_.chance(options_.stacked) && try_to_stack()) continue;
-      push_to_the_others(make_household_object(random_kind(random_), random_));
+      push_to_the_others(make_household_object(random_object_kind(random_), random_));
     }
     center();
     return std::move(standing_);
@@ -131,7 +112,7 @@ class Arranger {
     for (int attempt = 0; attempt < tries; ++attempt) {
       const Index below = random_.below(static_cast<std::uint32_t>(standing_.size()));
       HouseholdObject object =
-          make_household_object(random_kind(random_), random_, random_.uniform(0.5, 1.0));
+          make_household_object(random_object_kind(random_), random_, random_.uniform(0.5, 1.0));
       if (standing_[below].carries) continue;
       const std::optional<Place> place = standing_[below].object.cavity
                                              ? place_inside(object, below)

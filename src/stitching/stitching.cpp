@@ -148,14 +148,4 @@ StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIn
   return result;
 }
 
-SurfaceExtractionOptions surface_of_few(const SurfaceExtractionOptions& options,
-                                        std::size_t frames) {
-  constexpr double usual_frames = 200.0;
-  constexpr double one_look = 1.0 / 16.0;  // the least weight of a measurement
-  SurfaceExtractionOptions few = options;
-  const double share = std::min(1.0, static_cast<double>(frames) / usual_frames);
-  few.min_weight = std::min(options.min_weight, std::max(one_look, share * options.min_weight));
-  return few;
-}
-
 }  // namespace symscene

@@ -61,8 +61,10 @@ TEST(TsdfVolume, CutsFarDepthsOffFartherAwayAsTheirNoiseAsks) {
     });
     return -least;
   };
-  EXPECT_NEAR(deepest(1.0), 0.0125, 0.0031);
-  EXPECT_NEAR(deepest(2.5), 3.0 * 1.425e-3 * 6.25, 0.0031);
+  constexpr double share = TsdfVolume::reach_behind;
+  EXPECT_NEAR(deepest(1.0), share * 0.0125, 0.0031);
+  // The weight of so far a pixel is the least there is: it is there or not.
+  EXPECT_NEAR(deepest(2.5), 0.4375 * 3.0 * 1.425e-3 * 6.25, 0.0031);
   EXPECT_LE(deepest(2.9), 0.04);
 }
 
@@ -102,7 +104,7 @@ TEST(TsdfVolume, AveragesWhatItSeesAndForgetsWhatIsLongGone) {
   };
   const auto expect_wall = [&](double z) {
     for_each_seen_voxel(volume, [&](const Eigen::Vector3d& p, double distance, double) {
-      if (std::abs(p.z() - z) < 0.003 && p.head<2>().norm() < 0.2) {
+      if (std::abs(p.z() - z) < 0.001 && p.head<2>().norm() < 0.2) {
         EXPECT_NEAR(distance, z - p.z(), 3e-4);
       }
     });
@@ -112,6 +114,23 @@ TEST(TsdfVolume, AveragesWhatItSeesAndForgetsWhatIsLongGone) {
   expect_wall(0.802);
   add(0.804, 60);
   expect_wall(0.804);
+}
+
+TEST(TsdfVolume, KeepsASideOfAThinWallWhereItIsWhenTheOtherIsSeenMore) {
+  // A wall of 5 mm, seen often from the front and once from the back.
+  TsdfVolume volume;
+  const CameraIntrinsics camera = small_camera();
+  const Eigen::Isometry3d front = Eigen::Isometry3d::Identity();
+  const Eigen::Isometry3d back = motion({0, std::numbers::pi, 0}, {0, 0, 1.605});
+  for (int k = 0; k < 30; ++k) fuse(volume, {plane(-Eigen::Vector3d::UnitZ(), 0.8)}, camera, front);
+  fuse(volume, {plane(Eigen::Vector3d::UnitZ(), 0.805)}, camera, back);
+  int behind = 0;
+  for_each_seen_voxel(volume, [&](const Eigen::Vector3d& p, double distance, double) {
+    if (p.head<2>().norm() > 0.2 || p.z() < 0.8085) return;
+    ++behind;
+    EXPECT_GT(distance, 0.0) << p.transpose();
+  });
+  EXPECT_GT(behind, 1000);
 }
 
 TEST(TsdfVolume, MakesNothingOfPixelsWithoutAMeasurement) {
@@ -226,7 +245,12 @@ ScalarVoxel fuse_scalar(const ScalarVoxel& old, const Eigen::Vector3d& center,
   if (std::abs(full + cut) < 1e-5) now.decided = false;
   if (std::abs(p.z() - depth - cut) < 1e-5) now.decided = false;
   if (full <= -cut || p.z() - depth >= cut) return now;
-  const int added = static_cast<int>(packed & 255), sum = old.weight + added;
+  const double says = std::clamp((0.625 * cut + full) / (0.375 * cut), 0.0, 1.0);
+  const double weighed = static_cast<double>(packed & 255) * says;
+  // Rounding may go either way in float.
+  if (std::abs(weighed - std::floor(weighed) - 0.5) < 0.1) now.decided = false;
+  const int added = static_cast<int>(weighed + 0.5), sum = old.weight + added;
+  if (sum == 0) return now;
   const double units = std::min(full, cut) / static_cast<double>(volume.distance_unit());
   now.distance = (old.distance * old.weight + units * added) / sum;
   now.weight = std::min(sum, static_cast<int>(16 * o.max_weight));

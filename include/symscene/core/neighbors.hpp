@@ -61,6 +61,11 @@ NeighborLists radius_neighbors(const Points& points, float radius);
 /// points.
 NeighborLists nearest_neighbors(const Points& points, std::size_t count);
 
+/// The pairs a < b of points within `radius` of which one is among the `count` nearest others of
+/// the other, each once, ascending. [m]
+std::vector<std::pair<Index, Index>> nearest_pairs(const Points& points, std::size_t count,
+                                                   float radius);
+
 template <class Visit>
 void CellList::for_each_within(const Eigen::Vector3f& query, float radius, Visit&& visit) const {
   if (entries_.empty()) return;

@@ -26,4 +26,9 @@ struct SurfaceExtractionOptions {
 TriangleMesh extract_surface(const TsdfVolume& volume,
                              const SurfaceExtractionOptions& options = {});
 
+/// What is asked of a surface that few frames have seen: bounds are made for 200 frames, fewer are
+/// asked for their share of the weight, at least that of one look.
+SurfaceExtractionOptions surface_of_few(const SurfaceExtractionOptions& options,
+                                        std::size_t frames);
+
 }  // namespace symscene

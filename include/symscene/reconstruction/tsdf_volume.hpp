@@ -56,6 +56,11 @@ struct ColorBlock {
 /// depth is measured. Voxel k covers [k, k + 1) times the voxel size along each axis.
 class TsdfVolume {
  public:
+  /// Behind a surface weights are full down to the first share of the truncation and fall to
+  /// nothing at the second (Bylow et al. 2013), so that views of one side of a thin wall do not
+  /// outweigh those of the other.
+  static constexpr float sure_behind = 0.25F, reach_behind = 0.625F;
+
   explicit TsdfVolume(const TsdfOptions& options = {}, const MeasurementOptions& sensor = {});
 
   /// Fuses every pixel of a measurement: voxels are projected into the image (Newcombe et al. 2011,

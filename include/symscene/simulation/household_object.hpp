@@ -12,6 +12,9 @@ inline constexpr int object_kind_count = 7;
 
 const char* to_string(ObjectKind kind);
 
+/// A kind as often as a household has it.
+ObjectKind random_object_kind(Random& random);
+
 /// A round hollow that is open to the top and in which small things can stand.
 struct Cavity {
   double radius = 0.0;  ///< of its flat floor; the hollow gets no narrower above it [m]

@@ -1,11 +1,11 @@
-#include "scanned_models.hpp"
+#include "symscene/dataset/scanned_models.hpp"
 
 #include <algorithm>
 
 #include "symscene/io/mesh.hpp"
 #include "symscene/io/truth.hpp"
 
-namespace symscene::app {
+namespace symscene {
 
 std::vector<ObjectModel> read_models(const std::filesystem::path& meshes,
                                      const std::filesystem::path& symmetries) {
@@ -27,4 +27,4 @@ std::vector<ObjectModel> read_models(const std::filesystem::path& meshes,
   return models;
 }
 
-}  // namespace symscene::app
+}  // namespace symscene

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "symscene/simulation/object_model.hpp"
+
+namespace symscene {
+
+/// What scenes are for: choosing parameters, or saying how good the result is. The two share
+/// neither seeds nor models.
+enum class Split : std::uint8_t { tune, report };
+
+const char* to_string(Split split);
+
+/// Throws InputError, `where` standing for the place, if the text names none.
+Split parse_split(const std::string& text, const std::string& where);
+
+/// The seed of a scene, below 2^53 that every reader of JSON keeps it. No seed of one split is one
+/// of the other's. `attempt` counts from 0 the seeds that a scene may have.
+std::uint64_t scene_seed(std::uint64_t dataset_seed, Split split, std::size_t index,
+                         std::size_t attempt = 0);
+
+/// How many objects a scene has: among any number of scenes from the first on each count from
+/// `min_objects` to `max_objects` occurs equally often, or once more than others.
+int object_count(std::uint64_t dataset_seed, Split split, std::size_t index, int min_objects,
+                 int max_objects);
+
+/// The models of a split: families in the order of their names go to one split and the other in
+/// turn. A family is what has the same name up to the first '-'.
+std::vector<ObjectModel> models_of(Split split, std::vector<ObjectModel> models);
+
+}  // namespace symscene

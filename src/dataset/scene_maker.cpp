@@ -1,0 +1,193 @@
+#include "symscene/dataset/scene_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/random.hpp"
+#include "symscene/simulation/household_object.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr std::uint64_t choice_stream = std::uint64_t{1} << 41U;  // apart from the simulation's
+
+bool is_droppable(const ObjectModel& model) {
+  return is_solid(model.mesh) &&
+         bounding_box(model.mesh.vertices).extent().minCoeff() >= DropOptions{}.min_thickness;
+}
+
+/// Models at random, none twice while there are others.
+std::vector<ObjectModel> drawn(std::span<const ObjectModel> models, std::size_t count,
+                               Random& random) {
+  std::vector<ObjectModel> chosen;
+  std::vector<std::size_t> left;
+  while (chosen.size() < count) {
+    for (std::size_t i = 0; left.empty() && i < models.size(); ++i) left.push_back(i);
+    const std::size_t k = random.below(static_cast<std::uint32_t>(left.size()));
+    chosen.push_back(models[left[k]]);
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  return chosen;
+}
+
+/// A procedural object under a name of its own: physics knows shapes by name.
+ObjectModel procedural(std::size_t number, Random& random) {
+  ObjectModel model;
+  do {
+    model = make_household_object(random_object_kind(random), random);
+  } while (!is_droppable(model));
+  model.name += fmt::format("#{}", number);
+  return model;
+}
+
+std::vector<ObjectModel> chosen_models(const DatasetOptions& options,
+                                       std::span<const ObjectModel> models, std::size_t count,
+                                       Random& random) {
+  std::size_t scanned = 0;
+  for (std::size_t i = 0; i < count && !models.empty(); ++i)
+    scanned += random.chance(options.scanned) ? 1 : 0;
+  std::vector<ObjectModel> chosen = drawn(models, scanned, random);
+  while (chosen.size() < count) chosen.push_back(procedural(chosen.size(), random));
+  return chosen;
+}
+
+Tabletop dropped(const DatasetOptions& options, std::span<const ObjectModel> models,
+                 const TabletopOptions& tabletop) {
+  Random random(tabletop.seed, choice_stream);
+  const auto count = static_cast<std::size_t>(tabletop.objects);
+  const std::vector<ObjectModel> chosen = chosen_models(options, models, count, random);
+  DropOptions drop;
+  drop.spread = random.uniform(options.min_spread, options.max_spread) *
+                std::sqrt(static_cast<double>(count));
+  Tabletop result = drop_tabletop(chosen, tabletop, drop);
+  for (PlacedObject& placed : result.objects)
+    placed.object.name = placed.object.name.substr(0, placed.object.name.find('#'));
+  return result;
+}
+
+Tabletop arranged(const DatasetOptions& options, TabletopOptions tabletop) {
+  Random random(tabletop.seed, choice_stream);
+  tabletop.stacked = random.uniform(0.0, options.max_stacked);
+  tabletop.touching = random.uniform(0.0, options.max_touching);
+  return arrange_tabletop(tabletop);
+}
+
+/// How far the table that was found is from the true one at the objects. [m]
+double table_error(const SweptScene& made) {
+  const Plane& found = *made.scene.table;
+  double worst = 0.0;
+  for (const TrueObject& object : made.truth.objects) {
+    const Eigen::Vector3d foot =
+        object.centroid -
+        made.truth.table.signed_distance(object.centroid) * made.truth.table.normal;
+    worst = std::max(worst, std::abs(found.signed_distance(foot)));
+  }
+  return worst;
+}
+
+/// What is wrong with a scene; empty for a good one.
+std::string flaw(const SweptScene& made, const DatasetOptions& options) {
+  const auto lost = static_cast<double>(made.frames - made.fused);
+  if (made.fused < 3 || lost > options.max_lost * static_cast<double>(made.frames))
+    return fmt::format("tracking lost {} of {} frames", made.frames - made.fused, made.frames);
+  if (made.trajectory.absolute > options.max_error)
+    return fmt::format("the camera's path is {:.1f} mm off", 1e3 * made.trajectory.absolute);
+  if (!made.scene.table) return "no table was found";
+  if (made.truth.objects.empty()) return "no object can be made out";
+  const double error = table_error(made);
+  if (error > options.max_table_error)
+    return fmt::format("the table is {:.1f} mm off", 1e3 * error);
+  return "";
+}
+
+SweepOptions sweep_of(const DatasetOptions& options, const TabletopOptions& tabletop) {
+  SweepOptions sweep;
+  sweep.tabletop = tabletop;
+  sweep.camera = options.camera;
+  sweep.shake = options.shake;
+  sweep.sensor = options.sensor;
+  sweep.frame_rate = options.frame_rate;
+  return sweep;
+}
+
+bool is_dropped(const DatasetOptions& options, std::span<const ObjectModel> models,
+                std::size_t index) {
+  if (!models.empty() && !has_physics())
+    throw InputError("the models", "a build with physics (MuJoCo) to drop them", "one without");
+  if (!has_physics()) return false;
+  const auto every = static_cast<std::size_t>(options.arranged_every);
+  return every == 0 || index % every != every - 1;
+}
+
+}  // namespace
+
+void DatasetOptions::validate() const {
+  require_option(scenes >= 1 && scenes <= 10000, "scenes", "1 to 10000", scenes);
+  require_option(min_objects >= 1 && min_objects <= 15, "min_objects", "1 to 15", min_objects);
+  require_option(max_objects >= min_objects && max_objects <= 15, "max_objects",
+                 "min_objects to 15", max_objects);
+  require_option(arranged_every >= 0, "arranged_every", "a number not below zero", arranged_every);
+  require_option(scanned >= 0 && scanned <= 1, "scanned", "a share in [0, 1]", scanned);
+  require_option(min_spread >= 0, "min_spread", "a number not below zero", min_spread);
+  require_option(max_spread >= min_spread && max_spread <= 0.08, "max_spread",
+                 "min_spread to 0.08 m", max_spread);
+  require_option(max_stacked >= 0 && max_stacked <= 1, "max_stacked", "a share in [0, 1]",
+                 max_stacked);
+  require_option(max_touching >= 0 && max_touching <= 1, "max_touching", "a share in [0, 1]",
+                 max_touching);
+  require_option(attempts >= 1, "attempts", "at least 1", attempts);
+  require_option(max_lost >= 0 && max_lost <= 1, "max_lost", "a share in [0, 1]", max_lost);
+  require_option(max_error > 0, "max_error", "a positive number", max_error);
+  require_option(max_table_error > 0, "max_table_error", "a positive number", max_table_error);
+  making.validate();
+  sweep_of(*this, {}).validate();
+}
+
+MadeScene make_scene(const DatasetOptions& options, Split split,
+                     std::span<const ObjectModel> models, std::size_t index) {
+  options.validate();
+  MadeScene made;
+  SceneFacts& facts = made.facts;
+  facts.index = index;
+  facts.split = split;
+  facts.dropped = is_dropped(options, models, index);
+  const int count =
+      object_count(options.seed, split, index, options.min_objects, options.max_objects);
+  facts.objects_asked = static_cast<std::size_t>(count);
+  StageTimer timer;
+  for (int attempt = 0; attempt < options.attempts && !facts.good; ++attempt) {
+    facts.seed = scene_seed(options.seed, split, index, static_cast<std::size_t>(attempt));
+    TabletopOptions tabletop;
+    tabletop.objects = count;
+    tabletop.random_frame = true;
+    tabletop.seed = facts.seed;
+    const Tabletop table = timer.time("place objects", [&] {
+      return facts.dropped ? dropped(options, models, tabletop) : arranged(options, tabletop);
+    });
+    SweptScene swept = reconstruct_sweep(table, sweep_of(options, tabletop), options.making);
+    for (const StageTime& time : swept.stages) timer.add(time.stage, time.seconds);
+    facts.objects_placed = table.objects.size();
+    facts.objects_seen = swept.truth.objects.size();
+    facts.frames = swept.frames;
+    facts.fused = swept.fused;
+    facts.path_error = swept.trajectory.absolute;
+    const std::string reason = flaw(swept, options);
+    facts.good = reason.empty();
+    if (!facts.good) facts.failed.push_back({facts.seed, reason});
+    made.scene = std::move(swept.scene);
+    made.truth = std::move(swept.truth);
+  }
+  made.stages = timer.stages();
+  return made;
+}
+
+std::vector<ObjectModel> droppable(std::vector<ObjectModel> models) {
+  std::erase_if(models, [](const ObjectModel& model) { return !is_droppable(model); });
+  return models;
+}
+
+}  // namespace symscene

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include "symscene/core/point_cloud.hpp"
+
+namespace symscene {
+
+/// The label of a point that is in no segment.
+inline constexpr Index no_segment = ~Index{0};
+
+/// The points of each label, largest first, ties by the lowest point; labels of fewer than
+/// `min_size` points are left out.
+std::vector<PointIndices> segments_of_labels(std::span<const Index> labels, int min_size);
+
+/// low, low + step, … up to high.
+std::vector<double> parameter_grid(double low, double high, double step);
+
+/// Throws InputError unless every point has a finite position and a finite normal.
+void require_oriented(const PointCloud& cloud);
+
+}  // namespace symscene
