@@ -17,13 +17,6 @@ bool is_scene(const fs::path& folder) {
   return has_cloud && !fs::exists(folder / "objects.json");
 }
 
-KnownScene read_known_scene(const fs::path& folder) {
-  KnownScene known;
-  known.scene = read_scene(folder);
-  known.truth = read_truth(folder / "truth.json", known.scene.cloud.size());
-  return known;
-}
-
 /// "a/0001" of "data/a/0001/scene".
 std::string entry_name(const fs::path& scene, const fs::path& dataset) {
   if (scene == dataset) return folder_name(dataset);
@@ -34,7 +27,7 @@ std::string entry_name(const fs::path& scene, const fs::path& dataset) {
 
 }  // namespace
 
-std::vector<DatasetEntry> read_dataset(const fs::path& folder) {
+DatasetListing read_dataset(const fs::path& folder) {
   const char* expected = "a folder of scene folders, each with truth.json";
   if (!fs::is_directory(folder)) {
     throw InputError(folder.string(), expected,
@@ -47,14 +40,22 @@ std::vector<DatasetEntry> read_dataset(const fs::path& folder) {
   }
   if (scenes.empty()) throw InputError(folder.string(), expected, "no scene");
   std::sort(scenes.begin(), scenes.end());
-  std::vector<DatasetEntry> entries;
+  DatasetListing listing;
   for (const fs::path& scene : scenes) {
-    if (!fs::exists(scene / "truth.json")) {
+    if (!fs::exists(scene / "truth.json"))
       throw InputError(scene.string(), "truth.json beside the cloud", "a scene without truth");
-    }
-    entries.push_back({entry_name(scene, folder), "", [scene] { return read_known_scene(scene); }});
+    listing.entries.push_back({entry_name(scene, folder), "", scene});
   }
-  return entries;
+  return listing;
+}
+
+LoadedEntry load_entry(const DatasetEntry& entry) {
+  LoadedEntry loaded;
+  loaded.scene = read_scene(entry.folder);
+  loaded.truth = read_truth(entry.folder / "truth.json", loaded.scene.cloud.size());
+  loaded.subset = entry.subset;
+  loaded.objects = loaded.truth.objects.size();
+  return loaded;
 }
 
 }  // namespace symscene::app

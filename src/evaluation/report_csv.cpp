@@ -86,14 +86,14 @@ std::string objects_csv(const Evaluation& evaluation) {
 
 std::string scenes_csv(const Evaluation& evaluation) {
   const std::vector<std::string> stages = stage_names(evaluation);
-  std::string csv = "scene,subset,objects,found,returned,mean_iou,seconds";
+  std::string csv = "scene,subset,objects,unseen,found,returned,mean_iou,seconds";
   for (const std::string& stage : stages) csv += "," + field(stage);
   csv += "\n";
   for (const SceneEvaluation& scene : evaluation.scenes) {
     LossCounts counts;
     for (const ObjectOutcome& outcome : scene.objects) counts.add(outcome);
-    csv += fmt::format("{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
-                       counts.objects, counts.count(Fate::found), scene.returned,
+    csv += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
+                       counts.objects, scene.unseen, counts.count(Fate::found), scene.returned,
                        counts.mean_overlap(), total_seconds(scene.timings));
     for (const std::string& stage : stages) csv += fmt::format(",{:.6f}", seconds_of(scene, stage));
     csv += "\n";

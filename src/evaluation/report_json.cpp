@@ -107,7 +107,10 @@ Json to_json(const SceneEvaluation& scene) {
   Json times = Json::object();
   for (const StageTime& time : scene.timings)
     times[time.stage] = times.value(time.stage, 0.0) + time.seconds;
-  Json json = {{"name", scene.name}, {"subset", scene.subset}, {"returned", scene.returned}};
+  Json json = {{"name", scene.name},
+               {"subset", scene.subset},
+               {"unseen", scene.unseen},
+               {"returned", scene.returned}};
   json["objects"] = Json::array();
   for (const ObjectOutcome& outcome : scene.objects) {
     json["objects"].push_back({{"kind", outcome.kind},

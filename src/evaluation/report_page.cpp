@@ -147,10 +147,9 @@ std::string head(const ReportInfo& info) {
 }
 
 std::string opening(const Evaluation& evaluation, const ReportInfo& info) {
-  return fmt::format("<h1>Evaluation on {}</h1>\n<p>{} scenes, {} objects. {}, symscene {}.</p>\n",
-                     escape_markup(info.dataset), evaluation.scenes.size(),
-                     evaluation.losses.objects, escape_markup(info.date),
-                     escape_markup(info.version));
+  return fmt::format("<h1>Evaluation on {}</h1>\n<p>{}. {}, symscene {}.</p>\n",
+                     escape_markup(info.dataset), what_was_evaluated(evaluation),
+                     escape_markup(info.date), escape_markup(info.version));
 }
 
 }  // namespace

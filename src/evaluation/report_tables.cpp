@@ -55,6 +55,15 @@ double f_of(const SceneEvaluation& scene) {
 
 }  // namespace
 
+std::string what_was_evaluated(const Evaluation& evaluation) {
+  std::size_t unseen = 0;
+  for (const SceneEvaluation& scene : evaluation.scenes) unseen += scene.unseen;
+  std::string text =
+      fmt::format("{} scenes, {} objects", evaluation.scenes.size(), evaluation.losses.objects);
+  if (unseen > 0) text += fmt::format(" and {} of which too little is seen to count", unseen);
+  return text;
+}
+
 std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
   std::vector<HeadlineRow> rows;
   for (const Sweep& sweep : sweeps) {

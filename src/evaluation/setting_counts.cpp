@@ -39,4 +39,9 @@ SettingCounts CountingContext::count(const std::vector<SceneObject>& objects) co
   return count(found, all_axes(objects), all_planes(objects));
 }
 
+SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
+                           const SegmentationResult& result, const EvaluationOptions& options) {
+  return CountingContext(scene, truth, result.cloud, options).count(result.objects);
+}
+
 }  // namespace symscene

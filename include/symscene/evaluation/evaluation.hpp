@@ -22,6 +22,7 @@ struct LossCounts {
     return objects == 0 ? 1.0 : overlap_sum / static_cast<double>(objects);
   }
   void add(const ObjectOutcome& outcome);
+  LossCounts& operator+=(const LossCounts& other);
 };
 
 /// Scenes with as many objects as one another, roughly: a column of table 4.3.

@@ -21,6 +21,9 @@ struct HeadlineRow {
   std::size_t returned = 0;                                  ///< masks
 };
 
+/// "24 scenes, 130 objects", with those of which too little is seen to count.
+std::string what_was_evaluated(const Evaluation& evaluation);
+
 /// Two lines a method, at the given options (where it has any) and at its best. The best line has
 /// the greatest F of each measure over all settings, and all else at the setting that is best for
 /// masks at an overlap of 0.9.
