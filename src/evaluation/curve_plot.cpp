@@ -47,7 +47,7 @@ std::string grid() {
 
 /// The points of equal F: p = F r / (2 r − F).
 std::string equal_f(double f) {
-  constexpr int steps = 24;
+  constexpr int steps = 80;
   std::string path;
   const double first = f / (2.0 - f);  // where precision is 1
   for (int k = 0; k <= steps; ++k) {

@@ -175,8 +175,8 @@ std::string report_json(const Evaluation& evaluation, const ReportInfo& info) {
 
 std::string report_difference(const std::string& report, const std::string& earlier,
                               const std::string& name) {
-  const auto now = headline_numbers(report, "report");
   const auto then = headline_numbers(earlier, name);
+  const auto now = headline_numbers(report, "report");
   TextTable table{{"method", "measure", "then", "now", "difference"}};
   for (const auto& [method, numbers] : now) {
     if (!then.contains(method)) continue;

@@ -171,7 +171,8 @@ std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
   html += section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.");
   html += table_html(kind_table(evaluation), "l1");
   html += section("Runtime", "Means over scenes, by their number of objects; without completion.");
-  html += table_html(runtime_table(evaluation), "l1");
+  html += table_html(runtime_table(evaluation), "l1") + "<br/>\n";
+  html += table_html(method_time_table(evaluation), "l1");
   html += subsets(evaluation) + scenes(evaluation);
   return html + "</body>\n</html>\n";
 }

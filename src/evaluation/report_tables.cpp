@@ -150,6 +150,16 @@ TextTable runtime_table(const Evaluation& evaluation) {
   return table;
 }
 
+TextTable method_time_table(const Evaluation& evaluation) {
+  TextTable table{{"method", "seconds a scene"}};
+  for (const Sweep& sweep : evaluation.segmentation) {
+    if (sweep.seconds > 0.0)
+      table.push_back(
+          {sweep.method, seconds(sweep.seconds / static_cast<double>(evaluation.scenes.size()))});
+  }
+  return table;
+}
+
 TextTable worst_scene_table(const Evaluation& evaluation, std::size_t most) {
   std::vector<const SceneEvaluation*> scenes;
   for (const SceneEvaluation& scene : evaluation.scenes) scenes.push_back(&scene);
@@ -179,7 +189,7 @@ std::string loss_text(const Evaluation& evaluation) {
 }
 
 std::string runtime_text(const Evaluation& evaluation) {
-  return aligned(runtime_table(evaluation), 1);
+  return aligned(runtime_table(evaluation), 1) + "\n" + aligned(method_time_table(evaluation), 1);
 }
 
 }  // namespace symscene

@@ -12,6 +12,7 @@ TextTable loss_table(const Evaluation& evaluation);
 TextTable reason_table(const Evaluation& evaluation);
 TextTable kind_table(const Evaluation& evaluation);
 TextTable runtime_table(const Evaluation& evaluation);
+TextTable method_time_table(const Evaluation& evaluation);
 TextTable worst_scene_table(const Evaluation& evaluation, std::size_t most);
 
 }  // namespace symscene

@@ -52,7 +52,8 @@ struct Sweep {
   std::vector<SettingCounts> counts;          ///< one a setting
   std::optional<SettingCounts> at_default;    ///< with the options as they are given
   std::vector<Measure> measures;              ///< that mean something for the method
-  double seconds = 0.0;  ///< wall time of one run of the method, summed over scenes
+  double seconds =
+      0.0;  ///< wall time of one setting, summed over scenes; none where it costs nothing more
 
   bool measures_contain(Measure measure) const;
   /// Adds another scene's. Throws InputError if that was swept over other settings.
