@@ -6,17 +6,12 @@
 #include <cstdio>
 
 #include "symscene/core/parallel.hpp"
-#include "symscene/evaluation/trajectory_measures.hpp"
-#include "symscene/io/mesh.hpp"
+#include "symscene/dataset/scanned_models.hpp"
+#include "symscene/dataset/swept_scene.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
-#include "symscene/io/truth.hpp"
 #include "symscene/pipeline/pipeline.hpp"
-#include "symscene/pipeline/scene_building.hpp"
-#include "symscene/reconstruction/reconstruction.hpp"
-#include "symscene/simulation/sweep.hpp"
 #include "symscene/simulation/true_surface.hpp"
-#include "symscene/simulation/truth_transfer.hpp"
 #include "tables.hpp"
 
 namespace symscene::bench {
@@ -34,24 +29,6 @@ struct Arguments {
   std::filesystem::path save;
 };
 
-std::vector<ObjectModel> read_models(const Arguments& arguments) {
-  std::vector<ObjectModel> models;
-  if (arguments.meshes.empty()) return models;
-  std::vector<TrueObject> known;
-  if (!arguments.symmetries.empty()) known = read_model_symmetries(arguments.symmetries);
-  for (NamedMesh& file : read_mesh_folder(arguments.meshes)) {
-    ObjectModel model{file.name, std::move(file.mesh), {}, {}, false};
-    for (const TrueObject& object : known) {
-      if (object.name != file.name) continue;
-      model.rotational = object.rotational;
-      model.reflectional = object.reflectional;
-      model.sphere = object.sphere;
-    }
-    models.push_back(std::move(model));
-  }
-  return models;
-}
-
 SweepOptions sweep_options(const Arguments& arguments, int i) {
   SweepOptions options;
   options.tabletop.seed = arguments.seed + static_cast<std::uint64_t>(i);
@@ -62,48 +39,25 @@ SweepOptions sweep_options(const Arguments& arguments, int i) {
   return options;
 }
 
-/// What was made of a sweep, and how far it is from the truth.
-struct Sweep {
-  Scene scene;
-  SceneTruth truth;
-  TrajectoryError trajectory;
-  SurfaceErrors surface;
-  std::size_t fused = 0;
-  double seconds = 0.0;  ///< of reconstruction, rendering left out
-};
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Sweep reconstruct(const Tabletop& tabletop, const SweepOptions& options) {
-  Sweep sweep;
-  Reconstruction reconstruction(options.camera.intrinsics());
-  Trajectory tracked;
-  std::vector<Eigen::Isometry3d> estimated, truth;
-  capture_sweep(tabletop, options, [&](const DepthFrame& frame, const Eigen::Isometry3d& pose) {
-    const auto start = std::chrono::steady_clock::now();
-    const FrameReport report = reconstruction.add(frame);
-    sweep.seconds += seconds_since(start);
-    if (!report.fused) return;
-    ++sweep.fused;
-    tracked.push_back({frame.time, report.tracking.T_world_camera});
-    estimated.push_back(report.tracking.T_world_camera);
-    truth.push_back(pose);
-  });
-  const auto start = std::chrono::steady_clock::now();
-  const TriangleMesh surface = reconstruction.surface();
-  sweep.scene = build_scene(surface, reconstruction.occupancy(), {}, upward(tracked)).scene;
-  sweep.seconds += seconds_since(start);
-  sweep.trajectory = trajectory_error(estimated, truth);
-  const Eigen::Isometry3d T_cloud_truth = align_poses(estimated, truth);
-  const SceneTruth known = tabletop_truth(tabletop);
+/// How far all that was reconstructed is from the true surfaces.
+SurfaceErrors errors_of(const SweptScene& sweep, const Tabletop& tabletop) {
+  const SceneTruth moved = transformed(tabletop_truth(tabletop), sweep.T_scene_world);
   std::vector<TriangleMesh> meshes;
   for (const PlacedObject& placed : tabletop.objects) meshes.push_back(placed.object.mesh);
-  sweep.truth = transfer_truth(known, meshes, sweep.scene.cloud, T_cloud_truth);
-  const SceneTruth moved = transformed(known, T_cloud_truth);
-  sweep.surface = surface_errors(surface.vertices, placed_meshes(moved, meshes), moved.table);
-  return sweep;
+  return surface_errors(sweep.surface.vertices, placed_meshes(moved, meshes), moved.table);
+}
+
+/// Of making the scene, rendering and carrying the truth over left out. [s]
+double seconds_of(const SweptScene& sweep) {
+  double seconds = 0.0;
+  for (const StageTime& time : sweep.stages) {
+    if (time.stage != "render" && time.stage != "truth") seconds += time.seconds;
+  }
+  return seconds;
 }
 
 void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& models, int i,
@@ -111,7 +65,8 @@ void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& model
   const SweepOptions options = sweep_options(arguments, i);
   const Tabletop tabletop = models.empty() ? arrange_tabletop(options.tabletop)
                                            : drop_tabletop(models, options.tabletop, options.drop);
-  const Sweep sweep = reconstruct(tabletop, options);
+  const SweptScene sweep = reconstruct_sweep(tabletop, options);
+  const SurfaceErrors surface = errors_of(sweep, tabletop);
   const auto start = std::chrono::steady_clock::now();
   const SegmentationResult result = segment_scene(sweep.scene, PipelineOptions{});
   SceneScore score = evaluate(sweep.scene, sweep.truth, result);
@@ -122,9 +77,9 @@ void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& model
   fmt::print(
       "    {} of {} frames, {:.1f} a second; path {:.2f} m: absolute error {:.2f} mm, drift {:.2f} "
       "mm; surface: median {:.2f} mm, 95 % {:.2f} mm\n",
-      sweep.fused, options.camera.frames, options.camera.frames / sweep.seconds,
+      sweep.fused, options.camera.frames, options.camera.frames / seconds_of(sweep),
       sweep.trajectory.length, 1e3 * sweep.trajectory.absolute, 1e3 * sweep.trajectory.drift,
-      1e3 * sweep.surface.median, 1e3 * sweep.surface.percentile_95);
+      1e3 * surface.median, 1e3 * surface.percentile_95);
   std::fflush(stdout);
   if (arguments.save.empty()) return;
   const std::filesystem::path folder =
@@ -135,7 +90,9 @@ void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& model
 
 void run(const Arguments& arguments) {
   const ThreadLimit limit(arguments.threads);
-  const std::vector<ObjectModel> models = read_models(arguments);
+  const std::vector<ObjectModel> models = arguments.meshes.empty()
+                                              ? std::vector<ObjectModel>{}
+                                              : read_models(arguments.meshes, arguments.symmetries);
   fmt::print("{}", scene_header());
   SceneScore total;
   for (int i = 0; i < arguments.sweeps; ++i) run_sweep(arguments, models, i, total);

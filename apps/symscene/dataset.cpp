@@ -96,6 +96,56 @@ std::string first_difference(const Json& wanted, const Json& found) {
   return "";
 }
 
+/// What has come of the scenes so far.
+struct Tally {
+  Tally(std::size_t total_scenes, std::size_t wanted_scenes)
+      : total(total_scenes), wanted(wanted_scenes) {}
+
+  std::size_t total;   ///< of the dataset
+  std::size_t wanted;  ///< to be made now
+  std::size_t finished = 0;
+  std::size_t objects = 0;
+  std::vector<std::string> failed;
+  std::vector<StageTime> stages;  ///< summed over scenes
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+
+  void add(const ItemOutcome& outcome, Session& session) {
+    ++finished;
+    const std::string name = fmt::format("{:04}", outcome.item);
+    const auto warn = [&](const std::string& text) {
+      session.warn(fmt::format("scene {}: {}", name, text));
+    };
+    if (!outcome.done) {
+      failed.push_back(name);
+      warn(outcome.text);
+      return;
+    }
+    const Json report = Json::parse(outcome.text);
+    objects += report.at("objects").get<std::size_t>();
+    for (const Json& warning : report.at("warnings")) warn(warning.get<std::string>());
+    for (const Json& time : report.at("stages"))
+      add_time(time.at(0).get<std::string>(), time.at(1).get<double>());
+  }
+
+  /// "scene 12 of 89, 8 min left"
+  std::string progress() const {
+    const std::string scene =
+        fmt::format("scene {} of {}", std::min(total, total - wanted + finished + 1), total);
+    if (finished == 0) return scene;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const double share = static_cast<double>(wanted - finished) / static_cast<double>(finished);
+    return fmt::format("{}, {} left", scene, duration(share * elapsed.count()));
+  }
+
+ private:
+  void add_time(const std::string& stage, double seconds) {
+    auto own = std::find_if(stages.begin(), stages.end(),
+                            [&](const StageTime& time) { return time.stage == stage; });
+    if (own == stages.end()) own = stages.insert(stages.end(), {stage, 0.0});
+    own->seconds += seconds;
+  }
+};
+
 struct Dataset {
   SharedOptions shared;
   DatasetOptions options;
@@ -188,59 +238,25 @@ struct Dataset {
     make_missing(wanted, pool);
   }
 
-  void make_missing(const std::vector<std::size_t>& wanted, ProcessPool& pool) {
+  void make_missing(const std::vector<std::size_t>& wanted, ProcessPool& pool) const {
     Session session("dataset", shared);
     const auto total = static_cast<std::size_t>(options.scenes);
     const std::size_t before = total - wanted.size();
     if (!has_physics()) session.say("without physics all objects are arranged, none is dropped");
     if (before > 0) session.say(fmt::format("{} of {} scenes are there already", before, total));
-    std::vector<StageTime> stages;
-    std::vector<std::string> failed;
-    std::size_t finished = 0;
-    std::size_t objects = 0;
-    const auto start = std::chrono::steady_clock::now();
-    const auto show = [&] {
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-      const auto left = static_cast<double>(wanted.size() - finished);
-      session.on_begin()(fmt::format(
-          "scene {} of {}{}", std::min(total, before + finished + 1), total,
-          finished == 0
-              ? ""
-              : fmt::format(", {} left",
-                            duration(elapsed.count() / static_cast<double>(finished) * left))));
-    };
-    show();
+    Tally tally(total, wanted.size());
+    session.on_begin()(tally.progress());
     pool.run(wanted, [&](const ItemOutcome& outcome) {
-      ++finished;
-      if (!outcome.done) {
-        failed.push_back(fmt::format("{:04}", outcome.item));
-        session.warn(fmt::format("scene {:04}: {}", outcome.item, outcome.text));
-      } else {
-        const Json report = Json::parse(outcome.text);
-        objects += report.at("objects").get<std::size_t>();
-        for (const Json& warning : report.at("warnings"))
-          session.warn(fmt::format("scene {:04}: {}", outcome.item, warning.get<std::string>()));
-        add_times(report.at("stages"), stages);
-      }
-      show();
+      tally.add(outcome, session);
+      session.on_begin()(tally.progress());
     });
-    if (!failed.empty())
+    if (!tally.failed.empty())
       throw InputError(dir.string(), fmt::format("{} scenes", total),
-                       fmt::format("{}, as {} could not be made", total - failed.size(),
-                                   fmt::join(failed, ", ")));
+                       fmt::format("{}, as {} could not be made", total - tally.failed.size(),
+                                   fmt::join(tally.failed, ", ")));
     session.say(fmt::format("{}: {} scenes, {} made now with {} objects", dir.string(), total,
-                            wanted.size(), objects));
-    session.finish({{"output", dir}, {"scenes", total}, {"made", wanted.size()}}, stages);
-  }
-
-  static void add_times(const Json& report, std::vector<StageTime>& stages) {
-    for (const Json& entry : report) {
-      const std::string stage = entry.at(0).get<std::string>();
-      auto own = std::find_if(stages.begin(), stages.end(),
-                              [&](const StageTime& time) { return time.stage == stage; });
-      if (own == stages.end()) own = stages.insert(stages.end(), {stage, 0.0});
-      own->seconds += entry.at(1).get<double>();
-    }
+                            wanted.size(), tally.objects));
+    session.finish({{"output", dir}, {"scenes", total}, {"made", wanted.size()}}, tally.stages);
   }
 };
 

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "evaluation_dataset.hpp"
 #include "evaluation_peers.hpp"
 #include "session.hpp"
+#include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/report.hpp"
 #include "symscene/io/atomic_file.hpp"
 

@@ -49,6 +49,7 @@ Facts sequence_facts(const DepthSequence& sequence, std::size_t samples);
 
 Facts scene_facts(const std::filesystem::path& dir);
 Facts result_facts(const std::filesystem::path& dir);
+Facts dataset_facts(const std::filesystem::path& path);
 
 /// The facts of a file with a cloud, a mesh or an occupancy tree.
 bool is_model_file(const std::filesystem::path& path);

@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "facts.hpp"
+#include "symscene/dataset/dataset_folder.hpp"
 
 namespace symscene::app {
 namespace {
@@ -12,7 +13,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t sampled_frames = 20;
 
 constexpr const char* anything =
-    "a sequence, a scene or a result folder, or a file with a cloud, a mesh or an occupancy tree";
+    "a sequence, a scene, a result or a dataset folder, or a file with a cloud, a mesh or an "
+    "occupancy tree";
 
 struct Info {
   SharedOptions shared;
@@ -24,6 +26,7 @@ struct Info {
     if (fs::exists(path / "objects.json")) return result_facts(path);
     if (fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd")) return scene_facts(path);
     if (is_model_file(path)) return model_facts(path);
+    if (is_dataset(path)) return dataset_facts(path);
     if (is_sequence(path)) {
       const auto sequence = open_sequence(path, options);
       return sequence_facts(*sequence, all ? sequence->size() : sampled_frames);
@@ -47,7 +50,7 @@ struct Info {
 
 void add_info(CLI::App& app) {
   const auto state = std::make_shared<Info>();
-  Arguments arguments(app, "info", "Tell what is in a sequence, a scene, a result or a model",
+  Arguments arguments(app, "info", "Tell what is in a sequence, scene, result, dataset or model",
                       "symscene info sequence --intrinsics 525,525,319.5,239.5");
   arguments.input(state->path, "PATH", "folder or file");
   arguments.sequence_options(state->options);

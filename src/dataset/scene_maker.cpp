@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -26,7 +26,10 @@ std::vector<ObjectModel> drawn(std::span<const ObjectModel> models, std::size_t 
   std::vector<ObjectModel> chosen;
   std::vector<std::size_t> left;
   while (chosen.size() < count) {
-    for (std::size_t i = 0; left.empty() && i < models.size(); ++i) left.push_back(i);
+    if (left.empty()) {
+      left.resize(models.size());
+      std::iota(left.begin(), left.end(), std::size_t{0});
+    }
     const std::size_t k = random.below(static_cast<std::uint32_t>(left.size()));
     chosen.push_back(models[left[k]]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
@@ -104,9 +107,9 @@ std::string flaw(const SweptScene& made, const DatasetOptions& options) {
   return "";
 }
 
-SweepOptions sweep_of(const DatasetOptions& options, const TabletopOptions& tabletop) {
+SweepOptions sweep_of(const DatasetOptions& options, std::uint64_t seed) {
   SweepOptions sweep;
-  sweep.tabletop = tabletop;
+  sweep.tabletop.seed = seed;
   sweep.camera = options.camera;
   sweep.shake = options.shake;
   sweep.sensor = options.sensor;
@@ -121,6 +124,29 @@ bool is_dropped(const DatasetOptions& options, std::span<const ObjectModel> mode
   if (!has_physics()) return false;
   const auto every = static_cast<std::size_t>(options.arranged_every);
   return every == 0 || index % every != every - 1;
+}
+
+/// Makes the scene of the seed in its facts.
+void try_seed(const DatasetOptions& options, std::span<const ObjectModel> models, MadeScene& made) {
+  SceneFacts& facts = made.facts;
+  StageTimer timer;
+  const Tabletop table = timer.time("place objects", [&] {
+    return place_objects(options, models, static_cast<int>(facts.objects_asked), facts.seed,
+                         facts.dropped);
+  });
+  SweptScene swept = reconstruct_sweep(table, sweep_of(options, facts.seed), options.making);
+  facts.objects_placed = table.objects.size();
+  facts.objects_seen = swept.truth.objects.size();
+  facts.frames = swept.frames;
+  facts.fused = swept.fused;
+  facts.path_error = swept.trajectory.absolute;
+  const std::string reason = flaw(swept, options);
+  facts.good = reason.empty();
+  if (!facts.good) facts.failed.push_back({facts.seed, reason});
+  made.scene = std::move(swept.scene);
+  made.truth = std::move(swept.truth);
+  for (const std::vector<StageTime>& times : {timer.stages(), swept.stages})
+    made.stages.insert(made.stages.end(), times.begin(), times.end());
 }
 
 }  // namespace
@@ -144,44 +170,32 @@ void DatasetOptions::validate() const {
   require_option(max_error > 0, "max_error", "a positive number", max_error);
   require_option(max_table_error > 0, "max_table_error", "a positive number", max_table_error);
   making.validate();
-  sweep_of(*this, {}).validate();
+  sweep_of(*this, seed).validate();
+}
+
+Tabletop place_objects(const DatasetOptions& options, std::span<const ObjectModel> models,
+                       int objects, std::uint64_t seed, bool drop) {
+  TabletopOptions tabletop;
+  tabletop.objects = objects;
+  tabletop.random_frame = true;
+  tabletop.seed = seed;
+  return drop ? dropped(options, models, tabletop) : arranged(options, tabletop);
 }
 
 MadeScene make_scene(const DatasetOptions& options, Split split,
                      std::span<const ObjectModel> models, std::size_t index) {
   options.validate();
   MadeScene made;
-  SceneFacts& facts = made.facts;
-  facts.index = index;
-  facts.split = split;
-  facts.dropped = is_dropped(options, models, index);
-  const int count =
-      object_count(options.seed, split, index, options.min_objects, options.max_objects);
-  facts.objects_asked = static_cast<std::size_t>(count);
-  StageTimer timer;
-  for (int attempt = 0; attempt < options.attempts && !facts.good; ++attempt) {
-    facts.seed = scene_seed(options.seed, split, index, static_cast<std::size_t>(attempt));
-    TabletopOptions tabletop;
-    tabletop.objects = count;
-    tabletop.random_frame = true;
-    tabletop.seed = facts.seed;
-    const Tabletop table = timer.time("place objects", [&] {
-      return facts.dropped ? dropped(options, models, tabletop) : arranged(options, tabletop);
-    });
-    SweptScene swept = reconstruct_sweep(table, sweep_of(options, tabletop), options.making);
-    for (const StageTime& time : swept.stages) timer.add(time.stage, time.seconds);
-    facts.objects_placed = table.objects.size();
-    facts.objects_seen = swept.truth.objects.size();
-    facts.frames = swept.frames;
-    facts.fused = swept.fused;
-    facts.path_error = swept.trajectory.absolute;
-    const std::string reason = flaw(swept, options);
-    facts.good = reason.empty();
-    if (!facts.good) facts.failed.push_back({facts.seed, reason});
-    made.scene = std::move(swept.scene);
-    made.truth = std::move(swept.truth);
+  made.facts.index = index;
+  made.facts.split = split;
+  made.facts.dropped = is_dropped(options, models, index);
+  made.facts.objects_asked = static_cast<std::size_t>(
+      object_count(options.seed, split, index, options.min_objects, options.max_objects));
+  for (std::size_t attempt = 0;
+       attempt < static_cast<std::size_t>(options.attempts) && !made.facts.good; ++attempt) {
+    made.facts.seed = scene_seed(options.seed, split, index, attempt);
+    try_seed(options, models, made);
   }
-  made.stages = timer.stages();
   return made;
 }
 

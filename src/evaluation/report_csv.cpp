@@ -18,6 +18,7 @@ std::string field(const std::string& text) {
 void add_lines(const std::string& subset, const Sweep& sweep, const std::string& setting,
                const SettingCounts& counts, std::string& csv) {
   for (const Measure measure : sweep.measures) {
+    if (!sweep.has(measure)) continue;
     const Score& score = counts.score(measure);
     csv +=
         fmt::format("{},{},{},{},{},{},{},{:.6f},{:.6f},{:.6f}\n", field(sweep.method),

@@ -20,11 +20,12 @@ Json to_json(const SegmentMeasures& measures) {
           {"f_75", measures.found_75}};
 }
 
-bool has_masks(const Sweep& sweep) { return sweep.measures_contain(Measure::masks_90); }
+bool has_masks(const Sweep& sweep) { return sweep.has(Measure::masks_90); }
 
 Json to_json(const Sweep& sweep, const SettingCounts& counts) {
   Json json = Json::object();
   for (const Measure measure : sweep.measures) {
+    if (!sweep.has(measure)) continue;
     const Score& score = counts.score(measure);
     json[measure_name(measure)] = {{"correct", score.correct},
                                    {"found", score.found},
@@ -43,6 +44,7 @@ Json to_json(const Sweep& sweep) {
   if (sweep.at_default) json["default"] = to_json(sweep, *sweep.at_default);
   Json best = Json::object();
   for (const Measure measure : sweep.measures) {
+    if (!sweep.has(measure)) continue;
     if (const auto k = best_setting(sweep, measure)) {
       best[measure_name(measure)] = {{"setting", sweep.settings[*k]},
                                      {"f", sweep.counts[*k].score(measure).f_measure()}};

@@ -79,7 +79,7 @@ std::string figure(const std::string& caption, const std::vector<const Sweep*>& 
   std::vector<const Sweep*> shown;
   std::vector<std::size_t> colors;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    if (!candidates[k]->measures_contain(measure)) continue;
+    if (!candidates[k]->has(measure)) continue;
     shown.push_back(candidates[k]);
     colors.push_back(k % color_count);
   }

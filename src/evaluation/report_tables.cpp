@@ -20,8 +20,10 @@ HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string 
                   counts.mean_overlap(),
                   counts.segments.mean(counts.scenes),
                   counts.score(Measure::masks_90).found};
-  for (const Measure measure : sweep.measures)
-    row.f[static_cast<std::size_t>(measure)] = counts.score(measure).f_measure();
+  for (const Measure measure : sweep.measures) {
+    if (sweep.has(measure))
+      row.f[static_cast<std::size_t>(measure)] = counts.score(measure).f_measure();
+  }
   return row;
 }
 
@@ -73,6 +75,7 @@ std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
     rows.push_back(
         row_at(sweep, sweep.counts[*best], fmt::format("best of {}", sweep.settings.size())));
     for (const Measure measure : sweep.measures) {
+      if (!sweep.has(measure)) continue;
       const std::size_t its_best = best_setting(sweep, measure).value_or(0);
       rows.back().f[static_cast<std::size_t>(measure)] =
           sweep.counts[its_best].score(measure).f_measure();

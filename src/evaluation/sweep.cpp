@@ -29,8 +29,12 @@ SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
   return *this;
 }
 
-bool Sweep::measures_contain(Measure measure) const {
-  return std::find(measures.begin(), measures.end(), measure) != measures.end();
+bool Sweep::has(Measure measure) const {
+  if (std::find(measures.begin(), measures.end(), measure) == measures.end()) return false;
+  const auto says = [&](const SettingCounts& setting) {
+    return setting.score(measure).found + setting.score(measure).truth > 0;
+  };
+  return std::any_of(counts.begin(), counts.end(), says) || (at_default && says(*at_default));
 }
 
 Sweep& Sweep::operator+=(const Sweep& other) {

@@ -76,7 +76,8 @@ std::unique_ptr<Workspace> Command::workspace_;
 
 TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
   EXPECT_NE(run("--help").out.find("segment"), std::string::npos);
-  for (const char* command : {"simulate", "stitch", "segment", "symmetry", "view", "info"}) {
+  for (const char* command :
+       {"simulate", "dataset", "stitch", "segment", "symmetry", "view", "info"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_EQ(help.err, "") << command;

@@ -48,8 +48,9 @@ class EvaluateCommand : public ::testing::Test {
   /// The first scene with another truth.
   static void spoil(const nlohmann::json& truth) {
     fs::remove_all(file("spoilt"));
-    fs::copy(file("data/first"), file("spoilt"));
-    write(file("spoilt/truth.json"), truth.dump());
+    fs::create_directories(file("spoilt"));
+    fs::copy(file("data/first"), file("spoilt/one"));
+    write(file("spoilt/one/truth.json"), truth.dump());
   }
 
  private:
@@ -65,7 +66,7 @@ TEST_F(EvaluateCommand, WritesTheReportAndPrintsItsHeadlineAndItsLosses) {
     EXPECT_GT(fs::file_size(file("report") / name), 50U) << name;
   const auto json = nlohmann::json::parse(contents(file("report/report.json")));
   EXPECT_EQ(json.at("scenes").at(0).at("name"), "first");
-  EXPECT_EQ(json.at("scenes").at(1).at("name"), "second");
+  EXPECT_EQ(json.at("scenes").at(1).at("name"), "second/scene");
   for (const char* text : {"masks .9", "Rot + Refl", "Refl only", "not proposed", "total"})
     EXPECT_NE(report().find(text), std::string::npos) << text;
   const auto line = nlohmann::json::parse(report().substr(report().rfind("{\"command\"")));
@@ -82,7 +83,7 @@ TEST_F(EvaluateCommand, FindsTheSameWithOneThread) {
 TEST_F(EvaluateCommand, ComparesWithAnEarlierReport) {
   write(file("tight.json"), R"({"reflectional_segmentation": {"bounds": {"min_size": 100000}}})");
   const Outcome outcome =
-      run("evaluate data/first -o tight --fast --peers none --config tight.json --compare "
+      run("evaluate data -o tight --fast --peers none --config tight.json --compare "
           "report/report.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("difference"), std::string::npos);
@@ -92,7 +93,7 @@ TEST_F(EvaluateCommand, ComparesWithAnEarlierReport) {
 
 TEST_F(EvaluateCommand, RefusesWhatIsNoDatasetInOneSentence) {
   fs::create_directories(file("empty"));
-  expect_refusal("evaluate empty -o new", "empty: expected");
+  expect_refusal("evaluate empty -o new", "empty");
   expect_refusal("evaluate nowhere -o new", "nowhere");
   expect_refusal("evaluate small.json -o new", "small.json");
   expect_refusal("evaluate data -o data/report", "outside the input");
@@ -101,22 +102,22 @@ TEST_F(EvaluateCommand, RefusesWhatIsNoDatasetInOneSentence) {
 
 TEST_F(EvaluateCommand, RefusesTruthThatIsMissingOrContradictsItself) {
   spoil({});
-  fs::remove(file("spoilt/truth.json"));
+  fs::remove(file("spoilt/one/truth.json"));
   expect_refusal("evaluate spoilt -o new", "spoilt");
   nlohmann::json truth = truth_of_first();
   truth.at("objects").at(0).at("points").push_back(10'000'000);
   spoil(truth);
-  expect_refusal("evaluate spoilt -o new", "spoilt/truth.json");
+  expect_refusal("evaluate spoilt -o new", "spoilt/one/truth.json");
   truth = truth_of_first();
   truth.at("objects").push_back(truth.at("objects").at(0));
   spoil(truth);
-  expect_refusal("evaluate spoilt -o new", "too");
+  expect_refusal("evaluate spoilt -o new", "share no point");
 }
 
 TEST_F(EvaluateCommand, NeverWritesOverOtherPeoplesFiles) {
   fs::create_directories(file("mine"));
   write(file("mine/thesis.txt"), "years of work");
-  EXPECT_EQ(run("evaluate data/first -o mine --fast --peers none").code, 1);
+  EXPECT_EQ(run("evaluate data -o mine --fast --peers none").code, 1);
   EXPECT_EQ(contents(file("mine/thesis.txt")), "years of work");
 }
 

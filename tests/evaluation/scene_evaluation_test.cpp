@@ -86,6 +86,21 @@ TEST(EvaluateScene, SweepsEveryVariantAndPeerWhateverTheThreads) {
   EXPECT_EQ(timeless(evaluate_scene(scene.scene, scene.truth, options)), timeless(evaluation));
 }
 
+TEST(CountResult, CountsNoSymmetriesWhereTruthHasMasksAlone) {
+  const Scene scene = three_points();
+  SegmentationResult result;
+  result.cloud = scene.cloud;
+  result.objects.resize(1);
+  result.objects.front().points = {0, 1};
+  result.objects.front().reflectional.emplace_back();
+  SceneTruth truth = truth_of({{0, 1}, {2}});
+  const SettingCounts counts = count_result(scene, truth, result);
+  EXPECT_EQ(counts.score(Measure::masks_90).correct, 1U);
+  EXPECT_EQ(counts.score(Measure::planes).found, 0U);
+  truth.objects.front().rotational.emplace_back();
+  EXPECT_EQ(count_result(scene, truth, result).score(Measure::axes).truth, 1U);
+}
+
 TEST(EvaluateScene, TakesASceneOfNothing) {
   EvaluationOptions options;
   options.peers = {everything};

@@ -88,6 +88,13 @@ struct MadeScene {
   std::vector<StageTime> stages;  ///< wall time of all attempts
 };
 
+/// The objects of a scene on their table, in a world turned at random. Dropped are procedural
+/// objects, and with `models` about the share of these that `options` ask for, over a disc that
+/// makes them lie tight or loose; arranged are procedural ones alone, stacked and touching as often
+/// as the seed says. Throws InputError if objects are dropped and this build has no physics.
+Tabletop place_objects(const DatasetOptions& options, std::span<const ObjectModel> models,
+                       int objects, std::uint64_t seed, bool drop);
+
 /// Makes scene `index` of a dataset: puts objects on a table, sweeps a noisy camera around it,
 /// reconstructs that by tracking and carries the truth over. `models` are those of the split
 /// (models_of()); procedural objects stand among them. A seed whose reconstruction is not good

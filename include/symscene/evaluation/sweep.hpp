@@ -55,7 +55,8 @@ struct Sweep {
   double seconds =
       0.0;  ///< wall time of one setting, summed over scenes; none where it costs nothing more
 
-  bool measures_contain(Measure measure) const;
+  /// Whether the measure means something for the method, and anything was found or to be found.
+  bool has(Measure measure) const;
   /// Adds another scene's. Throws InputError if that was swept over other settings.
   Sweep& operator+=(const Sweep& other);
 };

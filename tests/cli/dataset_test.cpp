@@ -1,0 +1,111 @@
+// symscene dataset from outside: what it makes, goes on with and refuses.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+
+namespace symscene::testing {
+namespace {
+
+/// Few frames of small images, and objects that are put in place: seconds, not minutes.
+constexpr const char* small = R"({"max_objects": 2, "arranged_every": 1, "camera": {"frames": 6,
+  "arc": 0.05, "radius": 0.7, "width": 320, "height": 240, "focal_length": 262}})";
+
+/// Every file under a folder and its bytes.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file())
+      files[entry.path().lexically_relative(folder).string()] = contents(entry.path());
+  }
+  return files;
+}
+
+class DatasetCommand : public ::testing::Test {
+ protected:
+  void SetUp() override { write(workspace / "small.json", small); }
+
+  Outcome make(const std::string& name, const std::string& more = "") const {
+    return workspace.run("dataset " + name + " --scenes 2 --config small.json " + more);
+  }
+
+  void expect_refusal(const Outcome& outcome, const std::string& sentence) const {
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+
+  Workspace workspace;
+};
+
+TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereItStopped) {
+  const Outcome made = make("one", "--threads 1 -v");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("2 scenes, 2 made now"), std::string::npos) << made.out;
+  EXPECT_NE(made.out.find("reconstruct"), std::string::npos) << made.out;
+  const auto files = files_in(workspace / "one");
+  EXPECT_EQ(files.size(), 11U);
+  for (const char* file : {"dataset.json", "scenes/0001/cloud.ply", "scenes/0001/occupancy.bt",
+                           "scenes/0001/table_plane.txt", "scenes/0001/truth.json"})
+    EXPECT_EQ(files.count(file), 1U) << file;
+  ASSERT_EQ(make("two", "--threads 2").code, 0);
+  EXPECT_EQ(files_in(workspace / "two"), files);
+
+  const auto written = fs::last_write_time(workspace / "one" / "scenes" / "0001" / "cloud.ply");
+  fs::remove_all(workspace / "one" / "scenes" / "0000");
+  const Outcome resumed = make("one", "--json");
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_NE(resumed.out.find("1 of 2 scenes are there already"), std::string::npos) << resumed.out;
+  EXPECT_NE(resumed.out.find(R"("made":1)"), std::string::npos) << resumed.out;
+  EXPECT_EQ(files_in(workspace / "one"), files);
+  EXPECT_EQ(fs::last_write_time(workspace / "one" / "scenes" / "0001" / "cloud.ply"), written);
+  EXPECT_NE(make("one").out.find("0 made now"), std::string::npos);
+
+  const auto scene = nlohmann::json::parse(files.at("scenes/0000/scene.json"));
+  EXPECT_EQ(scene.at("split"), "report");
+  EXPECT_EQ(scene.at("frames").at("count"), 6);
+
+  expect_refusal(make("one", "--seed 2"), "options/seed 1 in place of 2");
+  expect_refusal(make("one", "--split tune"), "split \"report\" in place of \"tune\"");
+  EXPECT_EQ(files_in(workspace / "one"), files);
+
+  fs::remove_all(workspace / "one" / "scenes" / "0001");
+  const Outcome info = workspace.run("info one --json");
+  ASSERT_EQ(info.code, 0) << info.err;
+  const auto facts = nlohmann::json::parse(info.out.substr(info.out.rfind("\n{") + 1));
+  EXPECT_EQ(facts.at("kind"), "dataset");
+  EXPECT_EQ(facts.at("split"), "report");
+  EXPECT_EQ(facts.at("scenes"), 1);
+  EXPECT_EQ(facts.at("missing"), nlohmann::json::array({"0001"}));
+  EXPECT_GE(facts.at("objects"), 1);
+}
+
+TEST_F(DatasetCommand, NamesTheScenesThatCouldNotBeMade) {
+  write(workspace / "dark.json", R"({"arranged_every": 1, "attempts": 1,
+    "camera": {"frames": 3, "width": 80, "height": 60, "focal_length": 65},
+    "sensor": {"max_depth": 0.05}})");
+  const Outcome outcome = workspace.run("dataset dark --scenes 2 --config dark.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("scene 0001: no seed made a good scene"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("dark: expected 2 scenes, found 0"), std::string::npos) << outcome.err;
+  EXPECT_EQ(files_in(workspace / "dark").size(), 1U);
+}
+
+TEST_F(DatasetCommand, RefusesWhatItCannotUseInOneSentence) {
+  fs::create_directories(workspace / "other");
+  write(workspace / "other" / "letter.txt", "dear");
+  expect_refusal(make("other"), "found a folder with other files");
+  expect_refusal(make("small.json"), "found a file");
+  expect_refusal(make("new", "--symmetries small.json"), "--symmetries: expected --meshes");
+  expect_refusal(make("new", "--meshes nowhere"), "nowhere: expected a folder of meshes");
+  expect_refusal(make("new", "--min-objects 3"), "max_objects");
+  EXPECT_FALSE(fs::exists(workspace / "new"));
+  EXPECT_EQ(workspace.run("dataset new --split both").code, 2);
+}
+
+}  // namespace
+}  // namespace symscene::testing
