@@ -7,7 +7,7 @@
 namespace symscene {
 namespace {
 
-std::string seconds(double value) { return fmt::format("{:.2f}", value); }
+std::string seconds(double value) { return fmt::format("{:.3f}", value); }
 
 std::string percent_or_dash(const std::optional<double>& share) {
   return share ? percent(*share) : "–";
