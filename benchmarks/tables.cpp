@@ -31,10 +31,12 @@ std::string scene_header() {
 }
 
 std::string scene_row(const std::string& name, const SceneScore& score) {
+  const Score& masks = score.counts.score(Measure::masks_90);
   return fmt::format("{:<16} {:>7} {:>5} {:>8} | {} | {} | {:>5.2f} | {} | {} | {:>7.2f}\n", name,
-                     score.over_90.truth, score.over_90.correct, score.over_90.found,
-                     rates(score.over_90), rates(score.over_75), score.mean_overlap(),
-                     rates(score.axes), rates(score.planes), score.seconds);
+                     masks.truth, masks.correct, masks.found, rates(masks),
+                     rates(score.counts.score(Measure::masks_75)), score.counts.mean_overlap(),
+                     rates(score.counts.score(Measure::axes_near)),
+                     rates(score.counts.score(Measure::planes_near)), score.seconds);
 }
 
 std::string kind_table(const SceneScore& total) {
@@ -42,23 +44,24 @@ std::string kind_table(const SceneScore& total) {
                                  "R% at 0.9", "R% at 0.75", "mean IoU", "symmetries R%");
   for (const auto& [name, kind] : total.kinds) {
     text += fmt::format("{:<16} {:>7} {:>10.0f} {:>11.0f} {:>9.2f} {:>13.0f}\n", name, kind.objects,
-                        percent(kind.over_90, kind.objects), percent(kind.over_75, kind.objects),
-                        kind.overlap_sum / static_cast<double>(kind.objects),
+                        percent(kind.count(Fate::found), kind.objects),
+                        percent(kind.over_75, kind.objects), kind.mean_overlap(),
                         percent(kind.symmetries_met, kind.symmetries));
   }
   return text;
 }
 
 std::string json_line(std::uint64_t seed, std::size_t scenes, const SceneScore& total) {
-  const auto score = [](const char* name, const Score& s) {
+  const auto score = [&](const char* name, Measure measure) {
+    const Score& s = total.counts.score(measure);
     return fmt::format(R"("{}": {{"precision": {:.4f}, "recall": {:.4f}, "f": {:.4f}}}, )", name,
                        s.precision(), s.recall(), s.f_measure());
   };
   return fmt::format(
              R"({{"seed": {}, "scenes": {}, {}{}{}{}"mean_iou": {:.4f}, "seconds": {:.3f}}})", seed,
-             scenes, score("iou_90", total.over_90), score("iou_75", total.over_75),
-             score("axes", total.axes), score("planes", total.planes), total.mean_overlap(),
-             total.seconds) +
+             scenes, score("iou_90", Measure::masks_90), score("iou_75", Measure::masks_75),
+             score("axes", Measure::axes_near), score("planes", Measure::planes_near),
+             total.counts.mean_overlap(), total.seconds) +
          "\n";
 }
 

@@ -8,8 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "evaluation_dataset.hpp"
+#include "evaluation_peers.hpp"
 #include "session.hpp"
+#include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/report.hpp"
 #include "symscene/io/atomic_file.hpp"
 
@@ -22,11 +23,13 @@ bool belongs_to_report(const std::string& file) {
   return std::find(files.begin(), files.end(), file) != files.end();
 }
 
+const DirectoryLayout report_layout{"a report folder", "report.json", belongs_to_report};
+
 std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr))); }
 
 void write_report(const std::filesystem::path& folder, const Evaluation& evaluation,
                   const ReportInfo& info, const std::string& json) {
-  AtomicDirectory report(folder, {"a report folder", "report.json", belongs_to_report});
+  AtomicDirectory report(folder, report_layout);
   report.write("report.html", report_page(evaluation, info));
   report.write("report.json", json);
   report.write("curves.csv", curves_csv(evaluation));
@@ -61,6 +64,7 @@ struct Evaluate {
   EvaluationOptions options;
   std::filesystem::path dataset;
   std::filesystem::path earlier;
+  std::string peers = "all";
   bool fast = false;
 
   OptionFields configure() {
@@ -79,12 +83,13 @@ struct Evaluate {
             fmt::format("scene {} of {}, {}: {}", k + 1, entries.size(), entry.name, stage));
       };
       on_begin("read");
-      const KnownScene known = entry.load();
+      const LoadedEntry known = load_entry(entry);
       SceneEvaluation scene = naming(dataset / entry.name, [&] {
         return evaluate_scene(known.scene, known.truth, options, on_begin);
       });
       scene.name = entry.name;
-      scene.subset = entry.subset;
+      scene.subset = known.subset;
+      scene.unseen = known.objects - std::min(known.objects, known.truth.objects.size());
       evaluation.add(std::move(scene));
     }
     return evaluation;
@@ -92,9 +97,9 @@ struct Evaluate {
 
   void say(const Evaluation& evaluation, const std::string& json, const std::string& then,
            Session& session) const {
-    session.say(fmt::format("{} scenes, {} objects; F in percent\n", evaluation.scenes.size(),
-                            evaluation.losses.objects));
-    session.say(headline_text(evaluation.segmentation) + format_subsets(evaluation));
+    session.say(fmt::format("{}; F in percent\n", what_was_evaluated(evaluation)));
+    session.say(headline_text(evaluation.segmentation) + "\n" +
+                default_text(evaluation.segmentation) + format_subsets(evaluation));
     session.say(loss_text(evaluation));
     session.say(runtime_text(evaluation));
     if (!then.empty()) session.say(report_difference(json, then, earlier.string()));
@@ -104,12 +109,17 @@ struct Evaluate {
   void run() {
     configure();
     require_not_input(shared.output, dataset);
+    { const AtomicDirectory can_be_written(absolute(shared.output), report_layout); }
     const std::string then = earlier.empty() ? "" : read_file(earlier);
     if (!then.empty()) report_difference(then, then, earlier.string());  // before the work
     options.reflectional_only = !fast;
+    options.peers = peer_methods(peers);
     Session session("evaluate", shared);
-    const std::vector<DatasetEntry> entries = read_dataset(dataset);
-    const Evaluation evaluation = evaluate(entries, session);
+    const DatasetListing listing = read_dataset(dataset);
+    if (!listing.missing.empty())
+      session.warn(
+          fmt::format("{}: {} scenes are not made yet", dataset.string(), listing.missing.size()));
+    const Evaluation evaluation = evaluate(listing.entries, session);
     const ReportInfo info{folder_name(dataset), today(), SYMSCENE_VERSION};
     const std::string json = report_json(evaluation, info);
     write_report(absolute(shared.output), evaluation, info, json);
@@ -129,9 +139,12 @@ void add_evaluate(CLI::App& app) {
   const auto state = std::make_shared<Evaluate>();
   Arguments arguments(app, "evaluate", "Compare what is found in scenes with what is true of them",
                       "symscene evaluate dataset -o report");
-  arguments.input(state->dataset, "DATASET", "folder of scene folders, each with truth.json");
+  arguments.input(state->dataset, "DATASET",
+                  "dataset folder, or any folder of scene folders with truth");
   arguments.required_output(state->shared, "report folder to write");
   arguments.file("--compare", state->earlier, "report.json of an earlier run: print what changed");
+  arguments.text("--peers", state->peers,
+                 "methods to compare with: all, none or names with commas (default: all)");
   arguments.flag("--fast", state->fast, "leave out the variant without rotations");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

@@ -47,7 +47,7 @@ std::string grid() {
 
 /// The points of equal F: p = F r / (2 r − F).
 std::string equal_f(double f) {
-  constexpr int steps = 24;
+  constexpr int steps = 80;
   std::string path;
   const double first = f / (2.0 - f);  // where precision is 1
   for (int k = 0; k <= steps; ++k) {
@@ -98,13 +98,6 @@ std::string series(const Sweep& sweep, Measure measure, std::size_t color) {
                        x_of(given.recall), y_of(given.precision));
   }
   return svg + star(point_of(sweep.counts[*best].score(measure)), color);
-}
-
-std::string setting_text(const Sweep& sweep, std::size_t k) {
-  std::string text;
-  for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
-    text += fmt::format("{}{} {:g}", p == 0 ? "" : ", ", sweep.parameters[p], sweep.settings[k][p]);
-  return text;
 }
 
 std::string legend_entry(const Sweep& sweep, Measure measure, std::size_t color) {

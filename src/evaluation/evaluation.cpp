@@ -34,6 +34,19 @@ void LossCounts::add(const ObjectOutcome& outcome) {
   symmetries_met += outcome.symmetries_met;
 }
 
+LossCounts& LossCounts::operator+=(const LossCounts& other) {
+  objects += other.objects;
+  for (std::size_t fate = 0; fate < fates.size(); ++fate) {
+    fates[fate] += other.fates[fate];
+    for (const auto& [reason, count] : other.reasons[fate]) reasons[fate][reason] += count;
+  }
+  over_75 += other.over_75;
+  overlap_sum += other.overlap_sum;
+  symmetries += other.symmetries;
+  symmetries_met += other.symmetries_met;
+  return *this;
+}
+
 void Evaluation::add(SceneEvaluation scene) {
   add_sweeps(scene.segmentation, segmentation);
   add_sweeps(scene.detection, detection);

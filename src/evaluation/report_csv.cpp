@@ -15,17 +15,10 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// "refl_symmetry=0.3 refl_occlusion=0.005"
-std::string setting_text(const Sweep& sweep, const std::vector<double>& setting) {
-  std::string text;
-  for (std::size_t p = 0; p < setting.size(); ++p)
-    text += fmt::format("{}{}={:g}", p == 0 ? "" : " ", sweep.parameters[p], setting[p]);
-  return text;
-}
-
 void add_lines(const std::string& subset, const Sweep& sweep, const std::string& setting,
                const SettingCounts& counts, std::string& csv) {
   for (const Measure measure : sweep.measures) {
+    if (!sweep.has(measure)) continue;
     const Score& score = counts.score(measure);
     csv +=
         fmt::format("{},{},{},{},{},{},{},{:.6f},{:.6f},{:.6f}\n", field(sweep.method),
@@ -38,7 +31,7 @@ void add_sweeps(const std::string& subset, const std::vector<Sweep>& sweeps, std
   for (const Sweep& sweep : sweeps) {
     if (sweep.at_default) add_lines(subset, sweep, "default", *sweep.at_default, csv);
     for (std::size_t k = 0; k < sweep.settings.size(); ++k)
-      add_lines(subset, sweep, setting_text(sweep, sweep.settings[k]), sweep.counts[k], csv);
+      add_lines(subset, sweep, setting_text(sweep, k), sweep.counts[k], csv);
   }
 }
 
@@ -94,16 +87,15 @@ std::string objects_csv(const Evaluation& evaluation) {
 
 std::string scenes_csv(const Evaluation& evaluation) {
   const std::vector<std::string> stages = stage_names(evaluation);
-  std::string csv = "scene,subset,objects,found,returned,mean_iou,seconds";
+  std::string csv = "scene,subset,objects,unseen,found,returned,mean_iou,seconds";
   for (const std::string& stage : stages) csv += "," + field(stage);
   csv += "\n";
   for (const SceneEvaluation& scene : evaluation.scenes) {
     LossCounts counts;
     for (const ObjectOutcome& outcome : scene.objects) counts.add(outcome);
-    csv += fmt::format("{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
-                       counts.objects, counts.count(Fate::found), scene.returned,
-                       counts.overlap_sum / static_cast<double>(counts.objects),
-                       total_seconds(scene.timings));
+    csv += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
+                       counts.objects, scene.unseen, counts.count(Fate::found), scene.returned,
+                       counts.mean_overlap(), total_seconds(scene.timings));
     for (const std::string& stage : stages) csv += fmt::format(",{:.6f}", seconds_of(scene, stage));
     csv += "\n";
   }

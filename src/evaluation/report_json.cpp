@@ -20,11 +20,12 @@ Json to_json(const SegmentMeasures& measures) {
           {"f_75", measures.found_75}};
 }
 
-bool has_masks(const Sweep& sweep) { return sweep.measures_contain(Measure::masks_90); }
+bool has_masks(const Sweep& sweep) { return sweep.has(Measure::masks_90); }
 
 Json to_json(const Sweep& sweep, const SettingCounts& counts) {
   Json json = Json::object();
   for (const Measure measure : sweep.measures) {
+    if (!sweep.has(measure)) continue;
     const Score& score = counts.score(measure);
     json[measure_name(measure)] = {{"correct", score.correct},
                                    {"found", score.found},
@@ -43,6 +44,7 @@ Json to_json(const Sweep& sweep) {
   if (sweep.at_default) json["default"] = to_json(sweep, *sweep.at_default);
   Json best = Json::object();
   for (const Measure measure : sweep.measures) {
+    if (!sweep.has(measure)) continue;
     if (const auto k = best_setting(sweep, measure)) {
       best[measure_name(measure)] = {{"setting", sweep.settings[*k]},
                                      {"f", sweep.counts[*k].score(measure).f_measure()}};
@@ -107,7 +109,10 @@ Json to_json(const SceneEvaluation& scene) {
   Json times = Json::object();
   for (const StageTime& time : scene.timings)
     times[time.stage] = times.value(time.stage, 0.0) + time.seconds;
-  Json json = {{"name", scene.name}, {"subset", scene.subset}, {"returned", scene.returned}};
+  Json json = {{"name", scene.name},
+               {"subset", scene.subset},
+               {"unseen", scene.unseen},
+               {"returned", scene.returned}};
   json["objects"] = Json::array();
   for (const ObjectOutcome& outcome : scene.objects) {
     json["objects"].push_back({{"kind", outcome.kind},
@@ -172,8 +177,8 @@ std::string report_json(const Evaluation& evaluation, const ReportInfo& info) {
 
 std::string report_difference(const std::string& report, const std::string& earlier,
                               const std::string& name) {
-  const auto now = headline_numbers(report, "report");
   const auto then = headline_numbers(earlier, name);
+  const auto now = headline_numbers(report, "report");
   TextTable table{{"method", "measure", "then", "now", "difference"}};
   for (const auto& [method, numbers] : now) {
     if (!then.contains(method)) continue;

@@ -22,7 +22,7 @@ h2 { font-size: 1.2rem; margin: 2.5rem 0 .5rem; }
 p { max-width: 48rem; margin: .4rem 0 .8rem; color: var(--faint); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .3rem .7rem; text-align: right; white-space: nowrap; vertical-align: top; }
+th, td { padding: .3rem .55rem; text-align: right; white-space: nowrap; vertical-align: top; }
 th { font-weight: 600; border-bottom: 2px solid var(--line); }
 td { border-bottom: 1px solid var(--line); }
 tbody tr:nth-child(even) { background: var(--band); }
@@ -32,14 +32,15 @@ tbody tr:nth-child(even) { background: var(--band); }
 .total tbody tr:last-child td { font-weight: 600; border-top: 2px solid var(--line); }
 .figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr));
   gap: 2rem 1.5rem; }
+.small { grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); }
 figure { margin: 0; }
 figcaption { font-weight: 600; margin-bottom: .3rem; }
 svg { width: 100%; height: auto; display: block; }
 svg text { font: 11px system-ui, sans-serif; fill: var(--faint); }
 .grid { stroke: var(--line); fill: none; }
-.equal { stroke: var(--line); fill: none; stroke-dasharray: 2 4; }
+.equal { stroke: var(--faint); fill: none; stroke-dasharray: 1 4; opacity: .8; }
 .curve { fill: none; stroke: var(--c); stroke-width: 2; stroke-linejoin: round; }
-.dots { fill: none; stroke: var(--c); stroke-width: 4; stroke-linecap: round; opacity: .25; }
+.dots { fill: none; stroke: var(--c); stroke-width: 4; stroke-linecap: round; opacity: .35; }
 .ring { fill: none; stroke: var(--c); stroke-width: 2; }
 .star { fill: var(--c); stroke: var(--back); stroke-width: 1; }
 .legend { list-style: none; margin: .4rem 0 0; padding: 0; font-size: .9rem; }
@@ -78,7 +79,7 @@ std::string figure(const std::string& caption, const std::vector<const Sweep*>& 
   std::vector<const Sweep*> shown;
   std::vector<std::size_t> colors;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    if (!candidates[k]->measures_contain(measure)) continue;
+    if (!candidates[k]->has(measure)) continue;
     shown.push_back(candidates[k]);
     colors.push_back(k % color_count);
   }
@@ -99,7 +100,7 @@ std::string figures(const Evaluation& evaluation) {
                   "are returned. What follows from a rotation, and what the truth marks weak, is "
                   "neither right nor wrong.");
   for (const Sweep& sweep : evaluation.detection) sweeps.push_back(&sweep);
-  html += "<div class=\"figures\">\n";
+  html += "<div class=\"figures small\">\n";
   html += figure("Axes, 10° and 10 cm", sweeps, Measure::axes);
   html += figure("Planes, 10° and 10 cm", sweeps, Measure::planes);
   html += figure("Axes, 10° and 1 cm", sweeps, Measure::axes_near);
@@ -146,10 +147,9 @@ std::string head(const ReportInfo& info) {
 }
 
 std::string opening(const Evaluation& evaluation, const ReportInfo& info) {
-  return fmt::format("<h1>Evaluation on {}</h1>\n<p>{} scenes, {} objects. {}, symscene {}.</p>\n",
-                     escape_markup(info.dataset), evaluation.scenes.size(),
-                     evaluation.losses.objects, escape_markup(info.date),
-                     escape_markup(info.version));
+  return fmt::format("<h1>Evaluation on {}</h1>\n<p>{}. {}, symscene {}.</p>\n",
+                     escape_markup(info.dataset), what_was_evaluated(evaluation),
+                     escape_markup(info.date), escape_markup(info.version));
 }
 
 }  // namespace
@@ -160,7 +160,8 @@ std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
                   "F in percent: masks by the IoU that they have to exceed, symmetries within 10° "
                   "and 10 cm or 1 cm. “Default” is the command as it stands; “best” takes each F "
                   "at its best setting, all else at the best one for masks at 0.9.");
-  html += table_html(headline_table(evaluation.segmentation), "l2");
+  html += table_html(headline_table(evaluation.segmentation), "l2") + "<br/>\n";
+  html += table_html(default_table(evaluation.segmentation), "l1 last");
   html += section("Masks",
                   "Precision and recall over the settings of table 4.2. Dots are settings, lines "
                   "their envelopes, stars the best F, rings the default; dashed curves join equal "
@@ -170,7 +171,8 @@ std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
   html += section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.");
   html += table_html(kind_table(evaluation), "l1");
   html += section("Runtime", "Means over scenes, by their number of objects; without completion.");
-  html += table_html(runtime_table(evaluation), "l1");
+  html += table_html(runtime_table(evaluation), "l1") + "<br/>\n";
+  html += table_html(method_time_table(evaluation), "l1");
   html += subsets(evaluation) + scenes(evaluation);
   return html + "</body>\n</html>\n";
 }

@@ -7,7 +7,7 @@
 namespace symscene {
 namespace {
 
-std::string seconds(double value) { return fmt::format("{:.2f}", value); }
+std::string seconds(double value) { return fmt::format("{:.3f}", value); }
 
 std::string percent_or_dash(const std::optional<double>& share) {
   return share ? percent(*share) : "–";
@@ -20,8 +20,10 @@ HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string 
                   counts.mean_overlap(),
                   counts.segments.mean(counts.scenes),
                   counts.score(Measure::masks_90).found};
-  for (const Measure measure : sweep.measures)
-    row.f[static_cast<std::size_t>(measure)] = counts.score(measure).f_measure();
+  for (const Measure measure : sweep.measures) {
+    if (sweep.has(measure))
+      row.f[static_cast<std::size_t>(measure)] = counts.score(measure).f_measure();
+  }
   return row;
 }
 
@@ -55,6 +57,15 @@ double f_of(const SceneEvaluation& scene) {
 
 }  // namespace
 
+std::string what_was_evaluated(const Evaluation& evaluation) {
+  std::size_t unseen = 0;
+  for (const SceneEvaluation& scene : evaluation.scenes) unseen += scene.unseen;
+  std::string text =
+      fmt::format("{} scenes, {} objects", evaluation.scenes.size(), evaluation.losses.objects);
+  if (unseen > 0) text += fmt::format(" and {} of which too little is seen to count", unseen);
+  return text;
+}
+
 std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
   std::vector<HeadlineRow> rows;
   for (const Sweep& sweep : sweeps) {
@@ -64,6 +75,7 @@ std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
     rows.push_back(
         row_at(sweep, sweep.counts[*best], fmt::format("best of {}", sweep.settings.size())));
     for (const Measure measure : sweep.measures) {
+      if (!sweep.has(measure)) continue;
       const std::size_t its_best = best_setting(sweep, measure).value_or(0);
       rows.back().f[static_cast<std::size_t>(measure)] =
           sweep.counts[its_best].score(measure).f_measure();
@@ -83,6 +95,20 @@ TextTable headline_table(const std::vector<Sweep>& sweeps) {
       cells.push_back(percent(share));
     cells.push_back(fmt::format("{}", row.returned));
     table.push_back(std::move(cells));
+  }
+  return table;
+}
+
+TextTable default_table(const std::vector<Sweep>& sweeps) {
+  TextTable table{{"masks at 0.9", "default F", "best F", "difference", "best setting"}};
+  for (const Sweep& sweep : sweeps) {
+    const auto best = best_setting(sweep, Measure::masks_90);
+    if (!sweep.at_default || !best) continue;
+    const double given = sweep.at_default->score(Measure::masks_90).f_measure();
+    const double greatest = sweep.counts[*best].score(Measure::masks_90).f_measure();
+    table.push_back({sweep.method, percent(given), percent(greatest),
+                     fmt::format("{:+.1f}", 100.0 * (given - greatest)),
+                     setting_text(sweep, *best)});
   }
   return table;
 }
@@ -110,8 +136,7 @@ TextTable kind_table(const Evaluation& evaluation) {
     table.push_back({name, fmt::format("{}", counts.objects),
                      count_and_share(counts.count(Fate::found), counts.objects),
                      count_and_share(counts.over_75, counts.objects),
-                     percent(counts.overlap_sum / static_cast<double>(counts.objects)),
-                     fmt::format("{}", counts.symmetries),
+                     percent(counts.mean_overlap()), fmt::format("{}", counts.symmetries),
                      count_and_share(counts.symmetries_met, counts.symmetries)});
   }
   return table;
@@ -124,6 +149,16 @@ TextTable runtime_table(const Evaluation& evaluation) {
     if (its.scenes == 0) continue;
     table.push_back({its.name, fmt::format("{}", its.scenes), seconds(its.rotational),
                      seconds(its.reflectional), seconds(its.other), seconds(its.total())});
+  }
+  return table;
+}
+
+TextTable method_time_table(const Evaluation& evaluation) {
+  TextTable table{{"method", "seconds a scene"}};
+  for (const Sweep& sweep : evaluation.segmentation) {
+    if (sweep.seconds > 0.0)
+      table.push_back(
+          {sweep.method, seconds(sweep.seconds / static_cast<double>(evaluation.scenes.size()))});
   }
   return table;
 }
@@ -148,12 +183,16 @@ std::string headline_text(const std::vector<Sweep>& sweeps) {
   return aligned(headline_table(sweeps), 2);
 }
 
+std::string default_text(const std::vector<Sweep>& sweeps) {
+  return aligned(default_table(sweeps), 1);
+}
+
 std::string loss_text(const Evaluation& evaluation) {
   return aligned(loss_table(evaluation), 1) + "\n" + aligned(reason_table(evaluation), 2);
 }
 
 std::string runtime_text(const Evaluation& evaluation) {
-  return aligned(runtime_table(evaluation), 1);
+  return aligned(runtime_table(evaluation), 1) + "\n" + aligned(method_time_table(evaluation), 1);
 }
 
 }  // namespace symscene

@@ -16,6 +16,14 @@ namespace {
 const std::vector<Measure> mask_measures = {Measure::masks_90, Measure::masks_75,
                                             Measure::masks_50};
 
+/// Without the rotational stream there are no axes to be right or wrong.
+std::vector<Measure> pipeline_measures(bool rotational) {
+  if (rotational) return {all_measures.begin(), all_measures.end()};
+  std::vector<Measure> measures = mask_measures;
+  measures.insert(measures.end(), {Measure::planes, Measure::planes_near});
+  return measures;
+}
+
 /// The bounds of table 4.2, in this order.
 const std::vector<std::string> segmentation_parameters = {"refl_symmetry", "refl_occlusion",
                                                           "rot_symmetry", "rot_occlusion"};
@@ -45,7 +53,7 @@ Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
   sweep.parameters = segmentation_parameters;
   if (!options.rotational_stream) sweep.parameters.resize(2);
   sweep.settings = segmentation_grid(options.rotational_stream);
-  sweep.measures = {all_measures.begin(), all_measures.end()};
+  sweep.measures = pipeline_measures(options.rotational_stream);
   sweep.counts.resize(sweep.settings.size());
   parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
     const SegmentationResult result =
@@ -56,13 +64,13 @@ Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
 }
 
 /// The least score over one result.
-Sweep score_sweep(const std::string& method, const std::vector<SceneObject>& objects,
+Sweep score_sweep(const Sweep& bounds, const std::vector<SceneObject>& objects,
                   const CountingContext& context) {
   Sweep sweep;
-  sweep.method = method + ", by score";
+  sweep.method = bounds.method + ", by score";
   sweep.parameters = {"min_score"};
   sweep.settings = all_settings({evenly_spaced(0.0, 0.95, 0.05)});
-  sweep.measures = {all_measures.begin(), all_measures.end()};
+  sweep.measures = bounds.measures;
   sweep.counts.resize(sweep.settings.size());
   parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
     std::vector<SceneObject> kept;
@@ -157,11 +165,22 @@ PipelineOptions relaxed(PipelineOptions options) {
   return options;
 }
 
+/// A scene of nothing, such as that of a sweep that lost its way, proposes nothing.
+SceneProposals proposals_of(const Scene& scene, const PipelineOptions& options,
+                            const StageTimer::OnBegin& on_begin) {
+  return scene.cloud.empty() ? SceneProposals{} : propose_objects(scene, options, on_begin);
+}
+
+SceneDetections detections_of(const Scene& scene, const PipelineOptions& options,
+                              const StageTimer::OnBegin& on_begin) {
+  return scene.cloud.empty() ? SceneDetections{} : detect_symmetries(scene, options, on_begin);
+}
+
 /// The pipeline as it is given: the sweep, the outcome of every object and the times.
 void evaluate_given(const Scene& scene, const SceneTruth& truth, const EvaluationOptions& options,
                     StageTimer& timer, const StageTimer::OnBegin& on_begin,
                     SceneEvaluation& evaluation) {
-  const SceneProposals proposals = propose_objects(scene, options.pipeline, on_begin);
+  const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
   const SegmentationResult result =
       timer.time("choice", [&] { return choose_objects(proposals, options.pipeline); });
   evaluation.timings = proposals.timings;
@@ -176,7 +195,7 @@ void evaluate_given(const Scene& scene, const SceneTruth& truth, const Evaluatio
   for (const StageTime& time : evaluation.timings) sweep.seconds += time.seconds;
   evaluation.segmentation.push_back(std::move(sweep));
   evaluation.segmentation.push_back(
-      score_sweep(evaluation.segmentation.front().method, result.objects, context));
+      score_sweep(evaluation.segmentation.front(), result.objects, context));
   evaluation.objects = object_outcomes(truth, context.masks(), proposals, result);
   for (const PeerMethod& peer : options.peers)
     evaluation.segmentation.push_back(peer_sweep(peer, proposals.cloud, context, timer));
@@ -186,7 +205,7 @@ void evaluate_reflectional_only(const Scene& scene, const SceneTruth& truth,
                                 EvaluationOptions options, const StageTimer::OnBegin& on_begin,
                                 SceneEvaluation& evaluation) {
   options.pipeline.rotational_stream = false;
-  const SceneProposals proposals = propose_objects(scene, options.pipeline, on_begin);
+  const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
   const CountingContext context(scene, truth, proposals.cloud, options);
   Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, options.pipeline);
   sweep.at_default = context.count(choose_objects(proposals, options.pipeline).objects);
@@ -205,7 +224,6 @@ void EvaluationOptions::validate() const {
 }
 
 void require_usable_truth(const Scene& scene, const SceneTruth& truth) {
-  if (truth.objects.empty()) throw InputError("truth", "at least one object", "none");
   std::vector<Index> owner(scene.cloud.size(), unlabeled);
   for (std::size_t k = 0; k < truth.objects.size(); ++k) {
     const TrueObject& object = truth.objects[k];
@@ -235,8 +253,8 @@ SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
   evaluate_given(scene, truth, options, timer, on_begin, evaluation);
   if (options.reflectional_only && options.pipeline.rotational_stream)
     evaluate_reflectional_only(scene, truth, options, on_begin, evaluation);
-  evaluation.detection = detection_sweeps(
-      detect_symmetries(scene, relaxed(options.pipeline), on_begin), truth, options.pipeline);
+  evaluation.detection = detection_sweeps(detections_of(scene, relaxed(options.pipeline), on_begin),
+                                          truth, options.pipeline);
   return evaluation;
 }
 

@@ -1,17 +1,31 @@
 #include "evaluation/setting_counts.hpp"
 
+#include <algorithm>
+
 namespace symscene {
+namespace {
+
+/// Truth of masks alone says nothing of symmetries, for or against.
+bool knows_symmetries(const SceneTruth& truth) {
+  return truth.objects.empty() ||
+         std::any_of(truth.objects.begin(), truth.objects.end(), [](const TrueObject& object) {
+           return object.sphere || !object.rotational.empty() || !object.reflectional.empty();
+         });
+}
+
+}  // namespace
 
 SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
                                const std::vector<ReflectionPlane>& planes) {
   const SymmetryTolerance wide{radians(10.0), 0.1};
   const SymmetryTolerance near{radians(10.0), 0.01};
   SettingCounts counts;
+  counts.scenes = 1;
+  if (!knows_symmetries(truth)) return counts;
   counts.score(Measure::axes) = match_axes(truth, axes, wide).score();
   counts.score(Measure::axes_near) = match_axes(truth, axes, near).score();
   counts.score(Measure::planes) = match_planes(truth, planes, wide).score();
   counts.score(Measure::planes_near) = match_planes(truth, planes, near).score();
-  counts.scenes = 1;
   return counts;
 }
 
@@ -37,6 +51,11 @@ SettingCounts CountingContext::count(const std::vector<SceneObject>& objects) co
   std::vector<PointIndices> found;
   for (const SceneObject& object : objects) found.push_back(object.points);
   return count(found, all_axes(objects), all_planes(objects));
+}
+
+SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
+                           const SegmentationResult& result, const EvaluationOptions& options) {
+  return CountingContext(scene, truth, result.cloud, options).count(result.objects);
 }
 
 }  // namespace symscene

@@ -4,7 +4,7 @@
 
 namespace symscene {
 
-/// The symmetries' part of the counts of a setting.
+/// The symmetries' part of the counts of a setting; nothing where no object's truth names any.
 SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
                                const std::vector<ReflectionPlane>& planes);
 

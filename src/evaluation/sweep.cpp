@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -27,8 +29,12 @@ SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
   return *this;
 }
 
-bool Sweep::measures_contain(Measure measure) const {
-  return std::find(measures.begin(), measures.end(), measure) != measures.end();
+bool Sweep::has(Measure measure) const {
+  if (std::find(measures.begin(), measures.end(), measure) == measures.end()) return false;
+  const auto says = [&](const SettingCounts& setting) {
+    return setting.score(measure).found + setting.score(measure).truth > 0;
+  };
+  return std::any_of(counts.begin(), counts.end(), says) || (at_default && says(*at_default));
 }
 
 Sweep& Sweep::operator+=(const Sweep& other) {
@@ -65,6 +71,14 @@ std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measu
   }
   std::reverse(envelope.begin(), envelope.end());
   return envelope;
+}
+
+std::string setting_text(const Sweep& sweep, std::size_t setting) {
+  std::string text;
+  for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
+    text += fmt::format("{}{}={:g}", p == 0 ? "" : " ", sweep.parameters[p],
+                        sweep.settings.at(setting).at(p));
+  return text;
 }
 
 std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values) {

@@ -17,7 +17,12 @@ struct LossCounts {
   std::size_t symmetries_met = 0;  ///< within 10° and 1 cm
 
   std::size_t count(Fate fate) const { return fates[static_cast<std::size_t>(fate)]; }
+  /// The mean best overlap; one where there is no object. [IoU]
+  double mean_overlap() const {
+    return objects == 0 ? 1.0 : overlap_sum / static_cast<double>(objects);
+  }
   void add(const ObjectOutcome& outcome);
+  LossCounts& operator+=(const LossCounts& other);
 };
 
 /// Scenes with as many objects as one another, roughly: a column of table 4.3.

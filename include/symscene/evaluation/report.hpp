@@ -21,6 +21,9 @@ struct HeadlineRow {
   std::size_t returned = 0;                                  ///< masks
 };
 
+/// "24 scenes, 130 objects", with those of which too little is seen to count.
+std::string what_was_evaluated(const Evaluation& evaluation);
+
 /// Two lines a method, at the given options (where it has any) and at its best. The best line has
 /// the greatest F of each measure over all settings, and all else at the setting that is best for
 /// masks at an overlap of 0.9.
@@ -28,6 +31,9 @@ std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps);
 
 /// Tables for a terminal, aligned, in percent.
 std::string headline_text(const std::vector<Sweep>& sweeps);
+/// A line a method that has a default: how far that is from the best for masks at 0.9, and where
+/// the best is.
+std::string default_text(const std::vector<Sweep>& sweeps);
 std::string loss_text(const Evaluation& evaluation);
 std::string runtime_text(const Evaluation& evaluation);
 

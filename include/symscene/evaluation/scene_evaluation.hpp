@@ -31,7 +31,8 @@ struct EvaluationOptions {
 /// Everything that a report needs of one scene; no clouds, no masks.
 struct SceneEvaluation {
   std::string name;
-  std::string subset;               ///< of the dataset, may be empty
+  std::string subset;      ///< of the dataset, may be empty
+  std::size_t unseen = 0;  ///< objects of which too little is seen for the truth to ask for them
   std::vector<Sweep> segmentation;  ///< the pipeline's variants, then the peers, in fixed order
   std::vector<Sweep> detection;     ///< rotational and reflectional, before segmentation
   std::vector<ObjectOutcome> objects;
@@ -46,10 +47,13 @@ inline constexpr const char* reflectional_method = "Refl only";
 inline constexpr const char* axis_detection_method = "Axes before segmentation";
 inline constexpr const char* plane_detection_method = "Planes before segmentation";
 
-/// Throws InputError, naming the object, if a truth is missing (no objects, an object without
-/// points) or contradicts itself or the cloud (an index that the cloud does not have, a point of
-/// two objects).
+/// Throws InputError, naming the object, if a truth is missing (an object without points) or
+/// contradicts itself or the cloud (an index that the cloud does not have, a point of two objects).
 void require_usable_truth(const Scene& scene, const SceneTruth& truth);
+
+/// What one result counts for. Throws InputError as transfer_masks() does.
+SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
+                           const SegmentationResult& result, const EvaluationOptions& options = {});
 
 /// Segments and scores are computed once, thresholds are swept over them: the bounds of table 4.2
 /// on the segments of the pipeline and of its variant without rotations, the bounds of table 3.1 on

@@ -52,9 +52,11 @@ struct Sweep {
   std::vector<SettingCounts> counts;          ///< one a setting
   std::optional<SettingCounts> at_default;    ///< with the options as they are given
   std::vector<Measure> measures;              ///< that mean something for the method
-  double seconds = 0.0;  ///< wall time of one run of the method, summed over scenes
+  double seconds =
+      0.0;  ///< wall time of one setting, summed over scenes; none where it costs nothing more
 
-  bool measures_contain(Measure measure) const;
+  /// Whether the measure means something for the method, and anything was found or to be found.
+  bool has(Measure measure) const;
   /// Adds another scene's. Throws InputError if that was swept over other settings.
   Sweep& operator+=(const Sweep& other);
 };
@@ -70,6 +72,9 @@ struct CurvePoint {
 /// The upper envelope of the settings' precision over their recall, by rising recall and falling
 /// precision: no setting has more of one and as much of the other than some point of the curve.
 std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measure);
+
+/// "refl_symmetry=0.3 refl_occlusion=0.005" of a setting by its number.
+std::string setting_text(const Sweep& sweep, std::size_t setting);
 
 /// Every combination of the parameters' values, the last parameter fastest.
 std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symscene/evaluation/scene_evaluation.hpp"
+
+namespace symscene::app {
+
+/// The methods that --peers asks for: "all" of this build, "none", or names with commas between.
+/// Throws InputError if this build has no method of a name.
+std::vector<PeerMethod> peer_methods(const std::string& names);
+
+}  // namespace symscene::app

@@ -1,0 +1,121 @@
+#include "symscene/evaluation/scene_evaluation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/parallel.hpp"
+#include "symscene/evaluation/report.hpp"
+#include "symscene/simulation/simulation.hpp"
+
+namespace symscene {
+namespace {
+
+SimulatedScene two_objects() {
+  SimulationOptions options;
+  options.tabletop.objects = 2;
+  options.camera.frames = 6;
+  return simulate_tabletop(options);
+}
+
+Scene three_points() {
+  Scene scene;
+  scene.cloud.positions = Points::Identity(3, 3);
+  return scene;
+}
+
+SceneTruth truth_of(std::initializer_list<PointIndices> masks) {
+  SceneTruth truth;
+  for (const PointIndices& mask : masks) {
+    truth.objects.emplace_back();
+    truth.objects.back().name = "thing";
+    truth.objects.back().points = mask;
+  }
+  return truth;
+}
+
+/// Takes the whole cloud for one object, or for none.
+PeerMasks everything(const PointCloud& cloud) {
+  PointIndices all;
+  for (Index i = 0; i < cloud.size(); ++i) all.push_back(i);
+  return {"everything", "share", {0.0, 1.0}, {{}, {all}}};
+}
+
+std::string complaint(const Scene& scene, const SceneTruth& truth) {
+  try {
+    require_usable_truth(scene, truth);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RequireUsableTruth, SaysWhatIsWrongWithIt) {
+  const Scene scene = three_points();
+  EXPECT_EQ(complaint(scene, truth_of({{0, 1}, {2}})), "");
+  EXPECT_NE(complaint(scene, truth_of({{0}, {}})).find("object 1 (thing)"), std::string::npos);
+  EXPECT_NE(complaint(scene, truth_of({{3}})).find("indices below 3"), std::string::npos);
+  EXPECT_NE(complaint(scene, truth_of({{0, 1}, {1}})).find("point 1 of object 0 too"),
+            std::string::npos);
+}
+
+/// Everything of a scene's evaluation but the times.
+std::string timeless(SceneEvaluation scene) {
+  for (StageTime& time : scene.timings) time.seconds = 0.0;
+  for (Sweep& sweep : scene.segmentation) sweep.seconds = 0.0;
+  Evaluation evaluation;
+  evaluation.add(std::move(scene));
+  return report_json(evaluation, {"two", "today", "0"});
+}
+
+TEST(EvaluateScene, SweepsEveryVariantAndPeerWhateverTheThreads) {
+  const SimulatedScene scene = two_objects();
+  EvaluationOptions options;
+  options.peers = {everything};
+  const SceneEvaluation evaluation = evaluate_scene(scene.scene, scene.truth, options);
+  ASSERT_EQ(evaluation.segmentation.size(), 4U);
+  EXPECT_EQ(evaluation.segmentation[0].method, full_method);
+  EXPECT_EQ(evaluation.segmentation[0].counts.size(), 180U);
+  EXPECT_EQ(evaluation.segmentation[2].method, reflectional_method);
+  EXPECT_EQ(evaluation.segmentation[2].counts.size(), 30U);
+  EXPECT_EQ(evaluation.segmentation[3].method, "everything");
+  EXPECT_EQ(evaluation.segmentation[3].counts[0].score(Measure::masks_50).found, 0U);
+  EXPECT_EQ(evaluation.segmentation[3].counts[1].score(Measure::masks_50).found, 1U);
+  EXPECT_EQ(evaluation.detection.size(), 2U);
+  EXPECT_EQ(evaluation.objects.size(), scene.truth.objects.size());
+  const ThreadLimit one(1);
+  EXPECT_EQ(timeless(evaluate_scene(scene.scene, scene.truth, options)), timeless(evaluation));
+}
+
+TEST(CountResult, CountsNoSymmetriesWhereTruthHasMasksAlone) {
+  const Scene scene = three_points();
+  SegmentationResult result;
+  result.cloud = scene.cloud;
+  result.objects.resize(1);
+  result.objects.front().points = {0, 1};
+  result.objects.front().reflectional.emplace_back();
+  SceneTruth truth = truth_of({{0, 1}, {2}});
+  const SettingCounts counts = count_result(scene, truth, result);
+  EXPECT_EQ(counts.score(Measure::masks_90).correct, 1U);
+  EXPECT_EQ(counts.score(Measure::planes).found, 0U);
+  truth.objects.front().rotational.emplace_back();
+  EXPECT_EQ(count_result(scene, truth, result).score(Measure::axes).truth, 1U);
+}
+
+TEST(EvaluateScene, TakesASceneOfNothing) {
+  EvaluationOptions options;
+  options.peers = {everything};
+  const SceneEvaluation evaluation = evaluate_scene(Scene{}, SceneTruth{}, options);
+  EXPECT_EQ(evaluation.returned, 0U);
+  EXPECT_EQ(evaluation.segmentation.size(), 4U);
+}
+
+TEST(EvaluateScene, RefusesAPeerThatContradictsItself) {
+  EvaluationOptions options;
+  options.peers = {[](const PointCloud&) { return PeerMasks{"odd", "k", {1.0}, {}}; }};
+  EXPECT_THROW(evaluate_scene(Scene{}, SceneTruth{}, options), InputError);
+  options.boundary_radius = 0.0;
+  EXPECT_THROW(evaluate_scene(Scene{}, SceneTruth{}, options), InputError);
+}
+
+}  // namespace
+}  // namespace symscene
