@@ -48,9 +48,12 @@ Eigen::Vector3d box_size(Random& random) {
   }
 }
 
-/// Every pair of equal edges brings two diagonal planes, which are right but weak.
+/// Every pair of nearly equal edges brings two diagonal planes, which are right but weak: points
+/// are off the surface after the reflection by at most 0.02 of the box' diagonal in the mean, the
+/// bound up to which planes of scanned meshes are weak.
 void add_box_symmetries(HouseholdObject& object, const Eigen::Vector3d& size) {
-  constexpr double equal = 0.03;
+  constexpr double most_off = 0.02;
+  const double area = size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
   const Eigen::Vector3d center(0, 0, 0.5 * size.z());
   for (int axis = 0; axis < 3; ++axis) {
     object.reflectional.push_back(plane(center, Eigen::Vector3d::Unit(axis), true));
@@ -58,7 +61,8 @@ void add_box_symmetries(HouseholdObject& object, const Eigen::Vector3d& size) {
   for (int axis = 0; axis < 3; ++axis) {
     const int a = (axis + 1) % 3;
     const int b = (axis + 2) % 3;
-    if (std::abs(size[a] - size[b]) > equal * std::max(size[a], size[b])) continue;
+    const double moved = (size[a] + size[b]) * size[axis] / area;  // share of the faces that move
+    if (0.5 * std::abs(size[a] - size[b]) * moved > most_off * size.norm()) continue;
     for (const double sign : {1.0, -1.0}) {
       const Eigen::Vector3d normal = Eigen::Vector3d::Unit(a) + sign * Eigen::Vector3d::Unit(b);
       object.reflectional.push_back(plane(center, normal, false));
