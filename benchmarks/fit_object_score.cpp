@@ -8,6 +8,7 @@
 
 #include "boosted_trees.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/random.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/mask_measures.hpp"
 #include "symscene/io/atomic_file.hpp"
@@ -23,6 +24,8 @@ struct Arguments {
   BoostingOptions boosting;
   double half_right = 0.35;  ///< target of a proposal with an IoU between 0.75 and 0.9
   std::vector<std::string> without;
+  std::vector<double> beliefs{0.5};  ///< in the confidence of cuts, to compare
+  std::vector<double> noise{0.0};    ///< of normals, each scene once with each [degrees]
 };
 
 /// What a scene proposes, and what it should have.
@@ -30,7 +33,8 @@ struct ScoredScene {
   std::size_t dataset = 0;
   std::vector<PointIndices> truth;
   std::vector<SceneObject> objects;
-  std::vector<Sample> samples;  ///< one an object
+  std::vector<Sample> samples;      ///< one an object
+  std::vector<double> confidences;  ///< of the cuts, one an object
 };
 
 double target_of(const std::vector<PointIndices>& truth, const PointIndices& points,
@@ -41,8 +45,35 @@ double target_of(const std::vector<PointIndices>& truth, const PointIndices& poi
   return best > 0.9 ? 1.0 : best > 0.75 ? half_right : 0.0;
 }
 
-ScoredScene load(const DatasetEntry& entry, std::size_t dataset, const Arguments& arguments) {
-  const LoadedEntry loaded = load_entry(entry);
+/// The cloud as a worse sensor would have it: normals turned at random, alike within a centimetre,
+/// as the noise of a depth image is, and points off the surface in proportion.
+PointCloud with_noise(PointCloud cloud, double degrees, std::uint64_t seed) {
+  constexpr double cell = 0.01;               // [m]
+  constexpr double offset_per_degree = 1e-4;  // [m]
+  const auto sigma = static_cast<float>(radians(degrees));
+  for (Index i = 0; i < cloud.size() && sigma > 0.0F; ++i) {
+    const Eigen::Vector3d at = (cloud.position(i).cast<double>() / cell).array().floor();
+    const auto key = static_cast<std::uint64_t>((at.x() * 73856093.0) + (at.y() * 19349663.0) +
+                                                (at.z() * 83492791.0) + 1e12);
+    Random shared(key, seed), own(i, seed + 1);
+    const auto turn = [&](Random& random) {
+      return Eigen::Vector3f(static_cast<float>(random.normal()),
+                             static_cast<float>(random.normal()),
+                             static_cast<float>(random.normal()));
+    };
+    const Eigen::Vector3f n =
+        (cloud.normal(i) + sigma * (turn(shared) + 0.5F * turn(own))).normalized();
+    const auto off = static_cast<float>(degrees * offset_per_degree * shared.normal());
+    cloud.positions.row(i) += off * cloud.normals.row(i);
+    cloud.normals.row(i) = n.transpose();
+  }
+  return cloud;
+}
+
+ScoredScene load(const DatasetEntry& entry, std::size_t dataset, double noise,
+                 const Arguments& arguments) {
+  LoadedEntry loaded = load_entry(entry);
+  loaded.scene.cloud = with_noise(std::move(loaded.scene.cloud), noise, dataset);
   ScoredScene scene;
   scene.dataset = dataset;
   SceneProposals proposals = propose_objects(loaded.scene);
@@ -56,6 +87,7 @@ ScoredScene load(const DatasetEntry& entry, std::size_t dataset, const Arguments
     });
     sample.target = target_of(scene.truth, proposal.object.points, arguments.half_right);
     scene.samples.push_back(std::move(sample));
+    scene.confidences.push_back(proposal.measures.confidence);
     scene.objects.push_back(std::move(proposal.object));
   }
   return scene;
@@ -65,7 +97,7 @@ std::vector<ScoredScene> load_all(const Arguments& arguments) {
   std::vector<ScoredScene> scenes;
   for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
     for (const DatasetEntry& entry : read_dataset(arguments.datasets[d]).entries) {
-      scenes.push_back(load(entry, d, arguments));
+      for (const double noise : arguments.noise) scenes.push_back(load(entry, d, noise, arguments));
       fmt::print(stderr, "\r{} scenes", scenes.size());
     }
   }
@@ -131,22 +163,24 @@ std::vector<Sample> samples_of(const std::vector<ScoredScene>& scenes, std::size
   return samples;
 }
 
-void rescore(const BoostedTrees& model, ScoredScene& scene) {
-  std::vector<SceneObject> sorted;
-  for (std::size_t k = 0; k < scene.objects.size(); ++k)
-    scene.objects[k].score = model.probability(scene.samples[k].features);
+void rescore(const BoostedTrees& model, double belief, ScoredScene& scene) {
+  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+    const std::vector<double>& features = scene.samples[k].features;
+    scene.objects[k].score =
+        1.0 - (1.0 - model.probability(features)) * (1.0 - belief * scene.confidences[k]);
+  }
 }
 
 /// Every dataset with trees that were fitted to the others.
 void cross_validate(std::vector<ScoredScene> scenes, const Arguments& arguments) {
-  for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
-    const BoostedTrees model = fit_trees(samples_of(scenes, d), arguments.boosting);
-    for (ScoredScene& scene : scenes) {
-      if (scene.dataset == d) rescore(model, scene);
-    }
+  std::vector<BoostedTrees> models;
+  for (std::size_t d = 0; d < arguments.datasets.size(); ++d)
+    models.push_back(fit_trees(samples_of(scenes, d), arguments.boosting));
+  for (const double belief : arguments.beliefs) {
+    for (ScoredScene& scene : scenes) rescore(models[scene.dataset], belief, scene);
+    fmt::print("each dataset scored by the others, belief {}:\n", belief);
+    print_curve(scenes);
   }
-  fmt::print("each dataset scored by the others:\n");
-  print_curve(scenes);
   for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
     std::vector<ScoredScene> own;
     std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(own),
@@ -217,6 +251,8 @@ int main(int argc, char** argv) {
   app.add_option("--min-leaf", arguments.boosting.min_leaf, "samples")->capture_default_str();
   app.add_option("--half-right", arguments.half_right, "target for an IoU from 0.75 to 0.9")
       ->capture_default_str();
+  app.add_option("--noise", arguments.noise, "of normals: each scene once with each [degrees]");
+  app.add_option("--beliefs", arguments.beliefs, "in the confidence of cuts, to compare");
   app.add_option("--without", arguments.without, "measures to leave out");
   CLI11_PARSE(app, argc, argv);
   try {

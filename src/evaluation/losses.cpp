@@ -28,7 +28,7 @@ std::size_t stage_of(const std::string& reason) {
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), reason) - order.begin());
 }
 
-/// The cut that overlaps a target best.
+/// The cut, or part of the surface, that overlaps a target best.
 struct BestCut {
   double overlap = 0.0;
   const PointIndices* points = nullptr;
@@ -44,6 +44,8 @@ BestCut best_cut(const Target& target, const SceneProposals& proposals) {
   for (const Hypothesis& cut : proposals.rotational) best.consider(target, cut.points);
   for (const Hypothesis& cut : proposals.reflectional) best.consider(target, cut.points);
   for (const Rejection& cut : proposals.rejected) best.consider(target, cut.points);
+  for (const ObjectProposal& proposal : proposals.objects)
+    best.consider(target, proposal.object.points);
   return best;
 }
 

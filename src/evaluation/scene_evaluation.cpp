@@ -37,11 +37,17 @@ std::vector<std::vector<double>> segmentation_grid(bool rotational) {
 }
 
 PipelineOptions at_setting(PipelineOptions options, const std::vector<double>& setting) {
+  options.selection.by_score = false;
   options.reflectional_segmentation.bounds.max_symmetry = setting[0];
   options.reflectional_segmentation.bounds.max_occlusion = setting[1];
   if (setting.size() < 4) return options;
   options.rotational_segmentation.bounds.max_symmetry = setting[2];
   options.rotational_segmentation.bounds.max_occlusion = setting[3];
+  return options;
+}
+
+PipelineOptions within_bounds(PipelineOptions options) {
+  options.selection.by_score = false;
   return options;
 }
 
@@ -63,22 +69,19 @@ Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
   return sweep;
 }
 
-/// The least score over one result.
-Sweep score_sweep(const Sweep& bounds, const std::vector<SceneObject>& objects,
-                  const CountingContext& context) {
+/// The least probability, over everything that is proposed.
+Sweep score_sweep(const SceneProposals& proposals, const CountingContext& context,
+                  PipelineOptions options) {
+  options.selection.by_score = true;
   Sweep sweep;
-  sweep.method = bounds.method + ", by score";
+  sweep.method = scored_method;
   sweep.parameters = {"min_score"};
-  sweep.settings = all_settings({evenly_spaced(0.0, 0.95, 0.05)});
-  sweep.measures = bounds.measures;
-  sweep.counts.resize(sweep.settings.size());
-  parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
-    std::vector<SceneObject> kept;
-    std::copy_if(
-        objects.begin(), objects.end(), std::back_inserter(kept),
-        [&](const SceneObject& object) { return object.score >= sweep.settings[k].front(); });
-    sweep.counts[k] = context.count(kept);
-  });
+  sweep.settings = all_settings({evenly_spaced(0.05, 0.95, 0.05)});
+  sweep.measures = {all_measures.begin(), all_measures.end()};
+  for (const std::vector<double>& setting : sweep.settings) {
+    options.selection.min_score = setting.front();
+    sweep.counts.push_back(context.count(choose_objects(proposals, options).objects));
+  }
   return sweep;
 }
 
@@ -188,14 +191,17 @@ void evaluate_given(const Scene& scene, const SceneTruth& truth, const Evaluatio
   evaluation.returned = result.objects.size();
   if (on_begin) on_begin("sweep");
   const CountingContext context(scene, truth, proposals.cloud, options);
+  Sweep scored = score_sweep(proposals, context, options.pipeline);
   const bool full = options.pipeline.rotational_stream;
-  Sweep sweep = segmentation_sweep(full ? full_method : reflectional_method, proposals, context,
-                                   options.pipeline);
-  sweep.at_default = context.count(result.objects);
-  for (const StageTime& time : evaluation.timings) sweep.seconds += time.seconds;
-  evaluation.segmentation.push_back(std::move(sweep));
-  evaluation.segmentation.push_back(
-      score_sweep(evaluation.segmentation.front(), result.objects, context));
+  Sweep bounded = segmentation_sweep(full ? full_method : reflectional_method, proposals, context,
+                                     options.pipeline);
+  bounded.at_default =
+      context.count(choose_objects(proposals, within_bounds(options.pipeline)).objects);
+  Sweep& given = options.pipeline.selection.by_score ? scored : bounded;
+  given.at_default = context.count(result.objects);
+  for (const StageTime& time : evaluation.timings) given.seconds += time.seconds;
+  evaluation.segmentation.push_back(std::move(scored));
+  evaluation.segmentation.push_back(std::move(bounded));
   evaluation.objects = object_outcomes(truth, context.masks(), proposals, result);
   for (const PeerMethod& peer : options.peers)
     evaluation.segmentation.push_back(peer_sweep(peer, proposals.cloud, context, timer));
@@ -208,8 +214,8 @@ void evaluate_reflectional_only(const Scene& scene, const SceneTruth& truth,
   const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
   const CountingContext context(scene, truth, proposals.cloud, options);
   Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, options.pipeline);
-  sweep.at_default = context.count(choose_objects(proposals, options.pipeline).objects);
-  for (const StageTime& time : proposals.timings) sweep.seconds += time.seconds;
+  sweep.at_default =
+      context.count(choose_objects(proposals, within_bounds(options.pipeline)).objects);
   evaluation.segmentation.insert(evaluation.segmentation.begin() + 2, std::move(sweep));
 }
 

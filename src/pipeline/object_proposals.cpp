@@ -80,6 +80,7 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
     proposal.measures = meter.measure(proposal.object.points);
     proposal.measures.seam = regions.seam(proposal.object.points);
     symmetry_meter.measure(proposal.object, proposal.measures);
+    proposal.measures.confidence = proposal.object.score;  // of the cut
     proposal.object.score = object_score(proposal.measures);
   });
   std::stable_sort(objects.begin(), objects.end(),

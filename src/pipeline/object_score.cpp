@@ -18,7 +18,7 @@ struct TreeNode {
 
 }  // namespace
 
-double object_score(const ObjectMeasures& measures) {
+double estimated_probability(const ObjectMeasures& measures) {
   const auto values = measures.values();
   double log_odds = double{object_score_base};
   for (const std::int32_t root : object_score_roots) {
@@ -30,6 +30,10 @@ double object_score(const ObjectMeasures& measures) {
     log_odds += double{node->value};
   }
   return 1.0 / (1.0 + std::exp(-log_odds));
+}
+
+double object_score(const ObjectMeasures& measures) {
+  return combined_score(estimated_probability(measures), measures.confidence);
 }
 
 }  // namespace symscene

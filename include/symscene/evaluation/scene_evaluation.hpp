@@ -40,10 +40,11 @@ struct SceneEvaluation {
   std::size_t returned = 0;        ///< objects that it returned
 };
 
-/// Names of the methods in `segmentation` and `detection`. The second of `segmentation` is the
-/// first with its name and ", by score".
-inline constexpr const char* full_method = "Rot + Refl";
-inline constexpr const char* reflectional_method = "Refl only";
+/// Names of the methods in `segmentation` and `detection`: everything proposed, chosen by score;
+/// and the cuts within the bounds of section 4.3.3, with the rotational stream and without.
+inline constexpr const char* scored_method = "SymScene";
+inline constexpr const char* full_method = "Rot + Refl, bounds";
+inline constexpr const char* reflectional_method = "Refl only, bounds";
 inline constexpr const char* axis_detection_method = "Axes before segmentation";
 inline constexpr const char* plane_detection_method = "Planes before segmentation";
 
@@ -55,12 +56,12 @@ void require_usable_truth(const Scene& scene, const SceneTruth& truth);
 SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
                            const SegmentationResult& result, const EvaluationOptions& options = {});
 
-/// Segments and scores are computed once, thresholds are swept over them: the bounds of table 4.2
-/// on the segments of the pipeline and of its variant without rotations, the bounds of table 3.1 on
-/// the symmetries before segmentation, and the least score on what the given options return. A
-/// candidate symmetry that equals another is merged before the sweep, not at each of its bounds.
-/// Equal for any number of threads but for the times, which are wall times. Throws InputError as
-/// require_usable_truth() and segment_scene() do.
+/// Segments and scores are computed once, thresholds are swept over them: the least
+/// probability on everything that is proposed, the bounds of table 4.2 on the cuts of the pipeline
+/// and of its variant without rotations, and the bounds of table 3.1 on the symmetries before
+/// segmentation. A candidate symmetry that equals another is merged before the sweep, not at each
+/// of its bounds. Equal for any number of threads but for the times, which are wall times. Throws
+/// InputError as require_usable_truth() and segment_scene() do.
 SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
                                const EvaluationOptions& options = {},
                                const StageTimer::OnBegin& on_begin = {});

@@ -7,6 +7,17 @@ namespace symscene {
 /// The probability that a set of points is one whole object (that it overlaps with a true one by
 /// more than 0.9), as boosted trees (Friedman 2001) estimate it from its measures. The trees were
 /// fitted by `symscene_fit_object_score` to simulated scenes of the tune split.
+double estimated_probability(const ObjectMeasures& measures);
+
+/// How far the confidence of a cut is believed by itself.
+inline constexpr double cut_belief = 0.5;
+
+/// The estimate and the confidence of the cut as independent evidence: things unlike those that the
+/// trees were fitted to are still found by their symmetry.
+inline double combined_score(double estimate, double confidence) {
+  return 1.0 - (1.0 - estimate) * (1.0 - cut_belief * confidence);
+}
+
 double object_score(const ObjectMeasures& measures);
 
 }  // namespace symscene

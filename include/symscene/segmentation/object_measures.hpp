@@ -37,6 +37,8 @@ struct ObjectMeasures {
   double plane_inlier = 0.0;     ///< share of points that agree with the best of them (Eq. 3.10)
   double plane_occlusion = 1.0;  ///< its occlusion score (Eq. 4.7)
 
+  double confidence = 0.0;  ///< of the best cut that made it (section 4.3.3); 0 for none
+
   /// Calls visit(name, value) for every measure, in this order.
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -62,8 +64,9 @@ struct ObjectMeasures {
     visit("planes", self.planes);
     visit("plane_inlier", self.plane_inlier);
     visit("plane_occlusion", self.plane_occlusion);
+    visit("confidence", self.confidence);
   }
-  static constexpr std::size_t count = 22;
+  static constexpr std::size_t count = 23;
   std::array<double, count> values() const;
 };
 
