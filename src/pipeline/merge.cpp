@@ -37,6 +37,12 @@ void MergeOptions::validate() const {
                  same_distance);
 }
 
+bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object) {
+  const auto [smaller, larger] = std::minmax({a.size(), b.size()});
+  return static_cast<double>(smaller) > same_object * static_cast<double>(larger) &&
+         intersection_over_union(a, b) > same_object;
+}
+
 std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypotheses,
                                           const PointCloud& cloud, const MergeOptions& options) {
   std::stable_sort(
@@ -46,9 +52,7 @@ std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypothese
   for (RatedHypothesis& rated : hypotheses) {
     PointIndices& points = rated.hypothesis.points;
     auto same = std::find_if(objects.begin(), objects.end(), [&](const SceneObject& object) {
-      const auto [smaller, larger] = std::minmax({object.points.size(), points.size()});
-      return static_cast<double>(smaller) > options.same_object * static_cast<double>(larger) &&
-             intersection_over_union(object.points, points) > options.same_object;
+      return is_same_set(object.points, points, options.same_object);
     });
     const Eigen::Vector3d here = centroid(cloud.positions, points);
     if (same == objects.end()) {

@@ -84,6 +84,14 @@ void complete_objects(const DistanceField& field, const CompletionOptions& optio
 
 }  // namespace
 
+void ContinuationOptions::validate() const {
+  require_option(most >= 0 && most <= 1000, "most", "0 to 1000 proposals", most);
+  require_option(min_score >= 0.0, "min_score", "a probability of at least 0", min_score);
+  require_option(min_continuation >= 0.0, "min_continuation", "a share of at least 0",
+                 min_continuation);
+  require_option(reach >= 0.0, "reach", "a length of at least 0 m", reach);
+}
+
 void ObjectSymmetryBounds::validate() const {
   visit_fields(*this, [](const char* name, double value, const char*, const char*) {
     require_option(value >= 0.0, name, "a number of at least 0", value);
@@ -108,6 +116,7 @@ void PipelineOptions::validate() const {
   rotational_segmentation.validate();
   reflectional_detection.validate();
   reflectional_segmentation.validate();
+  continuation.validate();
   merge.validate();
   selection.validate();
   object_symmetry.validate();

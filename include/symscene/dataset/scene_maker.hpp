@@ -20,7 +20,7 @@ struct DatasetOptions {
   double max_spread = 0.055;  ///< the same where things lie loosest [m]
   double max_stacked = 0.5;   ///< largest share of arranged objects that try to stand on another
   double max_touching = 0.8;  ///< largest share of arranged objects pushed up against another
-  int attempts = 4;           ///< seeds that are tried for a scene until one makes a good one
+  int attempts = 20;           ///< seeds that are tried for a scene until one makes a good one
   double max_lost = 0.1;      ///< share of the frames that tracking may lose
   double max_error = 0.01;    ///< of the camera's path, root mean square [m]
   double max_table_error = 0.01;  ///< of the table's height under the objects [m]

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "symscene/core/options.hpp"
 #include "symscene/segmentation/hypothesis.hpp"
 
@@ -27,6 +29,9 @@ struct RatedHypothesis {
   Hypothesis hypothesis;
   double score = 0.0;
 };
+
+/// Whether two ascending sets of points overlap by more than `same_object` [IoU].
+bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object);
 
 /// Hypotheses that show the same object become one, which keeps the mask of the best and the
 /// symmetries of all (section 4.4). By falling score.

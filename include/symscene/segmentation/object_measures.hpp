@@ -37,7 +37,8 @@ struct ObjectMeasures {
   double plane_inlier = 0.0;     ///< share of points that agree with the best of them (Eq. 3.10)
   double plane_occlusion = 1.0;  ///< its occlusion score (Eq. 4.7)
 
-  double confidence = 0.0;  ///< of the best cut that made it (section 4.3.3); 0 for none
+  double continued = 0.0;        ///< how much another set continues it behind what hides it
+  double confidence = 0.0;       ///< of the best cut that made it (section 4.3.3); 0 for none
 
   /// Calls visit(name, value) for every measure, in this order.
   template <class Self, class Visit>
@@ -64,9 +65,10 @@ struct ObjectMeasures {
     visit("planes", self.planes);
     visit("plane_inlier", self.plane_inlier);
     visit("plane_occlusion", self.plane_occlusion);
+    visit("continued", self.continued);
     visit("confidence", self.confidence);
   }
-  static constexpr std::size_t count = 23;
+  static constexpr std::size_t count = 24;
   std::array<double, count> values() const;
 };
 
