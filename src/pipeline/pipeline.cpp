@@ -89,6 +89,8 @@ void ContinuationOptions::validate() const {
   require_option(min_score >= 0.0, "min_score", "a probability of at least 0", min_score);
   require_option(min_continuation >= 0.0, "min_continuation", "a share of at least 0",
                  min_continuation);
+  require_option(whole_belief >= 0.0 && whole_belief <= 1.0, "whole_belief",
+                 "a probability in [0, 1]", whole_belief);
   require_option(reach >= 0.0, "reach", "a length of at least 0 m", reach);
 }
 

@@ -25,6 +25,7 @@ class Losses : public ::testing::Test {
     for (Eigen::Index i = 0; i < 300; ++i)
       proposals_.cloud.positions(i, 0) = 0.001F * static_cast<float>(i);
     options_.reflectional_segmentation.bounds.min_size = 20;
+    options_.selection.by_score = false;
   }
 
   void propose(const ReflectionPlane& plane, PointIndices support) {
@@ -119,6 +120,16 @@ TEST_F(Losses, AGoodCutMayBeTakenForTwo) {
   cut(range(0, 50), {0.05, 0.001, 0.1});
   cut(range(50, 100), {0.05, 0.001, 0.1});
   expect(Fate::rejected, "composite");
+}
+
+TEST_F(Losses, AGoodProposalMayBeTooImprobable) {
+  propose(mirror, range(0, 50));
+  options_.selection.by_score = true;
+  ObjectProposal proposal;
+  proposal.object.points = range(0, 100);
+  proposal.object.score = 0.5 * options_.selection.min_score;
+  proposals_.objects.push_back(proposal);
+  expect(Fate::rejected, "score");
 }
 
 TEST_F(Losses, AGoodCutMayBecomePartOfAnObjectWithAWorseMask) {
