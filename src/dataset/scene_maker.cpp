@@ -191,11 +191,16 @@ MadeScene make_scene(const DatasetOptions& options, Split split,
   made.facts.index = index;
   made.facts.split = split;
   made.facts.dropped = is_dropped(options, models, index);
-  made.facts.objects_asked = static_cast<std::size_t>(
+  const auto asked = static_cast<std::size_t>(
       object_count(options.seed, split, index, options.min_objects, options.max_objects));
   for (std::size_t attempt = 0;
        attempt < static_cast<std::size_t>(options.attempts) && !made.facts.good; ++attempt) {
     made.facts.seed = scene_seed(options.seed, split, index, attempt);
+    // A can alone on a bare table holds no camera: what fails again and again gets more objects.
+    constexpr std::size_t patience = 4;
+    made.facts.objects_asked = asked + (attempt < patience ? 0 : attempt - patience + 1);
+    made.facts.objects_asked =
+        std::min(made.facts.objects_asked, static_cast<std::size_t>(options.max_objects));
     try_seed(options, models, made);
   }
   return made;

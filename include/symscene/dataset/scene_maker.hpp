@@ -20,7 +20,7 @@ struct DatasetOptions {
   double max_spread = 0.055;  ///< the same where things lie loosest [m]
   double max_stacked = 0.5;   ///< largest share of arranged objects that try to stand on another
   double max_touching = 0.8;  ///< largest share of arranged objects pushed up against another
-  int attempts = 20;           ///< seeds that are tried for a scene until one makes a good one
+  int attempts = 20;          ///< seeds that are tried for a scene until one makes a good one
   double max_lost = 0.1;      ///< share of the frames that tracking may lose
   double max_error = 0.01;    ///< of the camera's path, root mean square [m]
   double max_table_error = 0.01;  ///< of the table's height under the objects [m]
@@ -98,7 +98,8 @@ Tabletop place_objects(const DatasetOptions& options, std::span<const ObjectMode
 /// Makes scene `index` of a dataset: puts objects on a table, sweeps a noisy camera around it,
 /// reconstructs that by tracking and carries the truth over. `models` are those of the split
 /// (models_of()); procedural objects stand among them. A seed whose reconstruction is not good
-/// enough gives way to the scene's next one. Depends on nothing but its arguments: not on other
+/// enough gives way to the scene's next one, and after four there is an object more with every
+/// seed. Depends on nothing but its arguments: not on other
 /// scenes, nor on the number of threads. Throws InputError where an option is out of its range, or
 /// there are models and this build has no physics.
 MadeScene make_scene(const DatasetOptions& options, Split split,
