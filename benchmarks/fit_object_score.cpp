@@ -51,6 +51,7 @@ PointCloud with_noise(PointCloud cloud, double degrees, std::uint64_t seed) {
   constexpr double cell = 0.01;               // [m]
   constexpr double offset_per_degree = 1e-4;  // [m]
   const auto sigma = static_cast<float>(radians(degrees));
+  if (!cloud.has_normals()) return cloud;
   for (Index i = 0; i < cloud.size() && sigma > 0.0F; ++i) {
     const Eigen::Vector3d at = (cloud.position(i).cast<double>() / cell).array().floor();
     const auto key = static_cast<std::uint64_t>((at.x() * 73856093.0) + (at.y() * 19349663.0) +
@@ -215,7 +216,7 @@ std::string as_table(const BoostedTrees& model) {
     roots += fmt::format("{}{},", count % 16 == 0 ? "\n    " : " ", count);
     for (const TreeNode& node : tree) {
       const double value = node.feature >= 0 ? double{node.bound} : node.value;
-      nodes += fmt::format("    {{{}, {}, {:#.7g}F}},\n", node.feature, node.right, value);
+      nodes += fmt::format("    {{{}, {}, {:#.9g}F}},\n", node.feature, node.right, value);
     }
     count += tree.size();
   }

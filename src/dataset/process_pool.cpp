@@ -51,9 +51,14 @@ std::string receive_packet(int socket) {
   return bytes;
 }
 
+/// What cannot be told ends the process: its end tells of it.
 void send_outcome(int socket, char mark, std::string text) {
-  if (text.size() > longest_text) text.resize(longest_text);
-  send_packet(socket, mark + text);
+  if (text.size() > longest_text) {
+    if (mark == mark_done) text = "what it had to tell is too long";
+    mark = mark_failed;
+    text.resize(std::min(text.size(), longest_text));
+  }
+  if (!send_packet(socket, mark + text)) _exit(1);
 }
 
 int wait_for(pid_t process) {
@@ -199,7 +204,10 @@ void ProcessPool::run(const std::vector<std::size_t>& items,
       busy.push_back(&worker);
     }
     if (busy.empty()) break;
-    if (poll(waiting.data(), waiting.size(), -1) < 0) continue;
+    if (poll(waiting.data(), waiting.size(), -1) < 0) {
+      if (errno == EINTR) continue;
+      throw std::system_error(errno, std::generic_category(), "waiting for processes");
+    }
     for (std::size_t i = 0; i < busy.size(); ++i) {
       if (waiting[i].revents != 0) on_outcome(take(*busy[i]));
     }

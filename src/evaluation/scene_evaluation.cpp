@@ -77,7 +77,7 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
   sweep.method = scored_method;
   sweep.parameters = {"min_score"};
   sweep.settings = all_settings({evenly_spaced(0.05, 0.95, 0.05)});
-  sweep.measures = {all_measures.begin(), all_measures.end()};
+  sweep.measures = pipeline_measures(options.rotational_stream);
   for (const std::vector<double>& setting : sweep.settings) {
     options.selection.min_score = setting.front();
     sweep.counts.push_back(context.count(choose_objects(proposals, options).objects));

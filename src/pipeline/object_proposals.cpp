@@ -112,6 +112,7 @@ class Continuations {
     parallel_for_each(count, [&](std::size_t a) {
       const PointIndices& own = proposals[a].object.points;
       double& continued = proposals[a].measures.continued;
+      continued = 0.0;
       for (std::size_t b = 0; b < best; ++b) {
         if (a == b) continue;
         const PointIndices& other = proposals[b].object.points;
@@ -158,7 +159,7 @@ std::vector<SceneObject> without_known(std::vector<SceneObject> sets,
   return distinct;
 }
 
-/// Two that continue one another are hardly both objects if what they are together looks like one.
+/// What lies in two that continue one another is hardly an object if they look like one together.
 void yield_to_joined(const std::vector<PointIndices>& joined, const ContinuationOptions& options,
                      std::vector<ObjectProposal>& proposals) {
   std::vector<double> best(proposals.size(), 0.0);

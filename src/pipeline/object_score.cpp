@@ -1,7 +1,9 @@
 #include "symscene/pipeline/object_score.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace symscene {
 namespace {
@@ -15,6 +17,12 @@ struct TreeNode {
 };
 
 #include "pipeline/object_score_trees.inc"
+
+static_assert(std::all_of(std::begin(object_score_nodes), std::end(object_score_nodes),
+                          [](const TreeNode& node) {
+                            return node.measure < static_cast<int>(ObjectMeasures::count);
+                          }),
+              "the trees were fitted to other measures");
 
 }  // namespace
 

@@ -26,7 +26,7 @@ class RegionJoiner {
     borders_[b][a] += border;
   }
 
-  /// Calls on_join(a, b, joined, bend of the border between them).
+  /// Calls on_join(a, b, bend of the border between them); what is joined has the next number.
   template <class OnJoin>
   void run(OnJoin&& on_join) {
     for (Index a = 0; a < borders_.size(); ++a) {
@@ -39,7 +39,8 @@ class RegionJoiner {
       queue_.pop();
       if (!alive_[next.a] || !alive_[next.b]) continue;
       const double bend = borders_[next.a].at(next.b).bend();
-      on_join(next.a, next.b, join(next.a, next.b), bend);
+      on_join(next.a, next.b, bend);
+      join(next.a, next.b);
     }
   }
 
@@ -59,11 +60,13 @@ class RegionJoiner {
     queue_.push({border.bend() - (fragment ? 1.0 : 0.0), a, b});
   }
 
-  Index join(Index a, Index b) {
+  void join(Index a, Index b) {
     const auto joined = static_cast<Index>(sizes_.size());
     sizes_.push_back(sizes_[a] + sizes_[b]);
     alive_[a] = alive_[b] = false;
     alive_.push_back(true);
+    // The shorter list goes into the longer: fragments join surfaces with many borders.
+    if (borders_[a].size() < borders_[b].size()) std::swap(borders_[a], borders_[b]);
     std::map<Index, RegionBorder> around = std::move(borders_[a]);
     for (const auto& [other, border] : borders_[b]) around[other] += border;
     around.erase(a);
@@ -77,7 +80,6 @@ class RegionJoiner {
     borders_[a].clear();
     borders_[b].clear();
     borders_.push_back(std::move(around));
-    return joined;
   }
 
   std::size_t fragment_;
@@ -129,7 +131,7 @@ std::vector<PointIndices> SurfaceRegions::parts() const {
   RegionJoiner joiner(std::move(sizes), static_cast<std::size_t>(options_.fragment));
   for (const Meeting& meeting : meetings_) joiner.add_border(meeting.a, meeting.b, meeting.border);
   std::vector<PointIndices> parts = regions_;
-  joiner.run([&](Index a, Index b, Index, double) {
+  joiner.run([&](Index a, Index b, double) {
     PointIndices points;
     points.reserve(parts[a].size() + parts[b].size());
     std::merge(parts[a].begin(), parts[a].end(), parts[b].begin(), parts[b].end(),
@@ -164,7 +166,7 @@ double SurfaceRegions::seam(std::span<const Index> points) const {
   }
   const double least = options_.min_seam_share * static_cast<double>(points.size());
   double seam = 0.0;
-  joiner.run([&](Index a, Index b, Index, double bend) {
+  joiner.run([&](Index a, Index b, double bend) {
     if (static_cast<double>(std::min(joiner.size(a), joiner.size(b))) >= least)
       seam = std::max(seam, bend);
   });

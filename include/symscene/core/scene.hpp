@@ -36,14 +36,14 @@ struct ScoredPlane {
 struct SceneObject {
   PointIndices points;                 ///< into the result's cloud, ascending
   double score = 0.0;                  ///< confidence in [0, 1]
-  std::vector<ScoredAxis> rotational;  ///< falling quality
+  std::vector<ScoredAxis> rotational;  ///< by rising misfit
   std::vector<ScoredPlane> reflectional;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< centre of mass under the symmetries [m]
 };
 
 /// A candidate that did not become an object, or was merged, and the bound that it failed.
 struct Rejection {
-  std::string kind;          ///< "rotational" or "reflectional"
+  std::string kind;          ///< "rotational", "reflectional" or "surface"
   std::string reason;        ///< the score that failed: "symmetry", "occlusion", "smoothness", ...
   double value = 0.0;        ///< what was measured
   double bound = 0.0;        ///< what was allowed

@@ -12,12 +12,13 @@ double estimated_probability(const ObjectMeasures& measures);
 /// How far the confidence of a cut is believed by itself.
 inline constexpr double cut_belief = 0.5;
 
-/// The estimate and the confidence of the cut as independent evidence: things unlike those that the
-/// trees were fitted to are still found by their symmetry.
+/// The estimate, raised by the confidence of the cut (which the estimate knows too): things unlike
+/// those that the trees were fitted to are still found by their symmetry.
 inline double combined_score(double estimate, double confidence) {
   return 1.0 - (1.0 - estimate) * (1.0 - cut_belief * confidence);
 }
 
+/// The score of a proposal: both together. In [0, 1].
 double object_score(const ObjectMeasures& measures);
 
 }  // namespace symscene

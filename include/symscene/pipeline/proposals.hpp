@@ -27,14 +27,17 @@ struct SceneProposals {
   std::vector<StageTime> timings;
 };
 
-/// Both streams of section 4.4, without the bounds of section 4.3.3. The bounds and the removal
-/// score of `options` still decide which rotational objects hide their points from the reflectional
-/// stream. Throws InputError as segment_scene() does.
+/// The cuts of both streams of section 4.4 without the bounds of section 4.3.3, and the parts of
+/// the surface, measured and scored. The bounds and the removal score of `options` still decide
+/// which rotational objects hide their points from the reflectional stream. Throws InputError as
+/// segment_scene() does.
 SceneProposals propose_objects(const Scene& scene, const PipelineOptions& options = {},
                                const StageTimer::OnBegin& on_begin = {});
 
-/// Applies the bounds, joins equal segments and lets them compete; no completed shapes. Of
-/// `options` only the bounds of both streams, `merge` and `selection` count.
+/// Chooses objects among what is proposed, without their completed shapes. With
+/// `selection.by_score` by probability among all proposals (select_probable()), and the symmetries
+/// of what is chosen are found anew on all its points; otherwise as section 4.3.3 does, among the
+/// cuts within the bounds of both streams, equal ones joined (select_consistent()).
 SegmentationResult choose_objects(const SceneProposals& proposals,
                                   const PipelineOptions& options = {});
 

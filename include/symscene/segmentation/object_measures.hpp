@@ -29,7 +29,7 @@ struct ObjectMeasures {
   double thickness = 0.0;    ///< [m]
   double foot = 0.0;         ///< height of the lowest point over the table, 0 to 0.1 [m]
   double top = 0.0;          ///< of the highest one, 0 to 0.3 [m]
-  double near_others = 0.0;  ///< share of points with one of another set within 2 cm
+  double near_others = 0.0;  ///< share of points with one outside the set within 2 cm
   double axes = 0.0;         ///< rotational symmetries under which it was cut out
   double axis_misfit = 1.0;  ///< symmetry score of the best of them (Eq. 3.5)
   double axis_occlusion = 1.0;   ///< its occlusion score (Eq. 4.3)
@@ -37,8 +37,8 @@ struct ObjectMeasures {
   double plane_inlier = 0.0;     ///< share of points that agree with the best of them (Eq. 3.10)
   double plane_occlusion = 1.0;  ///< its occlusion score (Eq. 4.7)
 
-  double continued = 0.0;        ///< how much another set continues it behind what hides it
-  double confidence = 0.0;       ///< of the best cut that made it (section 4.3.3); 0 for none
+  double continued = 0.0;   ///< how much another set continues it behind what hides it
+  double confidence = 0.0;  ///< of the best cut that made it (section 4.3.3); 0 for none
 
   /// Calls visit(name, value) for every measure, in this order.
   template <class Self, class Visit>
