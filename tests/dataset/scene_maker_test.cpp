@@ -46,6 +46,24 @@ TEST(SceneMaker, MakesASceneWithItsTruthWhateverTheNumberOfThreads) {
   EXPECT_EQ(bytes(made), bytes(made_with(2)));
 }
 
+TEST(SceneMaker, MakesASceneOfASingleFrame) {
+  DatasetOptions options = small_options();
+  options.camera.frames = 1;
+  const MadeScene made = make_scene(options, Split::tune, {}, 1);
+  ASSERT_TRUE(made.facts.good) << made.facts.failed.at(0).reason;
+  EXPECT_EQ(made.facts.frames, 1U);
+  EXPECT_EQ(made.facts.fused, 1U);
+  EXPECT_EQ(made.facts.path_error, 0.0);
+  ASSERT_TRUE(made.scene.table);
+  // The truth is moved by the one pose that is known, so that both tables are one.
+  EXPECT_LT(angle_between(made.scene.table->normal, made.truth.table.normal), radians(2.0));
+  EXPECT_GE(made.truth.objects.size(), 1U);
+  for (const TrueObject& object : made.truth.objects) {
+    const Eigen::Vector3d seen = centroid(made.scene.cloud.positions, object.points);
+    EXPECT_LT((seen - object.centroid).norm(), 0.1);
+  }
+}
+
 TEST(SceneMaker, TriesOtherSeedsAndSaysWhyWhereTrackingIsLost) {
   DatasetOptions options = small_options();
   options.attempts = 2;

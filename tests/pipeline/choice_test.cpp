@@ -128,6 +128,132 @@ TEST(Selection, OfManyRivalsEndsAndIsConsistent) {
   }
 }
 
+TEST(Merge, KnowsTheSameSetByItsOverlap) {
+  EXPECT_TRUE(is_same_set(range(0, 100), range(0, 100), 0.95));
+  EXPECT_TRUE(is_same_set(range(0, 96), range(0, 100), 0.95));
+  EXPECT_TRUE(is_same_set(range(0, 100), range(0, 96), 0.95));
+  EXPECT_FALSE(is_same_set(range(0, 95), range(0, 100), 0.95));  // 0.95 is not more
+  EXPECT_FALSE(is_same_set(range(0, 100), range(10, 110), 0.95));
+  EXPECT_TRUE(is_same_set(range(0, 100), range(10, 110), 0.8));  // 90 of 110
+  EXPECT_FALSE(is_same_set(range(0, 50), range(50, 100), 0.0));
+  EXPECT_FALSE(is_same_set({}, {}, 0.5));
+}
+
+TEST(Probable, LeavesOutWhatIsNotProbableEnough) {
+  std::vector<Rejection> rejected;
+  const auto selected = select_probable(
+      {object(range(0, 10), 0.3), object(range(20, 30), 0.31), object(range(40, 45), 0.1)}, {},
+      rejected);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_EQ(selected[0].points, range(20, 30));
+  ASSERT_EQ(rejected.size(), 2U);
+  EXPECT_EQ(rejected[0].kind, "surface");
+  EXPECT_EQ(rejected[0].reason, "score");
+  EXPECT_EQ(rejected[0].value, 0.3);
+  EXPECT_EQ(rejected[0].bound, 0.3);
+  EXPECT_EQ(rejected[0].size, 10U);
+  EXPECT_EQ(rejected[0].points, range(0, 10));
+  EXPECT_EQ(rejected[1].points, range(40, 45));
+  EXPECT_TRUE(select_probable({}, {}, rejected).empty());
+}
+
+TEST(Probable, ExcludesWhatSharesMoreThanHalfOfTheSmaller) {
+  std::vector<Rejection> rejected;
+  // 50 of 100 points are shared, which is not more than half, then 51.
+  EXPECT_EQ(select_probable({object(range(0, 100), 0.5), object(range(50, 200), 0.6)}, {}, rejected)
+                .size(),
+            2U);
+  EXPECT_TRUE(rejected.empty());
+  SceneObject round = object(range(0, 100), 0.5);
+  round.rotational.emplace_back();
+  const auto selected = select_probable({round, object(range(49, 200), 0.6)}, {}, rejected);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_EQ(selected[0].points, range(49, 200));
+  ASSERT_EQ(rejected.size(), 1U);
+  EXPECT_EQ(rejected[0].kind, "rotational");
+  EXPECT_EQ(rejected[0].reason, "overlap");
+  EXPECT_EQ(rejected[0].value, 0.51);
+  EXPECT_EQ(rejected[0].bound, 0.5);
+  EXPECT_EQ(rejected[0].points, range(0, 100));
+}
+
+TEST(Probable, WeighsTwoPartsAgainstTheWhole) {
+  const auto with_parts_of = [](double score) {
+    std::vector<Rejection> rejected;
+    return select_probable(
+        {object(range(0, 100), 0.9), object(range(0, 50), score), object(range(50, 100), score)},
+        {}, rejected);
+  };
+  // The whole is worth 0.9 − 0.3 = 0.6; its parts 2 · 0.35 = 0.7, then 2 · 0.25 = 0.5.
+  const auto parts = with_parts_of(0.65);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].points, range(0, 50));
+  EXPECT_EQ(parts[1].points, range(50, 100));
+  const auto whole = with_parts_of(0.55);
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_EQ(whole[0].points, range(0, 100));
+}
+
+TEST(Probable, PricesAWrongObjectAtTheLeastScore) {
+  // At 0.1 the parts of the case above are worth 2 · 0.45 and the whole 0.8.
+  SelectionOptions options;
+  options.min_score = 0.1;
+  std::vector<Rejection> rejected;
+  EXPECT_EQ(select_probable({object(range(0, 100), 0.9), object(range(0, 50), 0.55),
+                             object(range(50, 100), 0.55)},
+                            options, rejected)
+                .size(),
+            2U);
+}
+
+TEST(Probable, FindsThePartsOfAWholeAmongManyRivals) {
+  // 30 parts, each worth 0.3, rival one whole that is worth more than any: 31 rivals.
+  std::vector<SceneObject> objects{object(range(0, 300), 0.99)};
+  for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.6));
+  std::vector<Rejection> rejected;
+  const auto selected = select_probable(objects, {}, rejected);
+  ASSERT_EQ(selected.size(), 30U);
+  for (Index k = 0; k < 30; ++k) EXPECT_EQ(selected[k].points, range(10 * k, 10 * k + 10));
+  ASSERT_EQ(rejected.size(), 1U);
+  EXPECT_EQ(rejected[0].reason, "overlap");
+  EXPECT_EQ(rejected[0].value, 1.0);
+  EXPECT_EQ(rejected[0].size, 300U);
+}
+
+TEST(Probable, FindsTheWholeAmongManyRivals) {
+  std::vector<SceneObject> objects;
+  for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.31));
+  objects.push_back(object(range(0, 300), 0.99));
+  std::vector<Rejection> rejected;
+  const auto selected = select_probable(objects, {}, rejected);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_EQ(selected[0].points.size(), 300U);
+  EXPECT_EQ(rejected.size(), 30U);
+}
+
+TEST(Probable, TakesEverySecondLinkOfALongChain) {
+  // Each link shares 15 of its 25 points with the next. The even ones are the better.
+  std::vector<SceneObject> objects;
+  for (Index k = 0; k < 41; ++k)
+    objects.push_back(object(range(10 * k, 10 * k + 25), k % 2 == 0 ? 0.7 : 0.6));
+  std::vector<Rejection> rejected;
+  const auto selected = select_probable(objects, {}, rejected);
+  ASSERT_EQ(selected.size(), 21U);
+  for (Index k = 0; k < 21; ++k) EXPECT_EQ(selected[k].points, range(20 * k, 20 * k + 25));
+  EXPECT_EQ(rejected.size(), 20U);
+}
+
+TEST(Probable, KeepsTheOrder) {
+  std::vector<Rejection> rejected;
+  const auto selected = select_probable({object(range(50, 60), 0.4), object(range(0, 10), 0.9),
+                                         object(range(20, 30), 0.2), object(range(30, 40), 0.6)},
+                                        {}, rejected);
+  ASSERT_EQ(selected.size(), 3U);
+  EXPECT_EQ(selected[0].points, range(50, 60));
+  EXPECT_EQ(selected[1].points, range(0, 10));
+  EXPECT_EQ(selected[2].points, range(30, 40));
+}
+
 TEST(ObjectSymmetry, OfAVaseIsItsAxisAtAnyScaleAndPlace) {
   for (const double scale : {0.001, 1.0, 800.0}) {
     std::mt19937 generator(9);

@@ -1,0 +1,89 @@
+#include "symscene/pipeline/object_score.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "symscene/core/random.hpp"
+
+namespace symscene {
+namespace {
+
+/// What a clear object measures: in one piece, apart from others, under a symmetry that fits.
+ObjectMeasures clear_object() {
+  ObjectMeasures measures;
+  measures.size = std::log(2000.0);
+  measures.unity = 1.0;
+  measures.convexity = 0.95;
+  measures.length = 0.2;
+  measures.width = 0.12;
+  measures.thickness = 0.1;
+  measures.foot = 0.005;
+  measures.top = 0.2;
+  measures.axes = 1.0;
+  measures.axis_misfit = 0.01;
+  measures.axis_occlusion = 0.001;
+  return measures;
+}
+
+TEST(ObjectScore, CombinesWhatTwoWitnessesSay) {
+  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.0), 0.2);
+  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.6), 0.44);  // 1 − 0.8 · 0.7
+  EXPECT_DOUBLE_EQ(combined_score(0.0, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(combined_score(1.0, 0.3), 1.0);
+}
+
+TEST(ObjectScore, RisesWithTheConfidenceOfTheCut) {
+  for (const double estimate : {0.0, 0.1, 0.5, 0.9, 0.99}) {
+    double last = -1.0;
+    for (const double confidence : {0.0, 0.1, 0.4, 0.7, 1.0}) {
+      const double score = combined_score(estimate, confidence);
+      EXPECT_GT(score, last);
+      EXPECT_GE(score, estimate - 1e-12);
+      EXPECT_LT(score, 1.0);
+      last = score;
+    }
+  }
+}
+
+TEST(ObjectScore, IsAProbabilityWhateverIsMeasured) {
+  Random random(7);
+  for (int k = 0; k < 500; ++k) {
+    ObjectMeasures measures;
+    ObjectMeasures::visit_fields(
+        measures, [&](const char*, double& value) { value = random.uniform(-1.0, 10.0); });
+    measures.confidence = random.uniform(0.0, 1.0);
+    const double estimate = estimated_probability(measures);
+    EXPECT_GT(estimate, 0.0);
+    EXPECT_LT(estimate, 1.0);
+    EXPECT_EQ(object_score(measures), combined_score(estimate, measures.confidence));
+    EXPECT_GE(object_score(measures), estimate - 1e-12);
+    EXPECT_LT(object_score(measures), 1.0);
+  }
+}
+
+TEST(ObjectScore, EndsForValuesOutOfAllBounds) {
+  for (const double value : {-1e300, 1e300, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    ObjectMeasures measures;
+    ObjectMeasures::visit_fields(measures, [&](const char*, double& field) { field = value; });
+    const double estimate = estimated_probability(measures);
+    EXPECT_GT(estimate, 0.0);
+    EXPECT_LT(estimate, 1.0);
+  }
+}
+
+TEST(ObjectScore, OfAClearObjectIsHighAndOfOneInPiecesLower) {
+  const ObjectMeasures whole = clear_object();
+  ObjectMeasures pieces = whole;
+  pieces.unity = 0.4;
+  pieces.seam = 0.95;
+  pieces.crease = 0.1;
+  pieces.convexity = 0.6;
+  pieces.empty = 0.3;
+  EXPECT_GT(object_score(whole), 0.5);
+  EXPECT_LT(object_score(pieces), object_score(whole));
+}
+
+}  // namespace
+}  // namespace symscene
