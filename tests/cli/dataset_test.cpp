@@ -83,6 +83,17 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   EXPECT_GE(facts.at("objects"), 1);
 }
 
+TEST_F(DatasetCommand, MakesScenesOfASingleFrame) {
+  const Outcome made = make("look", "--frames 1");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("2 scenes, 2 made now"), std::string::npos) << made.out;
+  const auto scene =
+      nlohmann::json::parse(files_in(workspace / "look").at("scenes/0001/scene.json"));
+  EXPECT_EQ(scene.at("frames").at("count"), 1);
+  EXPECT_EQ(scene.at("frames").at("fused"), 1);
+  EXPECT_EQ(make("none", "--frames 0").code, 2);
+}
+
 TEST_F(DatasetCommand, NamesTheScenesThatCouldNotBeMade) {
   write(workspace / "dark.json", R"({"arranged_every": 1, "attempts": 1,
     "camera": {"frames": 3, "width": 80, "height": 60, "focal_length": 65},
