@@ -139,11 +139,18 @@ TEST(Merge, KnowsTheSameSetByItsOverlap) {
   EXPECT_FALSE(is_same_set({}, {}, 0.5));
 }
 
+/// Worked by hand with a least probability of 0.3.
+SelectionOptions least_of_three_tenths() {
+  SelectionOptions options;
+  options.min_score = 0.3;
+  return options;
+}
+
 TEST(Probable, LeavesOutWhatIsNotProbableEnough) {
   std::vector<Rejection> rejected;
   const auto selected = select_probable(
-      {object(range(0, 10), 0.3), object(range(20, 30), 0.31), object(range(40, 45), 0.1)}, {},
-      rejected);
+      {object(range(0, 10), 0.3), object(range(20, 30), 0.31), object(range(40, 45), 0.1)},
+      least_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points, range(20, 30));
   ASSERT_EQ(rejected.size(), 2U);
@@ -154,19 +161,21 @@ TEST(Probable, LeavesOutWhatIsNotProbableEnough) {
   EXPECT_EQ(rejected[0].size, 10U);
   EXPECT_EQ(rejected[0].points, range(0, 10));
   EXPECT_EQ(rejected[1].points, range(40, 45));
-  EXPECT_TRUE(select_probable({}, {}, rejected).empty());
+  EXPECT_TRUE(select_probable({}, least_of_three_tenths(), rejected).empty());
 }
 
 TEST(Probable, ExcludesWhatSharesMoreThanHalfOfTheSmaller) {
   std::vector<Rejection> rejected;
   // 50 of 100 points are shared, which is not more than half, then 51.
-  EXPECT_EQ(select_probable({object(range(0, 100), 0.5), object(range(50, 200), 0.6)}, {}, rejected)
+  EXPECT_EQ(select_probable({object(range(0, 100), 0.5), object(range(50, 200), 0.6)},
+                            least_of_three_tenths(), rejected)
                 .size(),
             2U);
   EXPECT_TRUE(rejected.empty());
   SceneObject round = object(range(0, 100), 0.5);
   round.rotational.emplace_back();
-  const auto selected = select_probable({round, object(range(49, 200), 0.6)}, {}, rejected);
+  const auto selected =
+      select_probable({round, object(range(49, 200), 0.6)}, least_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points, range(49, 200));
   ASSERT_EQ(rejected.size(), 1U);
@@ -182,7 +191,7 @@ TEST(Probable, WeighsTwoPartsAgainstTheWhole) {
     std::vector<Rejection> rejected;
     return select_probable(
         {object(range(0, 100), 0.9), object(range(0, 50), score), object(range(50, 100), score)},
-        {}, rejected);
+        least_of_three_tenths(), rejected);
   };
   // The whole is worth 0.9 − 0.3 = 0.6; its parts 2 · 0.35 = 0.7, then 2 · 0.25 = 0.5.
   const auto parts = with_parts_of(0.65);
@@ -211,7 +220,7 @@ TEST(Probable, FindsThePartsOfAWholeAmongManyRivals) {
   std::vector<SceneObject> objects{object(range(0, 300), 0.99)};
   for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.6));
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(objects, {}, rejected);
+  const auto selected = select_probable(objects, least_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 30U);
   for (Index k = 0; k < 30; ++k) EXPECT_EQ(selected[k].points, range(10 * k, 10 * k + 10));
   ASSERT_EQ(rejected.size(), 1U);
@@ -225,7 +234,7 @@ TEST(Probable, FindsTheWholeAmongManyRivals) {
   for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.31));
   objects.push_back(object(range(0, 300), 0.99));
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(objects, {}, rejected);
+  const auto selected = select_probable(objects, least_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points.size(), 300U);
   EXPECT_EQ(rejected.size(), 30U);
@@ -237,7 +246,7 @@ TEST(Probable, TakesEverySecondLinkOfALongChain) {
   for (Index k = 0; k < 41; ++k)
     objects.push_back(object(range(10 * k, 10 * k + 25), k % 2 == 0 ? 0.7 : 0.6));
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(objects, {}, rejected);
+  const auto selected = select_probable(objects, least_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 21U);
   for (Index k = 0; k < 21; ++k) EXPECT_EQ(selected[k].points, range(20 * k, 20 * k + 25));
   EXPECT_EQ(rejected.size(), 20U);
@@ -247,7 +256,7 @@ TEST(Probable, KeepsTheOrder) {
   std::vector<Rejection> rejected;
   const auto selected = select_probable({object(range(50, 60), 0.4), object(range(0, 10), 0.9),
                                          object(range(20, 30), 0.2), object(range(30, 40), 0.6)},
-                                        {}, rejected);
+                                        least_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 3U);
   EXPECT_EQ(selected[0].points, range(50, 60));
   EXPECT_EQ(selected[1].points, range(0, 10));
