@@ -12,6 +12,7 @@
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/mask_measures.hpp"
 #include "symscene/io/atomic_file.hpp"
+#include "symscene/pipeline/object_score.hpp"
 #include "symscene/pipeline/proposals.hpp"
 #include "symscene/pipeline/selection.hpp"
 
@@ -166,9 +167,8 @@ std::vector<Sample> samples_of(const std::vector<ScoredScene>& scenes, std::size
 
 void rescore(const BoostedTrees& model, double belief, ScoredScene& scene) {
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
-    const std::vector<double>& features = scene.samples[k].features;
     scene.objects[k].score =
-        1.0 - (1.0 - model.probability(features)) * (1.0 - belief * scene.confidences[k]);
+        combined_score(model.probability(scene.samples[k].features), scene.confidences[k], belief);
   }
 }
 

@@ -1,6 +1,8 @@
 # Sets SYMSCENE_OPENCV_LIBRARIES and SYMSCENE_OPENCV_INCLUDE to what finding and matching features needs, or to nothing
 # where it is not installed. The package configuration comes with the umbrella package alone, which is twice the size:
 # this looks for the files of the modules.
+include(SymsceneCompiles)
+
 option(SYMSCENE_WITH_OPENCV "Stitch frames where OpenCV's features2d and calib3d are installed" ON)
 
 set(SYMSCENE_OPENCV_LIBRARIES "")
@@ -12,20 +14,9 @@ if(SYMSCENE_WITH_OPENCV)
     mark_as_advanced(SYMSCENE_LIBRARY_opencv_${module})
     list(APPEND SYMSCENE_OPENCV_LIBRARIES ${SYMSCENE_LIBRARY_opencv_${module}})
   endforeach()
-  if(NOT "${SYMSCENE_OPENCV_INCLUDE};${SYMSCENE_OPENCV_LIBRARIES}" MATCHES "NOTFOUND")
-    include(CheckCXXSourceCompiles)
-    set(CMAKE_REQUIRED_INCLUDES ${SYMSCENE_OPENCV_INCLUDE})
-    set(CMAKE_REQUIRED_LIBRARIES ${SYMSCENE_OPENCV_LIBRARIES})
-    set(CMAKE_REQUIRED_FLAGS -std=c++20)
-    set(CMAKE_REQUIRED_QUIET ON)
-    check_cxx_source_compiles(
-      "#include <opencv2/calib3d.hpp>\n#include <opencv2/features2d.hpp>\nint main() { cv::SIFT::create(); }"
-      SYMSCENE_OPENCV_WORKS)
-    unset(CMAKE_REQUIRED_INCLUDES)
-    unset(CMAKE_REQUIRED_LIBRARIES)
-    unset(CMAKE_REQUIRED_FLAGS)
-    unset(CMAKE_REQUIRED_QUIET)
-  endif()
+  symscene_check_compiles(SYMSCENE_OPENCV_WORKS
+    "#include <opencv2/calib3d.hpp>\n#include <opencv2/features2d.hpp>\nint main() { cv::SIFT::create(); }"
+    INCLUDES ${SYMSCENE_OPENCV_INCLUDE} LIBRARIES ${SYMSCENE_OPENCV_LIBRARIES})
 endif()
 if(NOT SYMSCENE_WITH_OPENCV OR NOT SYMSCENE_OPENCV_WORKS)
   set(SYMSCENE_OPENCV_LIBRARIES "")

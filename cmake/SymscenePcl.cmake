@@ -1,6 +1,8 @@
 # Sets SYMSCENE_PCL_LIBRARIES and SYMSCENE_PCL_INCLUDE to what LCCP, a peer in the evaluation, needs, or to nothing where
 # it is not installed. PCL's own package configuration looks for VTK and all else that any of its modules might use: this
 # looks for the files of the modules.
+include(SymsceneCompiles)
+
 option(SYMSCENE_WITH_PCL "Compare with LCCP where PCL is installed" ON)
 
 set(SYMSCENE_PCL_LIBRARIES "")
@@ -13,21 +15,11 @@ if(SYMSCENE_WITH_PCL)
     mark_as_advanced(SYMSCENE_LIBRARY_pcl_${module})
     list(APPEND SYMSCENE_PCL_LIBRARIES ${SYMSCENE_LIBRARY_pcl_${module}})
   endforeach()
-  if(NOT "${SYMSCENE_PCL_INCLUDE};${SYMSCENE_PCL_LIBRARIES}" MATCHES "NOTFOUND")
-    include(CheckCXXSourceCompiles)
-    set(CMAKE_REQUIRED_INCLUDES ${SYMSCENE_PCL_INCLUDE} ${EIGEN3_INCLUDE_DIRS})
-    set(CMAKE_REQUIRED_LIBRARIES ${SYMSCENE_PCL_LIBRARIES} Eigen3::Eigen)
-    set(CMAKE_REQUIRED_FLAGS -std=c++20)
-    set(CMAKE_REQUIRED_QUIET ON)
-    check_cxx_source_compiles(
-      "#include <pcl/point_types.h>\n#include <pcl/segmentation/lccp_segmentation.h>
-      int main() { pcl::LCCPSegmentation<pcl::PointXYZRGBA> lccp; }"
-      SYMSCENE_PCL_WORKS)
-    unset(CMAKE_REQUIRED_INCLUDES)
-    unset(CMAKE_REQUIRED_LIBRARIES)
-    unset(CMAKE_REQUIRED_FLAGS)
-    unset(CMAKE_REQUIRED_QUIET)
-  endif()
+  symscene_check_compiles(SYMSCENE_PCL_WORKS
+    "#include <pcl/point_types.h>\n#include <pcl/segmentation/lccp_segmentation.h>
+    int main() { pcl::LCCPSegmentation<pcl::PointXYZRGBA> lccp; }"
+    INCLUDES ${SYMSCENE_PCL_INCLUDE} ${EIGEN3_INCLUDE_DIRS}
+    LIBRARIES ${SYMSCENE_PCL_LIBRARIES} Eigen3::Eigen)
 endif()
 if(NOT SYMSCENE_WITH_PCL OR NOT SYMSCENE_PCL_WORKS)
   set(SYMSCENE_PCL_LIBRARIES "")

@@ -1,5 +1,7 @@
 # Sets SYMSCENE_ROSBAG_LIBRARIES and _INCLUDES to what reading ROS 1 bags needs, or to nothing where it is not
 # installed. ROS' own package configurations require packages that reading does not need: this looks for the files.
+include(SymsceneCompiles)
+
 option(SYMSCENE_WITH_ROSBAG "Read ROS 1 bags where librosbag-storage is installed" ON)
 
 # symscene_find_rosbag(): sets the two lists.
@@ -29,20 +31,9 @@ endfunction()
 set(SYMSCENE_ROSBAG_LIBRARIES "")
 if(SYMSCENE_WITH_ROSBAG)
   symscene_find_rosbag()
-  if(NOT "${SYMSCENE_ROSBAG_LIBRARIES}" MATCHES "NOTFOUND")
-    include(CheckCXXSourceCompiles)
-    set(CMAKE_REQUIRED_INCLUDES ${SYMSCENE_ROSBAG_INCLUDES})
-    set(CMAKE_REQUIRED_LIBRARIES ${SYMSCENE_ROSBAG_LIBRARIES})
-    set(CMAKE_REQUIRED_FLAGS -std=c++20)
-    set(CMAKE_REQUIRED_QUIET ON)
-    check_cxx_source_compiles(
-      "#include <rosbag/bag.h>\n#include <rosbag/view.h>\nint main() { rosbag::Bag bag; rosbag::View view(bag); }"
-      SYMSCENE_ROSBAG_WORKS)
-    unset(CMAKE_REQUIRED_INCLUDES)
-    unset(CMAKE_REQUIRED_LIBRARIES)
-    unset(CMAKE_REQUIRED_FLAGS)
-    unset(CMAKE_REQUIRED_QUIET)
-  endif()
+  symscene_check_compiles(SYMSCENE_ROSBAG_WORKS
+    "#include <rosbag/bag.h>\n#include <rosbag/view.h>\nint main() { rosbag::Bag bag; rosbag::View view(bag); }"
+    INCLUDES ${SYMSCENE_ROSBAG_INCLUDES} LIBRARIES ${SYMSCENE_ROSBAG_LIBRARIES})
 endif()
 if(NOT SYMSCENE_WITH_ROSBAG OR NOT SYMSCENE_ROSBAG_WORKS)
   set(SYMSCENE_ROSBAG_LIBRARIES "")

@@ -49,4 +49,10 @@ SymmetryDifference difference(const ReflectionPlane& a, const ReflectionPlane& b
   return difference_at(line_angle(a.normal, b.normal), a.project(reference), b.project(reference));
 }
 
+SymmetryDifference difference(const ReflectionPlane& plane, const RotationAxis& axis,
+                              const Eigen::Vector3d& reference) {
+  return {0.5 * std::numbers::pi - line_angle(plane.normal, axis.direction),
+          std::abs(plane.signed_distance(axis.project(reference)))};
+}
+
 }  // namespace symscene

@@ -66,21 +66,13 @@ SymmetryMatch match(const std::vector<Target<Symmetry>>& targets, std::span<cons
   return result;
 }
 
-/// Whether the plane holds the axis as far as the tolerance tells, where the object is.
-bool holds_axis(const ReflectionPlane& plane, const RotationAxis& axis,
-                const Eigen::Vector3d& centroid, const SymmetryTolerance& tolerance) {
-  const double tilt = 0.5 * std::numbers::pi - line_angle(plane.normal, axis.direction);
-  return tilt < tolerance.angle &&
-         std::abs(plane.signed_distance(axis.project(centroid))) < tolerance.distance;
-}
-
 bool follows_from_rotation(const ReflectionPlane& plane, const TrueObject& object,
                            const SymmetryTolerance& tolerance) {
   if (object.sphere && std::abs(plane.signed_distance(object.centroid)) < tolerance.distance) {
     return true;
   }
   return std::any_of(object.rotational.begin(), object.rotational.end(), [&](const TrueAxis& own) {
-    return holds_axis(plane, own.axis, object.centroid, tolerance);
+    return within(difference(plane, own.axis, object.centroid), tolerance);
   });
 }
 

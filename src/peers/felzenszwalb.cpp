@@ -67,10 +67,8 @@ std::vector<Index> segment_sorted(std::size_t nodes, const std::vector<Dissimila
 
 /// Eq. 1 of Karpathy, Miller and Fei-Fei, with convexity seen from both ends.
 float dissimilarity(const PointCloud& cloud, Index a, Index b) {
-  const Eigen::Vector3f n_a = cloud.normal(a), n_b = cloud.normal(b);
-  const float difference = std::max(0.0F, 1.0F - n_a.dot(n_b));
-  const bool convex = (n_a - n_b).dot(cloud.position(a) - cloud.position(b)) > 0.0F;
-  return convex ? difference * difference : difference;
+  const float bend = std::max(0.0F, 1.0F - cloud.normal(a).dot(cloud.normal(b)));
+  return bends_outwards(cloud, a, b) ? bend * bend : bend;
 }
 
 std::vector<DissimilarEdge> sorted_graph(const PointCloud& cloud,

@@ -96,14 +96,6 @@ class ImageTest {
   float shell_gap_;
 };
 
-/// Whether a plane holds an axis, where the object is.
-bool follows_from(const ReflectionPlane& plane, const RotationAxis& axis,
-                  const Eigen::Vector3d& here, const ObjectSymmetryBounds& bounds) {
-  const double tilt = 0.5 * std::numbers::pi - line_angle(plane.normal, axis.direction);
-  return tilt < bounds.plane_in_axis_angle &&
-         std::abs(plane.signed_distance(axis.project(here))) < bounds.plane_in_axis_distance;
-}
-
 std::vector<ScoredAxis> axes_of(const SceneProposals& proposals, const PointCloud& points,
                                 const PipelineOptions& options,
                                 const std::vector<RotationAxis>& proposed) {
@@ -151,7 +143,9 @@ std::vector<ScoredPlane> planes_of(const SceneProposals& proposals, const PointC
   for (const ReflectionPlane& plane : proposed) {
     const bool implied =
         std::any_of(object.rotational.begin(), object.rotational.end(), [&](const ScoredAxis& own) {
-          return follows_from(plane, own.axis, object.centroid, bounds);
+          const SymmetryDifference apart = difference(plane, own.axis, object.centroid);
+          return apart.angle < bounds.plane_in_axis_angle &&
+                 apart.distance < bounds.plane_in_axis_distance;
         });
     if (implied) continue;
     const ImageShares shares = images_of(plane);

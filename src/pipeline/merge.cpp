@@ -37,6 +37,11 @@ void MergeOptions::validate() const {
                  same_distance);
 }
 
+void append_rated(const std::vector<Hypothesis>& cuts, const HypothesisBounds& bounds,
+                  std::vector<RatedHypothesis>& rated) {
+  for (const Hypothesis& cut : cuts) rated.push_back({cut, confidence(cut.scores, bounds)});
+}
+
 bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object) {
   const auto [smaller, larger] = std::minmax({a.size(), b.size()});
   return static_cast<double>(smaller) > same_object * static_cast<double>(larger) &&

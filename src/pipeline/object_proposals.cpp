@@ -1,9 +1,8 @@
 #include "pipeline/object_proposals.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <tuple>
+#include <utility>
 
 #include "pipeline/continuation.hpp"
 #include "symscene/core/parallel.hpp"
@@ -11,13 +10,6 @@
 
 namespace symscene {
 namespace {
-
-void append(const std::vector<Hypothesis>& cuts, const HypothesisBounds& bounds,
-            std::size_t min_size, std::vector<RatedHypothesis>& rated) {
-  for (const Hypothesis& cut : cuts) {
-    if (cut.points.size() >= min_size) rated.push_back({cut, confidence(cut.scores, bounds)});
-  }
-}
 
 /// How well the points agree with the symmetries under which they were cut out.
 class SymmetryMeter {
@@ -63,7 +55,7 @@ class ProposalMaker {
         meter_(space.cloud, space.edges, space.field, proposals.table),
         symmetry_meter_(space, options) {}
 
-  /// By falling score. The score of a set that is given is the confidence of its cut.
+  /// In the order given. The score of a set that is given is the confidence of its cut.
   std::vector<ObjectProposal> make(std::vector<SceneObject> sets) const {
     std::vector<ObjectProposal> made(sets.size());
     parallel_for_each(sets.size(), [&](std::size_t k) {
@@ -91,56 +83,60 @@ void sort_by_score(std::vector<ObjectProposal>& objects) {
                    });
 }
 
-/// Pairs of proposals that continue one another behind what hides the space between them.
-class Continuations {
- public:
-  Continuations(const Workspace& space, const ContinuationOptions& options)
-      : space_(space), options_(options) {}
-
-  /// Sets how much each of the proposals, which come by falling score, is continued by the best of
-  /// them. Joined pairs that continue each other well are sets of their own.
-  std::vector<SceneObject> join(std::vector<ObjectProposal>& proposals) const {
-    const auto count = static_cast<std::size_t>(
-        std::find_if(proposals.begin(), proposals.end(),
-                     [&](const auto& p) { return p.object.score < options_.min_score; }) -
-        proposals.begin());
-    const std::size_t best = std::min(count, static_cast<std::size_t>(options_.most));
-    std::vector<SurfaceSample> samples(count);
-    for (std::size_t k = 0; k < count; ++k)
-      samples[k] = sample_surface(space_.cloud, proposals[k].object.points);
-    std::vector<std::vector<SceneObject>> joined(count);
-    parallel_for_each(count, [&](std::size_t a) {
-      const PointIndices& own = proposals[a].object.points;
-      double& continued = proposals[a].measures.continued;
-      continued = 0.0;
-      for (std::size_t b = 0; b < best; ++b) {
-        if (a == b) continue;
-        const PointIndices& other = proposals[b].object.points;
-        const double value =
-            continuation(samples[a], samples[b], space_.field, static_cast<float>(options_.reach));
-        if (value <= 0.0 || 20 * intersection_size(own, other) > std::min(own.size(), other.size()))
-          continue;
-        continued = std::max(continued, value);
-        if (a < b && value >= options_.min_continuation) joined[a].push_back(join_two(own, other));
-      }
-    });
-    std::vector<SceneObject> all;
-    for (std::vector<SceneObject>& part : joined)
-      std::move(part.begin(), part.end(), std::back_inserter(all));
-    return all;
-  }
-
- private:
-  SceneObject join_two(const PointIndices& a, const PointIndices& b) const {
-    SceneObject object;
-    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(object.points));
-    object.centroid = centroid(space_.cloud.positions, object.points);
-    return object;
-  }
-
-  const Workspace& space_;
-  const ContinuationOptions& options_;
+/// Which proposals continue one another behind what hides the space between them.
+struct Continuations {
+  std::vector<double> continued;  ///< of each proposal, how much the best other does
+  std::vector<std::pair<std::size_t, std::size_t>>
+      pairs;  ///< that do so well, the first the better
 };
+
+/// Looks at proposals that come by falling score.
+Continuations find_continuations(const Workspace& space,
+                                 const std::vector<ObjectProposal>& proposals,
+                                 const ContinuationOptions& options) {
+  const auto end = std::find_if(proposals.begin(), proposals.end(), [&](const ObjectProposal& p) {
+    return p.object.score < options.min_score;
+  });
+  const auto count = static_cast<std::size_t>(end - proposals.begin());
+  const std::size_t best = std::min(count, static_cast<std::size_t>(options.most));
+  std::vector<SurfaceSample> samples(count);
+  for (std::size_t k = 0; k < count; ++k)
+    samples[k] = sample_surface(space.cloud, proposals[k].object.points);
+  Continuations found;
+  found.continued.resize(proposals.size(), 0.0);
+  std::vector<std::vector<std::size_t>> partners(count);
+  parallel_for_each(count, [&](std::size_t a) {
+    const PointIndices& own = proposals[a].object.points;
+    for (std::size_t b = 0; b < best; ++b) {
+      if (a == b) continue;
+      const PointIndices& other = proposals[b].object.points;
+      const double value =
+          continuation(samples[a], samples[b], space.field, static_cast<float>(options.reach));
+      if (value <= 0.0 || 20 * intersection_size(own, other) > std::min(own.size(), other.size()))
+        continue;
+      found.continued[a] = std::max(found.continued[a], value);
+      if (a < b && value >= options.min_continuation) partners[a].push_back(b);
+    }
+  });
+  for (std::size_t a = 0; a < count; ++a) {
+    for (const std::size_t b : partners[a]) found.pairs.emplace_back(a, b);
+  }
+  return found;
+}
+
+std::vector<SceneObject> joined_pairs(const Workspace& space,
+                                      const std::vector<ObjectProposal>& proposals,
+                                      const Continuations& continuations) {
+  std::vector<SceneObject> joined;
+  for (const auto& [a, b] : continuations.pairs) {
+    const PointIndices &p = proposals[a].object.points, &q = proposals[b].object.points;
+    SceneObject object;
+    std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(object.points));
+    object.centroid = centroid(space.cloud.positions, object.points);
+    joined.push_back(std::move(object));
+  }
+  return joined;
+}
 
 /// Without sets that nearly equal an earlier one, of this list or of `known`.
 std::vector<SceneObject> without_known(std::vector<SceneObject> sets,
@@ -162,20 +158,23 @@ std::vector<SceneObject> without_known(std::vector<SceneObject> sets,
 /// What lies in two that continue one another is hardly an object if they look like one together.
 void yield_to_joined(const std::vector<PointIndices>& joined, const ContinuationOptions& options,
                      std::vector<ObjectProposal>& proposals) {
-  std::vector<double> best(proposals.size(), 0.0);
+  std::vector<double> scores;  // of what is joined
   for (const PointIndices& whole : joined) {
     const auto own = std::find_if(proposals.begin(), proposals.end(), [&](const auto& proposal) {
       return proposal.object.points == whole;
     });
-    for (std::size_t k = 0; k < proposals.size(); ++k) {
-      const PointIndices& part = proposals[k].object.points;
-      const bool is_part =
-          part.size() < whole.size() && 20 * intersection_size(part, whole) > 19 * part.size();
-      if (is_part) best[k] = std::max(best[k], own->object.score);
-    }
+    scores.push_back(own->object.score);
   }
-  for (std::size_t k = 0; k < proposals.size(); ++k)
-    proposals[k].object.score *= 1.0 - options.whole_belief * best[k];
+  parallel_for_each(proposals.size(), [&](std::size_t k) {
+    const PointIndices& part = proposals[k].object.points;
+    double best = 0.0;
+    for (std::size_t j = 0; j < joined.size(); ++j) {
+      const bool is_part = part.size() < joined[j].size() &&
+                           20 * intersection_size(part, joined[j]) > 19 * part.size();
+      if (is_part) best = std::max(best, scores[j]);
+    }
+    proposals[k].object.score *= 1.0 - options.whole_belief * best;
+  });
 }
 
 }  // namespace
@@ -183,14 +182,13 @@ void yield_to_joined(const std::vector<PointIndices>& joined, const Continuation
 std::vector<ObjectProposal> object_proposals(const Workspace& space,
                                              const SceneProposals& proposals,
                                              const PipelineOptions& options) {
-  const auto radius = static_cast<float>(options.voxel_size * std::sqrt(3.0));
-  const SurfaceRegions regions(space.cloud, space.edges,
-                               radius_neighbors(space.cloud.positions, radius),
-                               options.surface_parts);
-  const auto min_size = static_cast<std::size_t>(options.surface_parts.min_size);
+  const SurfaceRegions regions(space.cloud, space.edges, space.neighbors, options.surface_parts);
   std::vector<RatedHypothesis> rated;
-  append(proposals.rotational, options.rotational_segmentation.bounds, min_size, rated);
-  append(proposals.reflectional, options.reflectional_segmentation.bounds, min_size, rated);
+  append_rated(proposals.rotational, options.rotational_segmentation.bounds, rated);
+  append_rated(proposals.reflectional, options.reflectional_segmentation.bounds, rated);
+  std::erase_if(rated, [&](const RatedHypothesis& cut) {
+    return cut.hypothesis.points.size() < static_cast<std::size_t>(options.surface_parts.min_size);
+  });
   for (PointIndices& part : regions.parts()) {
     Hypothesis hypothesis;
     hypothesis.points = std::move(part);
@@ -200,17 +198,20 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
   const ProposalMaker maker(space, proposals, regions, options);
   std::vector<ObjectProposal> objects = maker.make(std::move(sets));
   sort_by_score(objects);
-  const Continuations continuations(space, options.continuation);
-  std::vector<ObjectProposal> joined =
-      maker.make(without_known(continuations.join(objects), objects, options.merge.same_object));
+  std::vector<ObjectProposal> joined = maker.make(without_known(
+      joined_pairs(space, objects, find_continuations(space, objects, options.continuation)),
+      objects, options.merge.same_object));
   std::vector<PointIndices> joined_sets;
   for (const ObjectProposal& proposal : joined) joined_sets.push_back(proposal.object.points);
   objects.insert(objects.end(), std::make_move_iterator(joined.begin()),
                  std::make_move_iterator(joined.end()));
   sort_by_score(objects);
   // What is joined may go on elsewhere, and its parts are known to go on.
-  std::ignore = continuations.join(objects);
-  for (ObjectProposal& proposal : objects) proposal.object.score = object_score(proposal.measures);
+  const Continuations continuations = find_continuations(space, objects, options.continuation);
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    objects[k].measures.continued = continuations.continued[k];
+    objects[k].object.score = object_score(objects[k].measures);
+  }
   yield_to_joined(joined_sets, options.continuation, objects);
   sort_by_score(objects);
   return objects;

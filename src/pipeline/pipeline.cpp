@@ -1,28 +1,12 @@
 #include "symscene/pipeline/pipeline.hpp"
 
-#include "pipeline/mask_symmetry.hpp"
 #include "pipeline/object_proposals.hpp"
 #include "pipeline/workspace.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 #include "symscene/pipeline/proposals.hpp"
 
 namespace symscene {
 namespace {
-
-std::vector<Hypothesis> accepted(const std::vector<Hypothesis>& hypotheses,
-                                 const HypothesisBounds& bounds, const std::string& kind,
-                                 std::vector<Rejection>& rejected) {
-  std::vector<Hypothesis> kept;
-  for (const Hypothesis& hypothesis : hypotheses) {
-    if (const auto rejection = judge(hypothesis, bounds, kind)) {
-      rejected.push_back(*rejection);
-    } else {
-      kept.push_back(hypothesis);
-    }
-  }
-  return kept;
-}
 
 void rotational_stream(const Workspace& space, const PipelineOptions& options, StageTimer& timer,
                        SceneProposals& proposals) {
@@ -61,14 +45,6 @@ void reflectional_stream(const Remainder& rest, const DistanceField& field,
   for (Hypothesis& hypothesis : proposals.reflectional) to_whole(hypothesis.points);
   proposals.rejected = std::move(set.rejected);
   for (Rejection& rejection : proposals.rejected) to_whole(rejection.points);
-}
-
-void append_rated(std::vector<Hypothesis>&& hypotheses, const HypothesisBounds& bounds,
-                  std::vector<RatedHypothesis>& rated) {
-  for (Hypothesis& hypothesis : hypotheses) {
-    const double score = confidence(hypothesis.scores, bounds);
-    rated.push_back({std::move(hypothesis), score});
-  }
 }
 
 void complete_objects(const DistanceField& field, const CompletionOptions& options,
@@ -136,12 +112,8 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
                       {"points at the working spacing", space.cloud.size()},
                       {"smooth segments", space.segments.size()}};
   if (options.rotational_stream) rotational_stream(space, options, timer, proposals);
-  std::vector<Rejection> not_removed;
   const Remainder rest = timer.time("removal of rotational objects", [&] {
-    return without_objects(
-        space,
-        accepted(proposals.rotational, options.rotational_segmentation.bounds, "", not_removed),
-        options);
+    return without_objects(space, proposals.rotational, options);
   });
   reflectional_stream(rest, space.field, options, timer, proposals);
   proposals.objects =
@@ -151,56 +123,6 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
   proposals.field = std::move(space.field);
   proposals.timings = timer.stages();
   return proposals;
-}
-
-namespace {
-
-/// Section 4.3.3: cuts within the bounds, equal ones joined, composites out.
-void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions& options,
-                          SegmentationResult& result) {
-  const HypothesisBounds& of_axes = options.rotational_segmentation.bounds;
-  const HypothesisBounds& of_planes = options.reflectional_segmentation.bounds;
-  std::vector<Hypothesis> rotational =
-      accepted(proposals.rotational, of_axes, "rotational", result.rejected);
-  result.rejected.insert(result.rejected.end(), proposals.rejected.begin(),
-                         proposals.rejected.end());
-  std::vector<Hypothesis> reflectional =
-      accepted(proposals.reflectional, of_planes, "reflectional", result.rejected);
-  result.funnel.push_back({"rotational: segments that look like objects", rotational.size()});
-  result.funnel.push_back({"reflectional: segments that look like objects", reflectional.size()});
-
-  std::vector<RatedHypothesis> rated;
-  append_rated(std::move(rotational), of_axes, rated);
-  append_rated(std::move(reflectional), of_planes, rated);
-  result.objects = merge_hypotheses(std::move(rated), proposals.cloud, options.merge);
-  result.funnel.push_back({"distinct segments", result.objects.size()});
-  result.objects = select_consistent(std::move(result.objects), options.selection, result.rejected);
-}
-
-void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
-                     SegmentationResult& result) {
-  for (const ObjectProposal& proposal : proposals.objects)
-    result.objects.push_back(proposal.object);
-  result.rejected = proposals.rejected;
-  result.objects = select_probable(std::move(result.objects), options.selection, result.rejected);
-  parallel_for_each(result.objects.size(),
-                    [&](std::size_t k) { find_symmetries(proposals, options, result.objects[k]); });
-}
-
-}  // namespace
-
-SegmentationResult choose_objects(const SceneProposals& proposals, const PipelineOptions& options) {
-  SegmentationResult result;
-  result.cloud = proposals.cloud;
-  result.table = proposals.table;
-  result.funnel = proposals.funnel;
-  if (options.selection.by_score) {
-    choose_probable(proposals, options, result);
-  } else {
-    choose_within_bounds(proposals, options, result);
-  }
-  result.funnel.push_back({"objects", result.objects.size()});
-  return result;
 }
 
 SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& options,

@@ -146,20 +146,21 @@ Workspace build_workspace(const Scene& scene, const PipelineOptions& options, St
                            [&] { return surface_graph(space.cloud, options.surface_graph); });
   space.segments = timer.time("oversegmentation", [&] {
     const auto radius = static_cast<float>(options.voxel_size * std::sqrt(3.0));
-    return oversegment(space.cloud, radius_neighbors(space.cloud.positions, radius),
-                       options.oversegmentation);
+    space.neighbors = radius_neighbors(space.cloud.positions, radius);
+    return oversegment(space.cloud, space.neighbors, options.oversegmentation);
   });
   return space;
 }
 
-Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>& objects,
+Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>& cuts,
                           const PipelineOptions& options) {
+  const HypothesisBounds& bounds = options.rotational_segmentation.bounds;
   std::vector<bool> covered(space.cloud.size(), false);
-  for (const Hypothesis& object : objects) {
-    if (confidence(object.scores, options.rotational_segmentation.bounds) <
-        options.min_removal_score)
+  for (const Hypothesis& cut : cuts) {
+    if (judge(cut, bounds, "rotational") ||
+        confidence(cut.scores, bounds) < options.min_removal_score)
       continue;
-    for (const Index i : object.points) covered[i] = true;
+    for (const Index i : cut.points) covered[i] = true;
   }
   Remainder rest;
   for (Index i = 0; i < space.cloud.size(); ++i) {

@@ -12,6 +12,7 @@ struct Workspace {
   DistanceField field;
   std::optional<Eigen::Vector3d> up;
   std::vector<WeightedEdge> edges;
+  NeighborLists neighbors;  ///< of region growing: all within a voxel's diagonal
   std::vector<PointIndices> segments;
 };
 
@@ -20,16 +21,16 @@ struct Workspace {
 Workspace build_workspace(const Scene& scene, const PipelineOptions& options, StageTimer& timer);
 
 /// The part of a workspace that a set of points does not cover, with where its points stand in the
-/// whole. Its field is left empty: it is the whole's.
+/// whole. Its field and neighbours are left empty: they are the whole's.
 struct Remainder {
   Workspace space;
   PointIndices original;
 };
 
-/// Removes the points of rotational objects (section 4.4) that are certain enough: the limb of a
-/// toy passes for a body of revolution now and then, and the toy needs it. Segments are thinned,
-/// small leftovers dropped.
-Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>& objects,
+/// Removes the points of rotational cuts (section 4.4) that are within the bounds and certain
+/// enough: the limb of a toy passes for a body of revolution now and then, and the toy needs it.
+/// Segments are thinned, small leftovers dropped.
+Remainder without_objects(const Workspace& space, const std::vector<Hypothesis>& cuts,
                           const PipelineOptions& options);
 
 }  // namespace symscene

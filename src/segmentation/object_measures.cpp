@@ -31,8 +31,7 @@ ObjectMeter::ObjectMeter(const PointCloud& cloud, const std::vector<WeightedEdge
   neighbors_.resize(2 * edges.size());
   std::vector<Index> next(first_.begin(), first_.end() - 1);
   for (const WeightedEdge& edge : edges) {
-    const Eigen::Vector3f across = cloud.position(edge.a) - cloud.position(edge.b);
-    const bool concave = (cloud.normal(edge.a) - cloud.normal(edge.b)).dot(across) <= 0.0F;
+    const bool concave = !bends_outwards(cloud, edge.a, edge.b);
     neighbors_[next[edge.a]++] = {edge.b, edge.weight, concave};
     neighbors_[next[edge.b]++] = {edge.a, edge.weight, concave};
   }

@@ -18,10 +18,8 @@ class EdgeWeight {
 
   /// Eq. 4.10
   float operator()(Index a, Index b) const {
-    const Eigen::Vector3f n_a = cloud_.normal(a);
-    const Eigen::Vector3f n_b = cloud_.normal(b);
-    const bool convex = (n_a - n_b).dot(cloud_.position(a) - cloud_.position(b)) > 0.0F;
-    return std::exp(-std::max(0.0F, 1.0F - n_a.dot(n_b)) / (convex ? convex_ : concave_));
+    const float bend = std::max(0.0F, 1.0F - cloud_.normal(a).dot(cloud_.normal(b)));
+    return std::exp(-bend / (bends_outwards(cloud_, a, b) ? convex_ : concave_));
   }
 
  private:

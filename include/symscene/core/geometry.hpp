@@ -65,6 +65,11 @@ SymmetryDifference difference(const RotationAxis& a, const RotationAxis& b,
 SymmetryDifference difference(const ReflectionPlane& a, const ReflectionPlane& b,
                               const Eigen::Vector3d& reference);
 
+/// How far a plane is from holding an axis, and so from being a mirror of what turns about it: the
+/// angle between them, and the plane's distance from the axis where it passes the reference point.
+SymmetryDifference difference(const ReflectionPlane& plane, const RotationAxis& axis,
+                              const Eigen::Vector3d& reference);
+
 /// Maps [min, max] to [0, 1] and clamps outside it (the form of every score:
 /// Eqs. 3.5, 3.9, 4.2, 4.3, 4.6, 4.7).
 template <class Scalar>

@@ -32,6 +32,12 @@ struct Box {
   Box padded(float margin) const { return {min.array() - margin, max.array() + margin}; }
 };
 
+/// Whether the surface bends outwards between two of its points with normals, seen from both ends:
+/// (n₁ − n₂) · (p₁ − p₂) > 0.
+inline bool bends_outwards(const PointCloud& cloud, Index a, Index b) {
+  return (cloud.normal(a) - cloud.normal(b)).dot(cloud.position(a) - cloud.position(b)) > 0.0F;
+}
+
 /// The tight box around `points`; min > max where there is no point.
 Box bounding_box(const Points& points);
 

@@ -30,6 +30,10 @@ struct RatedHypothesis {
   double score = 0.0;
 };
 
+/// Adds cuts with their confidence within the bounds of their stream.
+void append_rated(const std::vector<Hypothesis>& cuts, const HypothesisBounds& bounds,
+                  std::vector<RatedHypothesis>& rated);
+
 /// Whether two ascending sets of points overlap by more than `same_object` [IoU].
 bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object);
 

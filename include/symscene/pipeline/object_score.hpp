@@ -14,8 +14,8 @@ inline constexpr double cut_belief = 0.5;
 
 /// The estimate, raised by the confidence of the cut (which the estimate knows too): things unlike
 /// those that the trees were fitted to are still found by their symmetry.
-inline double combined_score(double estimate, double confidence) {
-  return 1.0 - (1.0 - estimate) * (1.0 - cut_belief * confidence);
+inline double combined_score(double estimate, double confidence, double belief = cut_belief) {
+  return 1.0 - (1.0 - estimate) * (1.0 - belief * confidence);
 }
 
 /// The score of a proposal: both together. In [0, 1].
