@@ -38,10 +38,14 @@ std::vector<ObjectModel> drawn(std::span<const ObjectModel> models, std::size_t 
 }
 
 /// A procedural object under a name of its own: physics knows shapes by name.
-ObjectModel procedural(std::size_t number, Random& random) {
+ObjectModel procedural(const DatasetOptions& options, std::size_t number, Random& random) {
   HouseholdObject object;
   do {
-    object = make_household_object(random_object_kind(random), random);
+    const double scale =
+        options.min_scale < options.max_scale
+            ? std::exp(random.uniform(std::log(options.min_scale), std::log(options.max_scale)))
+            : options.min_scale;
+    object = make_household_object(random_object_kind(random), random, scale);
   } while (!is_droppable(object));
   ObjectModel& model = object;
   model.name += fmt::format("#{}", number);
@@ -55,7 +59,7 @@ std::vector<ObjectModel> chosen_models(const DatasetOptions& options,
   for (std::size_t i = 0; i < count && !models.empty(); ++i)
     scanned += random.chance(options.scanned) ? 1 : 0;
   std::vector<ObjectModel> chosen = drawn(models, scanned, random);
-  while (chosen.size() < count) chosen.push_back(procedural(chosen.size(), random));
+  while (chosen.size() < count) chosen.push_back(procedural(options, chosen.size(), random));
   return chosen;
 }
 
@@ -160,6 +164,9 @@ void DatasetOptions::validate() const {
                  "min_objects to 15", max_objects);
   require_option(arranged_every >= 0, "arranged_every", "a number not below zero", arranged_every);
   require_option(scanned >= 0 && scanned <= 1, "scanned", "a share in [0, 1]", scanned);
+  require_option(min_scale >= 0.2 && min_scale <= 2, "min_scale", "0.2 to 2", min_scale);
+  require_option(max_scale >= min_scale && max_scale <= 2, "max_scale", "min_scale to 2",
+                 max_scale);
   require_option(min_spread >= 0, "min_spread", "a number not below zero", min_spread);
   require_option(max_spread >= min_spread && max_spread <= 0.08, "max_spread",
                  "min_spread to 0.08 m", max_spread);

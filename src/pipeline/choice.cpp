@@ -1,5 +1,5 @@
-#include "pipeline/mask_symmetry.hpp"
 #include "symscene/core/parallel.hpp"
+#include "symscene/pipeline/mask_symmetry.hpp"
 #include "symscene/pipeline/proposals.hpp"
 
 namespace symscene {

@@ -46,6 +46,10 @@ class SymmetryMeter {
   const PipelineOptions& options_;
 };
 
+double score_alone(const ObjectMeasures& measures) {
+  return combined_score(estimated_probability(measures), measures.confidence);
+}
+
 /// Measures and scores sets of points of one scene.
 class ProposalMaker {
  public:
@@ -65,7 +69,7 @@ class ProposalMaker {
       proposal.measures.seam = regions_.seam(proposal.object.points);
       proposal.measures.confidence = proposal.object.score;
       symmetry_meter_.measure(proposal.object, proposal.measures);
-      proposal.object.score = object_score(proposal.measures);
+      proposal.object.score = score_alone(proposal.measures);
     });
     return made;
   }
@@ -138,6 +142,23 @@ std::vector<SceneObject> joined_pairs(const Workspace& space,
   return joined;
 }
 
+/// The scores with which objects are chosen.
+void score_among_others(std::vector<ObjectProposal>& proposals) {
+  std::vector<const PointIndices*> sets;
+  std::vector<double> estimates;
+  for (const ObjectProposal& proposal : proposals) {
+    sets.push_back(&proposal.object.points);
+    estimates.push_back(estimated_probability(proposal.measures));
+  }
+  const std::vector<ProposalContext> contexts = proposal_contexts(SharedPoints(sets), estimates);
+  for (std::size_t k = 0; k < proposals.size(); ++k) {
+    ObjectProposal& proposal = proposals[k];
+    proposal.context = contexts[k];
+    proposal.object.score = combined_score(
+        estimated_probability(proposal.measures, proposal.context), proposal.measures.confidence);
+  }
+}
+
 /// Without sets that nearly equal an earlier one, of this list or of `known`.
 std::vector<SceneObject> without_known(std::vector<SceneObject> sets,
                                        const std::vector<ObjectProposal>& known,
@@ -208,10 +229,9 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
   sort_by_score(objects);
   // What is joined may go on elsewhere, and its parts are known to go on.
   const Continuations continuations = find_continuations(space, objects, options.continuation);
-  for (std::size_t k = 0; k < objects.size(); ++k) {
+  for (std::size_t k = 0; k < objects.size(); ++k)
     objects[k].measures.continued = continuations.continued[k];
-    objects[k].object.score = object_score(objects[k].measures);
-  }
+  score_among_others(objects);
   yield_to_joined(joined_sets, options.continuation, objects);
   sort_by_score(objects);
   return objects;

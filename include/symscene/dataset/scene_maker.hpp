@@ -16,6 +16,8 @@ struct DatasetOptions {
   int max_objects = 15;      ///< in a scene
   int arranged_every = 4;    ///< every so many scenes objects are put in place; 0: all are dropped
   double scanned = 0.5;      ///< share of scanned models among dropped objects, where there are any
+  double min_scale = 1.0;    ///< size of dropped household objects by that of real ones
+  double max_scale = 1.0;    ///< drawn between these, evenly by its logarithm
   double min_spread = 0.02;  ///< radius that objects drop over, times the root of their number [m]
   double max_spread = 0.055;  ///< the same where things lie loosest [m]
   double max_stacked = 0.5;   ///< largest share of arranged objects that try to stand on another
@@ -39,6 +41,8 @@ struct DatasetOptions {
     visit("arranged_every", self.arranged_every, "",
           "every so many scenes objects are put in place, not dropped; 0 for never");
     visit("scanned", self.scanned, "", "share of scanned models among the dropped objects");
+    visit("min_scale", self.min_scale, "", "least size of dropped household objects by real ones");
+    visit("max_scale", self.max_scale, "", "greatest such size");
     visit("min_spread", self.min_spread, "m",
           "least radius that objects drop over, times the root of their number");
     visit("max_spread", self.max_spread, "m", "largest such radius");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "symscene/pipeline/proposal_context.hpp"
 #include "symscene/segmentation/object_measures.hpp"
 
 namespace symscene {
@@ -9,16 +10,16 @@ namespace symscene {
 /// fitted by `symscene_fit_object_score` to simulated scenes of the tune split.
 double estimated_probability(const ObjectMeasures& measures);
 
+/// The same, from its measures and from what the other proposals say of it.
+double estimated_probability(const ObjectMeasures& measures, const ProposalContext& context);
+
 /// How far the confidence of a cut is believed by itself.
 inline constexpr double cut_belief = 0.5;
 
-/// The estimate, raised by the confidence of the cut (which the estimate knows too): things unlike
-/// those that the trees were fitted to are still found by their symmetry.
+/// An estimate, raised by the confidence of the cut (which the estimate knows too): things unlike
+/// those that the trees were fitted to are still found by their symmetry. In [0, 1].
 inline double combined_score(double estimate, double confidence, double belief = cut_belief) {
   return 1.0 - (1.0 - estimate) * (1.0 - belief * confidence);
 }
-
-/// The score of a proposal: both together. In [0, 1].
-double object_score(const ObjectMeasures& measures);
 
 }  // namespace symscene

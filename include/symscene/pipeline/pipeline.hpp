@@ -43,16 +43,15 @@ struct ObjectSymmetryBounds {
   double max_axis_misfit = 0.05;            ///< greatest mean angle score (Eq. 3.5)
   double max_axis_occlusion = 0.05;         ///< greatest mean occlusion score (Eq. 4.3)
   double min_axis_coverage = 0.25;          ///< of a full turn
-  double min_plane_matched = 0.1;           ///< least share of points whose image is on the surface
-  double max_plane_contradicted = 0.15;     ///< greatest share of the images that can be judged
+  double min_plane_matched = 0.05;          ///< least share of points whose image is on the surface
+  double max_plane_contradicted = 0.3;      ///< greatest share of the images that can be judged
+  double min_plane_probability = 0.5;       ///< of being a mirror (plane_probability())
   double max_image_offset = 0.003;          ///< of an image off the surface that it is on [m]
   double max_image_angle = radians(20.0);   ///< of its normal [rad]
   double same_plane_angle = radians(12.0);  ///< planes closer than this are one [rad]
-  double right_angle_tolerance = radians(8.0);  ///< of planes at right angles to each other [rad]
-  double max_oblique_misfit = 0.22;             ///< of a plane that is oblique to a better one
-  double min_plane_distance = 0.003;            ///< points nearer to a plane match themselves [m]
-  double plane_in_axis_angle = radians(10.0);   ///< planes that hold an axis so nearly follow [rad]
-  double plane_in_axis_distance = 0.01;         ///< and pass it this near [m]
+  double min_plane_distance = 0.003;        ///< points nearer to a plane match themselves [m]
+  double plane_in_axis_angle = radians(10.0);  ///< planes that hold an axis so nearly follow [rad]
+  double plane_in_axis_distance = 0.01;        ///< and pass it this near [m]
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -64,13 +63,11 @@ struct ObjectSymmetryBounds {
           "least share of points whose image is on the surface");
     visit("max_plane_contradicted", self.max_plane_contradicted, "",
           "share of images that are in empty space, inside or off the surface");
+    visit("min_plane_probability", self.min_plane_probability, "",
+          "least probability of a plane that is listed");
     visit("max_image_offset", self.max_image_offset, "m", "of an image that is on the surface");
     visit("max_image_angle", self.max_image_angle, "rad", "of its normal");
     visit("same_plane_angle", self.same_plane_angle, "rad", "planes closer than this are one");
-    visit("right_angle_tolerance", self.right_angle_tolerance, "rad",
-          "of planes at right angles to each other");
-    visit("max_oblique_misfit", self.max_oblique_misfit, "",
-          "of a plane that is oblique to a better one");
     visit("min_plane_distance", self.min_plane_distance, "m",
           "points nearer to a plane do not count");
     visit("plane_in_axis_angle", self.plane_in_axis_angle, "rad",
