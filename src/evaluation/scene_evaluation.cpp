@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include "symscene/core/error.hpp"
 #include "symscene/core/parallel.hpp"
 #include "symscene/pipeline/detections.hpp"
+#include "symscene/pipeline/mask_symmetry.hpp"
 
 namespace symscene {
 namespace {
@@ -69,19 +71,42 @@ Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
   return sweep;
 }
 
-/// The least probability, over everything that is proposed.
+/// The least probabilities of objects and of their planes, over everything that is proposed. What
+/// is known of an object's symmetries is the same at every setting, and measured once.
 Sweep score_sweep(const SceneProposals& proposals, const CountingContext& context,
-                  PipelineOptions options) {
-  options.selection.by_score = true;
+                  const PipelineOptions& options) {
   Sweep sweep;
   sweep.method = scored_method;
-  sweep.parameters = {"min_score"};
-  sweep.settings = all_settings({evenly_spaced(0.05, 0.95, 0.05)});
+  sweep.parameters = {"min_score", "min_plane_probability"};
+  const std::vector<double> scores = evenly_spaced(0.05, 0.95, 0.05);
+  const std::vector<double> probabilities = evenly_spaced(0.2, 0.8, 0.1);
+  sweep.settings = all_settings({scores, probabilities});
   sweep.measures = pipeline_measures(options.rotational_stream);
-  for (const std::vector<double>& setting : sweep.settings) {
-    options.selection.min_score = setting.front();
-    sweep.counts.push_back(context.count(choose_objects(proposals, options).objects));
+  std::vector<std::vector<SceneObject>> chosen(scores.size());
+  std::map<PointIndices, MeasuredSymmetries> symmetries;
+  std::vector<std::pair<const SceneObject*, MeasuredSymmetries*>> unmeasured;
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    SelectionOptions selection = options.selection;
+    selection.min_score = scores[k];
+    std::vector<Rejection> rejected;
+    chosen[k] = probable_objects(proposals, selection, rejected);
+    for (const SceneObject& object : chosen[k]) {
+      const auto [own, is_new] = symmetries.try_emplace(object.points);
+      if (is_new) unmeasured.emplace_back(&object, &own->second);
+    }
   }
+  parallel_for_each(unmeasured.size(), [&](std::size_t k) {
+    *unmeasured[k].second = measure_symmetries(proposals, options, *unmeasured[k].first);
+  });
+  sweep.counts.resize(sweep.settings.size());
+  parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
+    ObjectSymmetryBounds bounds = options.object_symmetry;
+    bounds.min_plane_probability = sweep.settings[k][1];
+    std::vector<SceneObject> objects = chosen[k / probabilities.size()];
+    for (SceneObject& object : objects)
+      list_symmetries(symmetries.at(object.points), bounds, object);
+    sweep.counts[k] = context.count(objects);
+  });
   return sweep;
 }
 

@@ -43,15 +43,24 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
 
 void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
                      SegmentationResult& result) {
-  for (const ObjectProposal& proposal : proposals.objects)
-    result.objects.push_back(proposal.object);
   result.rejected = proposals.rejected;
-  result.objects = select_probable(std::move(result.objects), options.selection, result.rejected);
-  parallel_for_each(result.objects.size(),
-                    [&](std::size_t k) { find_symmetries(proposals, options, result.objects[k]); });
+  result.objects = probable_objects(proposals, options.selection, result.rejected);
+  parallel_for_each(result.objects.size(), [&](std::size_t k) {
+    SceneObject& object = result.objects[k];
+    list_symmetries(measure_symmetries(proposals, options, object), options.object_symmetry,
+                    object);
+  });
 }
 
 }  // namespace
+
+std::vector<SceneObject> probable_objects(const SceneProposals& proposals,
+                                          const SelectionOptions& options,
+                                          std::vector<Rejection>& rejected) {
+  std::vector<SceneObject> objects;
+  for (const ObjectProposal& proposal : proposals.objects) objects.push_back(proposal.object);
+  return select_probable(std::move(objects), options, rejected);
+}
 
 SegmentationResult choose_objects(const SceneProposals& proposals, const PipelineOptions& options) {
   SegmentationResult result;

@@ -4,29 +4,32 @@
 #include <cmath>
 #include <utility>
 
-#include "symscene/pipeline/plane_score.hpp"
+#include "symscene/pipeline/symmetry_score.hpp"
 
 namespace symscene {
 namespace {
 
-std::vector<ScoredAxis> fitting_axes(const SceneProposals& proposals, const PointCloud& points,
-                                     const PipelineOptions& options,
-                                     const std::vector<RotationAxis>& proposed) {
+/// The axis that the points fit best within the bounds. A body with two axes is a ball, and of that
+/// one axis says as much as many.
+std::optional<MeasuredAxis> best_axis(const SceneProposals& proposals, const PointCloud& points,
+                                      const PipelineOptions& options,
+                                      const std::vector<RotationAxis>& proposed) {
   const ObjectSymmetryBounds& bounds = options.object_symmetry;
-  std::vector<ScoredAxis> fits;
+  std::optional<MeasuredAxis> best;
+  RotationalScores best_scores;
   for (const RotationAxis& axis : proposed) {
     const RotationalScores scores =
         rotational_scores(points, axis, proposals.field, options.rotational_detection);
-    if (scores.symmetry < bounds.max_axis_misfit && scores.occlusion < bounds.max_axis_occlusion &&
-        scores.perpendicularity < options.rotational_detection.max_perpendicularity &&
-        scores.coverage > bounds.min_axis_coverage)
-      fits.push_back({axis, scores.symmetry});
+    const bool fits = scores.symmetry < bounds.max_axis_misfit &&
+                      scores.occlusion < bounds.max_axis_occlusion &&
+                      scores.perpendicularity < options.rotational_detection.max_perpendicularity &&
+                      scores.coverage > bounds.min_axis_coverage;
+    if (!fits || (best && scores.symmetry >= best_scores.symmetry)) continue;
+    best = MeasuredAxis{axis, {}, 0.0};
+    best_scores = scores;
   }
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const ScoredAxis& a, const ScoredAxis& b) { return a.score < b.score; });
-  // A body with two axes is a ball, and of that one axis says as much as many.
-  fits.resize(std::min<std::size_t>(fits.size(), 1));
-  return fits;
+  if (best) best->measures = measure_axis(points, best->axis, best_scores, proposals.table);
+  return best;
 }
 
 /// Whether a plane follows from an axis of the object.
@@ -109,19 +112,23 @@ PipelineOptions for_whole_objects(PipelineOptions options) {
 
 }  // namespace
 
-void find_axes(const SceneProposals& proposals, const PipelineOptions& given, SceneObject& object) {
-  const std::vector<ScoredAxis> own = std::exchange(object.rotational, {});
-  if (!given.rotational_stream) return;
+std::optional<MeasuredAxis> measured_axis(const SceneProposals& proposals,
+                                          const PipelineOptions& given, const SceneObject& object) {
+  if (!given.rotational_stream) return std::nullopt;
   const PipelineOptions options = for_whole_objects(given);
   const PointCloud points = select(proposals.cloud, object.points);
-  std::vector<RotationAxis> axes;
-  for (const ScoredAxis& axis : own) axes.push_back(axis.axis);
+  std::vector<RotationAxis> proposed;
+  for (const ScoredAxis& own : object.rotational) proposed.push_back(own.axis);
   for (const RotationalCandidate& candidate :
        detect_rotational(points, all_of(points), proposals.field, up_of(proposals),
                          options.rotational_detection)
            .candidates)
-    axes.push_back(candidate.axis);
-  object.rotational = fitting_axes(proposals, points, options, axes);
+    proposed.push_back(candidate.axis);
+  std::optional<MeasuredAxis> best = best_axis(proposals, points, options, proposed);
+  if (!best) return best;
+  best->measures.object_score = object.score;
+  best->probability = axis_probability(best->measures);
+  return best;
 }
 
 std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
@@ -154,16 +161,28 @@ std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
       measures.along_axis = std::abs(own.axis.direction.dot(candidate.plane.normal));
   }
   compare_with_better(measured);
+  for (MeasuredPlane& candidate : measured)
+    candidate.probability = plane_probability(candidate.measures);
   return measured;
 }
 
-void find_symmetries(const SceneProposals& proposals, const PipelineOptions& options,
+MeasuredSymmetries measure_symmetries(const SceneProposals& proposals,
+                                      const PipelineOptions& options, SceneObject object) {
+  MeasuredSymmetries measured;
+  const std::optional<MeasuredAxis> axis = measured_axis(proposals, options, object);
+  if (axis && axis->probability > options.object_symmetry.min_axis_probability)
+    measured.axes.push_back({axis->axis, axis->measures.symmetry});
+  object.rotational = measured.axes;
+  measured.planes = measured_planes(proposals, options, object);
+  return measured;
+}
+
+void list_symmetries(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,
                      SceneObject& object) {
-  find_axes(proposals, options, object);
-  const std::vector<MeasuredPlane> planes = measured_planes(proposals, options, object);
+  object.rotational = measured.axes;
   object.reflectional.clear();
-  for (const MeasuredPlane& plane : planes) {
-    if (plane_probability(plane.measures) > options.object_symmetry.min_plane_probability)
+  for (const MeasuredPlane& plane : measured.planes) {
+    if (plane.probability > bounds.min_plane_probability)
       object.reflectional.push_back({plane.plane, plane.measures.misfit()});
   }
 }

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
-
+#include "symscene/pipeline/axis_measures.hpp"
 #include "symscene/symmetry/point_scores.hpp"
 
 namespace symscene {
@@ -19,30 +18,6 @@ constexpr float disagree = 0.005F;    // so near, an image has to agree [m]
 constexpr float exact_offset = 0.001F;
 constexpr float exact_cosine = 0.985F;
 constexpr float across_cosine = 0.17F, facing_cosine = 0.9F, steep_cosine = 0.3F;
-
-/// The mean distance of points off the sphere that fits them best (by algebraic distance), by its
-/// radius; 1 where there is none.
-double off_sphere(const Points& points) {
-  const Eigen::Vector3d center = centroid(points);
-  Eigen::Matrix4d normal_matrix = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Eigen::Vector3d p = points.row(i).transpose().cast<double>() - center;
-    const Eigen::Vector4d row(2.0 * p.x(), 2.0 * p.y(), 2.0 * p.z(), 1.0);
-    normal_matrix += row * row.transpose();
-    right += p.squaredNorm() * row;
-  }
-  const Eigen::Vector4d fit = normal_matrix.ldlt().solve(right);
-  const Eigen::Vector3d middle = fit.head<3>();
-  const double radius = std::sqrt(std::max(0.0, fit.w() + middle.squaredNorm()));
-  if (!std::isfinite(radius) || radius <= 0.0) return 1.0;
-  double sum = 0.0;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Eigen::Vector3d p = points.row(i).transpose().cast<double>() - center;
-    sum += std::abs((p - middle).norm() - radius);
-  }
-  return std::min(1.0, sum / (static_cast<double>(points.rows()) * radius));
-}
 
 }  // namespace
 
@@ -67,7 +42,7 @@ PlaneMeter::PlaneMeter(const PointCloud& points, const DistanceField& field,
       shell_gap_(0.008F *
                  std::sqrt(std::max(1.0F, static_cast<float>(points.size()) / shell_points))),
       centroid_(centroid(points.positions)),
-      roundness_(off_sphere(points.positions)) {
+      roundness_(distance_off_sphere(points.positions)) {
   const Eigen::Matrix3f axes = principal_axes(points.positions).cast<float>();
   const Eigen::Vector3d extents = ((points.positions * axes).colwise().maxCoeff() -
                                    (points.positions * axes).colwise().minCoeff())

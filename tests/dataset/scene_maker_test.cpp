@@ -94,6 +94,20 @@ TEST(SceneMaker, DropsScannedModelsAmongProceduralOnes) {
   }
 }
 
+TEST(SceneMaker, DropsHouseholdObjectsAtTheirScale) {
+  if (!has_physics()) GTEST_SKIP() << "no physics";
+  DatasetOptions options = small_options();
+  const auto largest_extent = [&] {
+    float largest = 0.0F;
+    for (const PlacedObject& placed : place_objects(options, {}, 4, 5, true).objects)
+      largest = std::max(largest, bounding_box(placed.object.mesh.vertices).extent().maxCoeff());
+    return largest;
+  };
+  const float real = largest_extent();
+  options.min_scale = options.max_scale = 0.5;
+  EXPECT_NEAR(largest_extent(), 0.5F * real, 0.1F * real);
+}
+
 TEST(SceneMaker, DropsNoModelTwiceWhileThereAreOthers) {
   if (!has_physics()) GTEST_SKIP() << "no physics";
   DatasetOptions options = small_options();
@@ -118,7 +132,8 @@ TEST(SceneMaker, RefusesOptionsOutOfRange) {
            [](auto& o) { o.scenes = 0; }, [](auto& o) { o.min_objects = 0; },
            [](auto& o) { o.min_objects = 3; }, [](auto& o) { o.max_objects = 16; },
            [](auto& o) { o.arranged_every = -1; }, [](auto& o) { o.scanned = 1.5; },
-           [](auto& o) { o.max_spread = 0.001; }, [](auto& o) { o.attempts = 0; },
+           [](auto& o) { o.max_spread = 0.001; }, [](auto& o) { o.min_scale = 0.0; },
+           [](auto& o) { o.max_scale = 0.5; }, [](auto& o) { o.attempts = 0; },
            [](auto& o) { o.max_error = 0.0; }, [](auto& o) { o.camera.frames = 0; },
            [](auto& o) { o.making.truth.tolerance = 0.0; }}) {
     DatasetOptions options = small_options();

@@ -74,7 +74,7 @@ TEST(EvaluateScene, SweepsEveryVariantAndPeerWhateverTheThreads) {
   const SceneEvaluation evaluation = evaluate_scene(scene.scene, scene.truth, options);
   ASSERT_EQ(evaluation.segmentation.size(), 4U);
   EXPECT_EQ(evaluation.segmentation[0].method, scored_method);
-  EXPECT_EQ(evaluation.segmentation[0].counts.size(), 19U);
+  EXPECT_EQ(evaluation.segmentation[0].counts.size(), 19U * 7U);
   EXPECT_EQ(evaluation.segmentation[1].method, full_method);
   EXPECT_EQ(evaluation.segmentation[1].counts.size(), 180U);
   EXPECT_EQ(evaluation.segmentation[2].method, reflectional_method);

@@ -28,8 +28,8 @@ ObjectMeasures clear_object() {
 
 TEST(ObjectScore, CombinesWhatTwoWitnessesSay) {
   EXPECT_DOUBLE_EQ(combined_score(0.2, 0.0), 0.2);
-  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.6), 0.44);  // 1 − 0.8 · 0.7
-  EXPECT_DOUBLE_EQ(combined_score(0.0, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.6, 0.5), 0.44);  // 1 − 0.8 · 0.7
+  EXPECT_DOUBLE_EQ(combined_score(0.0, 1.0), cut_belief);
   EXPECT_DOUBLE_EQ(combined_score(1.0, 0.3), 1.0);
 }
 
@@ -48,28 +48,30 @@ TEST(ObjectScore, RisesWithTheConfidenceOfTheCut) {
 
 TEST(ObjectScore, IsAProbabilityWhateverIsMeasured) {
   Random random(7);
+  const auto anything = [&](const char*, double& value) { value = random.uniform(-1.0, 10.0); };
   for (int k = 0; k < 500; ++k) {
     ObjectMeasures measures;
-    ObjectMeasures::visit_fields(
-        measures, [&](const char*, double& value) { value = random.uniform(-1.0, 10.0); });
-    measures.confidence = random.uniform(0.0, 1.0);
-    const double estimate = estimated_probability(measures);
-    EXPECT_GT(estimate, 0.0);
-    EXPECT_LT(estimate, 1.0);
-    EXPECT_EQ(object_score(measures), combined_score(estimate, measures.confidence));
-    EXPECT_GE(object_score(measures), estimate - 1e-12);
-    EXPECT_LT(object_score(measures), 1.0);
+    ProposalContext context;
+    ObjectMeasures::visit_fields(measures, anything);
+    ProposalContext::visit_fields(context, anything);
+    for (const double estimate :
+         {estimated_probability(measures), estimated_probability(measures, context)}) {
+      EXPECT_GT(estimate, 0.0);
+      EXPECT_LT(estimate, 1.0);
+    }
   }
 }
 
 TEST(ObjectScore, EndsForValuesOutOfAllBounds) {
   for (const double value : {-1e300, 1e300, std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()}) {
+    const auto set = [&](const char*, double& field) { field = value; };
     ObjectMeasures measures;
-    ObjectMeasures::visit_fields(measures, [&](const char*, double& field) { field = value; });
-    const double estimate = estimated_probability(measures);
-    EXPECT_GT(estimate, 0.0);
-    EXPECT_LT(estimate, 1.0);
+    ProposalContext context;
+    ObjectMeasures::visit_fields(measures, set);
+    ProposalContext::visit_fields(context, set);
+    EXPECT_GT(estimated_probability(measures, context), 0.0);
+    EXPECT_LT(estimated_probability(measures, context), 1.0);
   }
 }
 
@@ -81,8 +83,19 @@ TEST(ObjectScore, OfAClearObjectIsHighAndOfOneInPiecesLower) {
   pieces.crease = 0.1;
   pieces.convexity = 0.6;
   pieces.empty = 0.3;
-  EXPECT_GT(object_score(whole), 0.5);
-  EXPECT_LT(object_score(pieces), object_score(whole));
+  EXPECT_GT(estimated_probability(whole), 0.3);
+  EXPECT_LT(estimated_probability(pieces), 0.5 * estimated_probability(whole));
+}
+
+TEST(ObjectScore, OfAPartFallsWithTheWholeThatHoldsIt) {
+  const ObjectMeasures measures = clear_object();
+  ProposalContext alone;
+  alone.estimate = 0.6;
+  ProposalContext part = alone;
+  part.whole = 0.97;
+  part.whole_share = 0.3;
+  part.wholes = std::log(4.0);
+  EXPECT_GT(estimated_probability(measures, alone), estimated_probability(measures, part));
 }
 
 }  // namespace

@@ -1,22 +1,39 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "symscene/pipeline/axis_measures.hpp"
 #include "symscene/pipeline/plane_measures.hpp"
 #include "symscene/pipeline/proposals.hpp"
 
 namespace symscene {
 
+/// An axis that an object may turn about.
+struct MeasuredAxis {
+  RotationAxis axis;
+  AxisMeasures measures;
+  double probability = 0.0;  ///< axis_probability()
+};
+
 /// A plane that may be a mirror of an object.
 struct MeasuredPlane {
   ReflectionPlane plane;
   PlaneMeasures measures;
+  double probability = 0.0;  ///< plane_probability()
 };
 
-/// The axis of an object whose points are known, if it has one: of those under which it was cut out
-/// and those that its points propose by themselves, the one that its points fit best.
-void find_axes(const SceneProposals& proposals, const PipelineOptions& options,
-               SceneObject& object);
+/// All that is known of the symmetries of an object whose points are known.
+struct MeasuredSymmetries {
+  std::vector<ScoredAxis> axes;       ///< one, or none
+  std::vector<MeasuredPlane> planes;  ///< by rising misfit
+};
+
+/// The axis that an object's points fit best, of those under which it was cut out and those that
+/// its points propose by themselves; none where they fit none, or without the rotational stream.
+std::optional<MeasuredAxis> measured_axis(const SceneProposals& proposals,
+                                          const PipelineOptions& options,
+                                          const SceneObject& object);
 
 /// The distinct planes that an object's points propose, and those under which it was cut out, by
 /// rising misfit. Planes that follow from its axis are left out.
@@ -24,10 +41,13 @@ std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
                                            const PipelineOptions& options,
                                            const SceneObject& object);
 
-/// The symmetries of an object whose points are known: those under which it was cut out, and what
-/// its points propose by themselves, as far as its points agree with them. Planes through an axis
-/// follow from it and are left out. `object.rotational` and `object.reflectional` by rising misfit.
-void find_symmetries(const SceneProposals& proposals, const PipelineOptions& options,
+/// The axis of an object, if it is probable enough, and its planes.
+MeasuredSymmetries measure_symmetries(const SceneProposals& proposals,
+                                      const PipelineOptions& options, SceneObject object);
+
+/// Lists in an object what is a symmetry of it: the axis, and planes that are probable enough.
+/// `object.rotational` and `object.reflectional` by rising misfit.
+void list_symmetries(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,
                      SceneObject& object);
 
 }  // namespace symscene

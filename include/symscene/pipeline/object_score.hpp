@@ -14,7 +14,7 @@ double estimated_probability(const ObjectMeasures& measures);
 double estimated_probability(const ObjectMeasures& measures, const ProposalContext& context);
 
 /// How far the confidence of a cut is believed by itself.
-inline constexpr double cut_belief = 0.5;
+inline constexpr double cut_belief = 0.6;
 
 /// An estimate, raised by the confidence of the cut (which the estimate knows too): things unlike
 /// those that the trees were fitted to are still found by their symmetry. In [0, 1].

@@ -36,6 +36,12 @@ struct SceneProposals {
 SceneProposals propose_objects(const Scene& scene, const PipelineOptions& options = {},
                                const StageTimer::OnBegin& on_begin = {});
 
+/// The objects that are chosen by probability (select_probable()), with the symmetries under which
+/// they were cut out. What is not is added to `rejected`.
+std::vector<SceneObject> probable_objects(const SceneProposals& proposals,
+                                          const SelectionOptions& options,
+                                          std::vector<Rejection>& rejected);
+
 /// Chooses objects among what is proposed, without their completed shapes. With
 /// `selection.by_score` by probability among all proposals (select_probable()), and the symmetries
 /// of what is chosen are found anew on all its points; otherwise as section 4.3.3 does, among the

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "symscene/core/geometry.hpp"
+#include "symscene/core/point_cloud.hpp"
+#include "symscene/symmetry/rotational_detection.hpp"
+
+namespace symscene {
+
+/// What speaks for and against an object whose points are known being a body of revolution about an
+/// axis.
+struct AxisMeasures {
+  double symmetry = 0.0;          ///< as in RotationalScores
+  double perpendicularity = 0.0;  ///< as in RotationalScores
+  double coverage = 0.0;          ///< as in RotationalScores
+  double occlusion = 0.0;         ///< as in RotationalScores
+  double residual = 0.0;      ///< mean distance of points off the mean radius at their height [m]
+  double height = 0.0;        ///< extent along the axis [m]
+  double radius = 0.0;        ///< greatest distance from the axis [m]
+  double off_centre = 0.0;    ///< distance of the axis from the points' mean, by the radius
+  double across = 0.0;        ///< share of points with a normal at right angles to the axis
+  double along = 0.0;         ///< share of points with a normal along the axis
+  double roundness = 0.0;     ///< mean distance off the sphere through the points, by its radius
+  double upright = 0.0;       ///< |cosine| of the axis and the table's normal; -1 without a table
+  double foot = 0.0;          ///< height of the lowest point over the table, 0 to 0.2 [m]
+  double size = 0.0;          ///< natural logarithm of the number of points
+  double object_score = 0.0;  ///< of the object
+
+  /// Calls visit(name, value) for every measure, in this order.
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("symmetry", self.symmetry);
+    visit("perpendicularity", self.perpendicularity);
+    visit("coverage", self.coverage);
+    visit("occlusion", self.occlusion);
+    visit("residual", self.residual);
+    visit("height", self.height);
+    visit("radius", self.radius);
+    visit("off_centre", self.off_centre);
+    visit("across", self.across);
+    visit("along", self.along);
+    visit("roundness", self.roundness);
+    visit("upright", self.upright);
+    visit("foot", self.foot);
+    visit("size", self.size);
+    visit("object_score", self.object_score);
+  }
+  static constexpr std::size_t count = 15;
+  std::array<double, count> values() const;
+};
+
+/// All but the object's score. `points` has normals and is not empty.
+AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
+                          const RotationalScores& scores, const std::optional<Plane>& table);
+
+/// The mean distance of points off the sphere that fits them best (by algebraic distance), by its
+/// radius; 1 where there is none.
+double distance_off_sphere(const Points& points);
+
+}  // namespace symscene

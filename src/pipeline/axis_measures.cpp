@@ -1,0 +1,122 @@
+#include "symscene/pipeline/axis_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace symscene {
+namespace {
+
+constexpr double across_cosine = 0.17, along_cosine = 0.9;
+constexpr double max_foot = 0.2;  // [m]
+
+/// Points about an axis.
+struct Profile {
+  std::vector<double> heights, radii;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+Profile profile_of(const PointCloud& points, const RotationAxis& axis) {
+  Profile profile;
+  for (Index i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d p = points.position(i).cast<double>();
+    const double height = axis.direction.dot(p - axis.point);
+    profile.heights.push_back(height);
+    profile.radii.push_back(axis.distance(p));
+    profile.low = std::min(profile.low, height);
+    profile.high = std::max(profile.high, height);
+  }
+  return profile;
+}
+
+/// Over rings as wide as the cloud's points are apart. Flat ends are wide in radius there, so that
+/// only what faces away from the axis counts.
+double mean_residual(const PointCloud& points, const RotationAxis& axis, const Profile& profile) {
+  constexpr double ring = 0.005;  // [m]
+  const auto rings = static_cast<std::size_t>((profile.high - profile.low) / ring) + 1;
+  std::vector<double> sums(rings), counts(rings);
+  const auto ring_of = [&](std::size_t i) {
+    return std::min(rings - 1, static_cast<std::size_t>((profile.heights[i] - profile.low) / ring));
+  };
+  const auto faces_away = [&](std::size_t i) {
+    return std::abs(points.normal(static_cast<Index>(i)).cast<double>().dot(axis.direction)) < 0.5;
+  };
+  for (std::size_t i = 0; i < profile.radii.size(); ++i) {
+    if (!faces_away(i)) continue;
+    sums[ring_of(i)] += profile.radii[i];
+    counts[ring_of(i)] += 1.0;
+  }
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < profile.radii.size(); ++i) {
+    if (!faces_away(i)) continue;
+    sum += std::abs(profile.radii[i] - sums[ring_of(i)] / counts[ring_of(i)]);
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+}  // namespace
+
+std::array<double, AxisMeasures::count> AxisMeasures::values() const {
+  std::array<double, count> values{};
+  std::size_t next = 0;
+  visit_fields(*this, [&](const char*, double value) { values[next++] = value; });
+  return values;
+}
+
+AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
+                          const RotationalScores& scores, const std::optional<Plane>& table) {
+  AxisMeasures m;
+  m.symmetry = scores.symmetry;
+  m.perpendicularity = scores.perpendicularity;
+  m.coverage = scores.coverage;
+  m.occlusion = scores.occlusion;
+  const Profile profile = profile_of(points, axis);
+  m.residual = mean_residual(points, axis, profile);
+  m.height = profile.high - profile.low;
+  m.radius = *std::max_element(profile.radii.begin(), profile.radii.end());
+  m.off_centre = m.radius > 0.0 ? axis.distance(centroid(points.positions)) / m.radius : 0.0;
+  const Eigen::ArrayXd cosines =
+      (points.normals * axis.direction.cast<float>()).cwiseAbs().cast<double>().array();
+  const auto count = static_cast<double>(points.size());
+  m.across = static_cast<double>((cosines < across_cosine).count()) / count;
+  m.along = static_cast<double>((cosines > along_cosine).count()) / count;
+  m.roundness = distance_off_sphere(points.positions);
+  m.upright = table ? std::abs(table->normal.dot(axis.direction)) : -1.0;
+  if (table) {
+    double lowest = max_foot;
+    for (Index i = 0; i < points.size(); ++i)
+      lowest = std::min(lowest, table->signed_distance(points.position(i).cast<double>()));
+    m.foot = std::max(0.0, lowest);
+  }
+  m.size = std::log(count);
+  return m;
+}
+
+double distance_off_sphere(const Points& points) {
+  const Eigen::Vector3d center = centroid(points);
+  Eigen::Matrix4d normal_matrix = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Eigen::Vector3d p = points.row(i).transpose().cast<double>() - center;
+    const Eigen::Vector4d row(2.0 * p.x(), 2.0 * p.y(), 2.0 * p.z(), 1.0);
+    normal_matrix += row * row.transpose();
+    right += p.squaredNorm() * row;
+  }
+  const Eigen::Vector4d fit = normal_matrix.ldlt().solve(right);
+  const Eigen::Vector3d middle = fit.head<3>();
+  const double radius = std::sqrt(std::max(0.0, fit.w() + middle.squaredNorm()));
+  if (!std::isfinite(radius) || radius <= 0.0) return 1.0;
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Eigen::Vector3d p = points.row(i).transpose().cast<double>() - center;
+    sum += std::abs((p - middle).norm() - radius);
+  }
+  return std::min(1.0, sum / (static_cast<double>(points.rows()) * radius));
+}
+
+}  // namespace symscene
