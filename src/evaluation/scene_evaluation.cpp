@@ -71,15 +71,15 @@ Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
   return sweep;
 }
 
-/// The least probabilities of objects and of their planes, over everything that is proposed. What
-/// is known of an object's symmetries is the same at every setting, and measured once.
+/// The least probabilities of objects and of their symmetries, over everything that is proposed.
+/// What is known of an object's symmetries is the same at every setting, and measured once.
 Sweep score_sweep(const SceneProposals& proposals, const CountingContext& context,
                   const PipelineOptions& options) {
   Sweep sweep;
   sweep.method = scored_method;
-  sweep.parameters = {"min_score", "min_plane_probability"};
+  sweep.parameters = {"min_score", "min_symmetry_probability"};
   const std::vector<double> scores = evenly_spaced(0.05, 0.95, 0.05);
-  const std::vector<double> probabilities = evenly_spaced(0.2, 0.8, 0.1);
+  const std::vector<double> probabilities = evenly_spaced(0.1, 0.7, 0.1);
   sweep.settings = all_settings({scores, probabilities});
   sweep.measures = pipeline_measures(options.rotational_stream);
   std::vector<std::vector<SceneObject>> chosen(scores.size());
@@ -101,7 +101,7 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
   sweep.counts.resize(sweep.settings.size());
   parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
     ObjectSymmetryBounds bounds = options.object_symmetry;
-    bounds.min_plane_probability = sweep.settings[k][1];
+    bounds.min_axis_probability = bounds.min_plane_probability = sweep.settings[k][1];
     std::vector<SceneObject> objects = chosen[k / probabilities.size()];
     for (SceneObject& object : objects)
       list_symmetries(symmetries.at(object.points), bounds, object);

@@ -11,7 +11,6 @@ namespace symscene {
 namespace {
 
 constexpr double across_cosine = 0.17, along_cosine = 0.9;
-constexpr double max_foot = 0.2;  // [m]
 
 /// Points about an axis.
 struct Profile {
@@ -87,12 +86,6 @@ AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
   m.along = static_cast<double>((cosines > along_cosine).count()) / count;
   m.roundness = distance_off_sphere(points.positions);
   m.upright = table ? std::abs(table->normal.dot(axis.direction)) : -1.0;
-  if (table) {
-    double lowest = max_foot;
-    for (Index i = 0; i < points.size(); ++i)
-      lowest = std::min(lowest, table->signed_distance(points.position(i).cast<double>()));
-    m.foot = std::max(0.0, lowest);
-  }
   m.size = std::log(count);
   return m;
 }

@@ -93,6 +93,13 @@ std::optional<Eigen::Vector3d> up_of(const SceneProposals& proposals) {
   return proposals.table->normal;
 }
 
+void list_axis(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,
+               SceneObject& object) {
+  object.rotational.clear();
+  if (measured.axis && measured.axis->probability > bounds.min_axis_probability)
+    object.rotational.push_back({measured.axis->axis, measured.axis->measures.symmetry});
+}
+
 /// The detectors' options for points that are a whole object: what is accepted is decided later,
 /// and points near a plane count too.
 PipelineOptions for_whole_objects(PipelineOptions options) {
@@ -125,9 +132,7 @@ std::optional<MeasuredAxis> measured_axis(const SceneProposals& proposals,
            .candidates)
     proposed.push_back(candidate.axis);
   std::optional<MeasuredAxis> best = best_axis(proposals, points, options, proposed);
-  if (!best) return best;
-  best->measures.object_score = object.score;
-  best->probability = axis_probability(best->measures);
+  if (best) best->probability = axis_probability(best->measures);
   return best;
 }
 
@@ -169,17 +174,15 @@ std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
 MeasuredSymmetries measure_symmetries(const SceneProposals& proposals,
                                       const PipelineOptions& options, SceneObject object) {
   MeasuredSymmetries measured;
-  const std::optional<MeasuredAxis> axis = measured_axis(proposals, options, object);
-  if (axis && axis->probability > options.object_symmetry.min_axis_probability)
-    measured.axes.push_back({axis->axis, axis->measures.symmetry});
-  object.rotational = measured.axes;
+  measured.axis = measured_axis(proposals, options, object);
+  list_axis(measured, options.object_symmetry, object);
   measured.planes = measured_planes(proposals, options, object);
   return measured;
 }
 
 void list_symmetries(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,
                      SceneObject& object) {
-  object.rotational = measured.axes;
+  list_axis(measured, bounds, object);
   object.reflectional.clear();
   for (const MeasuredPlane& plane : measured.planes) {
     if (plane.probability > bounds.min_plane_probability)

@@ -33,7 +33,6 @@ TEST(AxisMeasures, OfAVaseAndItsAxis) {
   EXPECT_LT(measures.off_centre, 0.02);
   EXPECT_NEAR(measures.coverage, 1.0, 0.05);
   EXPECT_NEAR(measures.upright, 1.0, 1e-9);
-  EXPECT_LT(measures.foot, 0.003);
   EXPECT_GT(measures.along, 0.03);  // its bottom and its top
 }
 
@@ -44,10 +43,9 @@ TEST(AxisMeasures, OfAnAxisBesideTheVase) {
   EXPECT_EQ(measure(testing::vase(), {}, std::nullopt).upright, -1.0);
 }
 
-TEST(AxisMeasures, OfABallOverTheTable) {
+TEST(AxisMeasures, OfABall) {
   const AxisMeasures measures = measure(ball(), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
   EXPECT_LT(measures.roundness, 0.01);
-  EXPECT_NEAR(measures.foot, 0.05, 0.003);
   EXPECT_NEAR(measures.upright, 0.0, 1e-9);
   EXPECT_GT(measure(testing::vase(), {}).roundness, 0.05);
 }
@@ -71,9 +69,7 @@ TEST(AxisScore, IsAProbabilityWhateverIsMeasured) {
 }
 
 TEST(AxisScore, OfABodyOfRevolutionIsHigh) {
-  AxisMeasures vase = measure(testing::vase(), {});
-  vase.object_score = 0.9;
-  EXPECT_GT(axis_probability(vase), 0.8);
+  EXPECT_GT(axis_probability(measure(testing::vase(), {})), 0.8);
 }
 
 }  // namespace

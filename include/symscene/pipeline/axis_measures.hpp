@@ -16,17 +16,15 @@ struct AxisMeasures {
   double perpendicularity = 0.0;  ///< as in RotationalScores
   double coverage = 0.0;          ///< as in RotationalScores
   double occlusion = 0.0;         ///< as in RotationalScores
-  double residual = 0.0;      ///< mean distance of points off the mean radius at their height [m]
-  double height = 0.0;        ///< extent along the axis [m]
-  double radius = 0.0;        ///< greatest distance from the axis [m]
-  double off_centre = 0.0;    ///< distance of the axis from the points' mean, by the radius
-  double across = 0.0;        ///< share of points with a normal at right angles to the axis
-  double along = 0.0;         ///< share of points with a normal along the axis
-  double roundness = 0.0;     ///< mean distance off the sphere through the points, by its radius
-  double upright = 0.0;       ///< |cosine| of the axis and the table's normal; -1 without a table
-  double foot = 0.0;          ///< height of the lowest point over the table, 0 to 0.2 [m]
-  double size = 0.0;          ///< natural logarithm of the number of points
-  double object_score = 0.0;  ///< of the object
+  double residual = 0.0;    ///< mean distance of points off the mean radius at their height [m]
+  double height = 0.0;      ///< extent along the axis [m]
+  double radius = 0.0;      ///< greatest distance from the axis [m]
+  double off_centre = 0.0;  ///< distance of the axis from the points' mean, by the radius
+  double across = 0.0;      ///< share of points with a normal at right angles to the axis
+  double along = 0.0;       ///< share of points with a normal along the axis
+  double roundness = 0.0;   ///< mean distance off the sphere through the points, by its radius
+  double upright = 0.0;     ///< |cosine| of the axis and the table's normal; -1 without a table
+  double size = 0.0;        ///< natural logarithm of the number of points
 
   /// Calls visit(name, value) for every measure, in this order.
   template <class Self, class Visit>
@@ -43,15 +41,13 @@ struct AxisMeasures {
     visit("along", self.along);
     visit("roundness", self.roundness);
     visit("upright", self.upright);
-    visit("foot", self.foot);
     visit("size", self.size);
-    visit("object_score", self.object_score);
   }
-  static constexpr std::size_t count = 15;
+  static constexpr std::size_t count = 13;
   std::array<double, count> values() const;
 };
 
-/// All but the object's score. `points` has normals and is not empty.
+/// `points` has normals and is not empty.
 AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
                           const RotationalScores& scores, const std::optional<Plane>& table);
 

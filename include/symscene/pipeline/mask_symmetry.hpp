@@ -25,7 +25,7 @@ struct MeasuredPlane {
 
 /// All that is known of the symmetries of an object whose points are known.
 struct MeasuredSymmetries {
-  std::vector<ScoredAxis> axes;       ///< one, or none
+  std::optional<MeasuredAxis> axis;
   std::vector<MeasuredPlane> planes;  ///< by rising misfit
 };
 
@@ -41,12 +41,11 @@ std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
                                            const PipelineOptions& options,
                                            const SceneObject& object);
 
-/// The axis of an object, if it is probable enough, and its planes.
+/// Both for an object. Planes that follow from the axis are left out if it is probable enough.
 MeasuredSymmetries measure_symmetries(const SceneProposals& proposals,
                                       const PipelineOptions& options, SceneObject object);
 
-/// Lists in an object what is a symmetry of it: the axis, and planes that are probable enough.
-/// `object.rotational` and `object.reflectional` by rising misfit.
+/// Lists in an object what is probable enough to be a symmetry of it, by rising misfit.
 void list_symmetries(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,
                      SceneObject& object);
 

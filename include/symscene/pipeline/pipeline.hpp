@@ -43,7 +43,7 @@ struct ObjectSymmetryBounds {
   double max_axis_misfit = 0.05;            ///< greatest mean angle score (Eq. 3.5)
   double max_axis_occlusion = 0.05;         ///< greatest mean occlusion score (Eq. 4.3)
   double min_axis_coverage = 0.25;          ///< of a full turn
-  double min_axis_probability = 0.25;       ///< of an axis (axis_probability())
+  double min_axis_probability = 0.1;        ///< of an axis (axis_probability())
   double min_plane_matched = 0.05;          ///< least share of points whose image is on the surface
   double max_plane_contradicted = 0.3;      ///< greatest share of the images that can be judged
   double min_plane_probability = 0.5;       ///< of being a mirror (plane_probability())
