@@ -60,13 +60,6 @@ double mean_residual(const PointCloud& points, const RotationAxis& axis, const P
 
 }  // namespace
 
-std::array<double, AxisMeasures::count> AxisMeasures::values() const {
-  std::array<double, count> values{};
-  std::size_t next = 0;
-  visit_fields(*this, [&](const char*, double value) { values[next++] = value; });
-  return values;
-}
-
 AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
                           const RotationalScores& scores, const std::optional<Plane>& table) {
   AxisMeasures m;
@@ -91,6 +84,7 @@ AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
 }
 
 double distance_off_sphere(const Points& points) {
+  constexpr double max_radius = 2.0;  // in diagonals of the points: beyond, they are nearly flat
   const Eigen::Vector3d center = centroid(points);
   Eigen::Matrix4d normal_matrix = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -103,7 +97,8 @@ double distance_off_sphere(const Points& points) {
   const Eigen::Vector4d fit = normal_matrix.ldlt().solve(right);
   const Eigen::Vector3d middle = fit.head<3>();
   const double radius = std::sqrt(std::max(0.0, fit.w() + middle.squaredNorm()));
-  if (!std::isfinite(radius) || radius <= 0.0) return 1.0;
+  const auto diagonal = static_cast<double>(bounding_box(points).extent().norm());
+  if (!(radius > 0.0) || !(radius <= max_radius * diagonal)) return 1.0;
   double sum = 0.0;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Eigen::Vector3d p = points.row(i).transpose().cast<double>() - center;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "symscene/pipeline/symmetry_score.hpp"
@@ -32,15 +33,10 @@ std::optional<MeasuredAxis> best_axis(const SceneProposals& proposals, const Poi
   return best;
 }
 
-/// Whether a plane follows from an axis of the object.
-bool follows_from_axis(const ReflectionPlane& plane, const SceneObject& object,
-                       const ObjectSymmetryBounds& bounds) {
-  return std::any_of(
-      object.rotational.begin(), object.rotational.end(), [&](const ScoredAxis& own) {
-        const SymmetryDifference apart = difference(plane, own.axis, object.centroid);
-        return apart.angle < bounds.plane_in_axis_angle &&
-               apart.distance < bounds.plane_in_axis_distance;
-      });
+bool follows_from(const RotationAxis& axis, const ReflectionPlane& plane,
+                  const Eigen::Vector3d& here, const ObjectSymmetryBounds& bounds) {
+  const SymmetryDifference apart = difference(plane, axis, here);
+  return apart.angle < bounds.plane_in_axis_angle && apart.distance < bounds.plane_in_axis_distance;
 }
 
 bool is_worth_measuring(const PlaneMeasures& images, const ObjectSymmetryBounds& bounds) {
@@ -93,13 +89,6 @@ std::optional<Eigen::Vector3d> up_of(const SceneProposals& proposals) {
   return proposals.table->normal;
 }
 
-void list_axis(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,
-               SceneObject& object) {
-  object.rotational.clear();
-  if (measured.axis && measured.axis->probability > bounds.min_axis_probability)
-    object.rotational.push_back({measured.axis->axis, measured.axis->measures.symmetry});
-}
-
 /// The detectors' options for points that are a whole object: what is accepted is decided later,
 /// and points near a plane count too.
 PipelineOptions for_whole_objects(PipelineOptions options) {
@@ -115,6 +104,43 @@ PipelineOptions for_whole_objects(PipelineOptions options) {
   for (CorrespondenceOptions* matching : {&planes.fit.matching, &planes.scoring})
     matching->min_plane_distance = bounds.min_plane_distance;
   return options;
+}
+
+/// The distinct planes that an object's points propose, and those under which it was cut out, by
+/// rising misfit. Planes that follow from its axis are left out.
+std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
+                                           const PipelineOptions& given, const SceneObject& object,
+                                           const std::optional<RotationAxis>& axis) {
+  const PipelineOptions options = for_whole_objects(given);
+  const ObjectSymmetryBounds& bounds = options.object_symmetry;
+  const PointCloud points = select(proposals.cloud, object.points);
+  std::vector<ReflectionPlane> proposed;
+  for (const ScoredPlane& own : object.reflectional) proposed.push_back(own.plane);
+  for (const ReflectionalCandidate& candidate :
+       detect_reflectional(points, all_of(points), proposals.field, up_of(proposals),
+                           options.reflectional_detection)
+           .candidates)
+    proposed.push_back(candidate.plane);
+  if (proposed.empty()) return {};
+  const Eigen::Vector3d here = centroid(points.positions);
+  const PlaneMeter meter(points, proposals.field, proposals.table, bounds);
+  std::vector<MeasuredPlane> measured;
+  for (const ReflectionPlane& plane : proposed) {
+    if (axis && follows_from(*axis, plane, here, bounds)) continue;
+    const MeasuredPlane candidate{plane, meter.measure_images(plane)};
+    if (is_worth_measuring(candidate.measures, bounds)) measured.push_back(candidate);
+  }
+  measured = distinct_planes(std::move(measured), bounds);
+  for (MeasuredPlane& candidate : measured) {
+    PlaneMeasures& measures = candidate.measures;
+    meter.measure_shape(candidate.plane, measures);
+    measures.object_score = object.score;
+    measures.along_axis = axis ? std::abs(axis->direction.dot(candidate.plane.normal)) : -1.0;
+  }
+  compare_with_better(measured);
+  for (MeasuredPlane& candidate : measured)
+    candidate.probability = plane_probability(candidate.measures);
+  return measured;
 }
 
 }  // namespace
@@ -136,53 +162,21 @@ std::optional<MeasuredAxis> measured_axis(const SceneProposals& proposals,
   return best;
 }
 
-std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
-                                           const PipelineOptions& given,
-                                           const SceneObject& object) {
-  const PipelineOptions options = for_whole_objects(given);
-  const ObjectSymmetryBounds& bounds = options.object_symmetry;
-  const PointCloud points = select(proposals.cloud, object.points);
-  std::vector<ReflectionPlane> proposed;
-  for (const ScoredPlane& own : object.reflectional) proposed.push_back(own.plane);
-  for (const ReflectionalCandidate& candidate :
-       detect_reflectional(points, all_of(points), proposals.field, up_of(proposals),
-                           options.reflectional_detection)
-           .candidates)
-    proposed.push_back(candidate.plane);
-  const PlaneMeter meter(points, proposals.field, proposals.table, bounds);
-  std::vector<MeasuredPlane> measured;
-  for (const ReflectionPlane& plane : proposed) {
-    if (follows_from_axis(plane, object, bounds)) continue;
-    const MeasuredPlane candidate{plane, meter.measure_images(plane)};
-    if (is_worth_measuring(candidate.measures, bounds)) measured.push_back(candidate);
-  }
-  measured = distinct_planes(std::move(measured), bounds);
-  for (MeasuredPlane& candidate : measured) {
-    PlaneMeasures& measures = candidate.measures;
-    meter.measure_shape(candidate.plane, measures);
-    measures.object_score = object.score;
-    measures.along_axis = -1.0;
-    for (const ScoredAxis& own : object.rotational)
-      measures.along_axis = std::abs(own.axis.direction.dot(candidate.plane.normal));
-  }
-  compare_with_better(measured);
-  for (MeasuredPlane& candidate : measured)
-    candidate.probability = plane_probability(candidate.measures);
-  return measured;
-}
-
 MeasuredSymmetries measure_symmetries(const SceneProposals& proposals,
-                                      const PipelineOptions& options, SceneObject object) {
+                                      const PipelineOptions& options, const SceneObject& object) {
   MeasuredSymmetries measured;
   measured.axis = measured_axis(proposals, options, object);
-  list_axis(measured, options.object_symmetry, object);
-  measured.planes = measured_planes(proposals, options, object);
+  std::optional<RotationAxis> likely;
+  if (measured.axis && measured.axis->probability > 0.5) likely = measured.axis->axis;
+  measured.planes = measured_planes(proposals, options, object, likely);
   return measured;
 }
 
 void list_symmetries(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,
                      SceneObject& object) {
-  list_axis(measured, bounds, object);
+  object.rotational.clear();
+  if (measured.axis && measured.axis->probability > bounds.min_axis_probability)
+    object.rotational.push_back({measured.axis->axis, measured.axis->measures.symmetry});
   object.reflectional.clear();
   for (const MeasuredPlane& plane : measured.planes) {
     if (plane.probability > bounds.min_plane_probability)

@@ -18,16 +18,11 @@ static_assert(alone.asks_for_at_most(ObjectMeasures::count) &&
 }  // namespace
 
 double estimated_probability(const ObjectMeasures& measures) {
-  return alone.probability(measures.values());
+  return alone.probability(values_of(measures));
 }
 
 double estimated_probability(const ObjectMeasures& measures, const ProposalContext& context) {
-  std::array<double, all_count> values{};
-  std::size_t next = 0;
-  const auto append = [&](const char*, double value) { values[next++] = value; };
-  ObjectMeasures::visit_fields(measures, append);
-  ProposalContext::visit_fields(context, append);
-  return among_others.probability(values);
+  return among_others.probability(values_of(measures, context));
 }
 
 }  // namespace symscene

@@ -71,8 +71,12 @@ void ContinuationOptions::validate() const {
 }
 
 void ObjectSymmetryBounds::validate() const {
-  visit_fields(*this, [](const char* name, double value, const char*, const char*) {
-    require_option(value >= 0.0, name, "a number of at least 0", value);
+  visit_fields(*this, [](const char* name, double value, const char* unit, const char*) {
+    if (*unit == '\0') {
+      require_option(value >= 0.0 && value <= 1.0, name, "a number in [0, 1]", value);
+    } else {
+      require_option(value >= 0.0, name, "a number of at least 0", value);
+    }
   });
 }
 

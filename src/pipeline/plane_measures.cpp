@@ -21,13 +21,6 @@ constexpr float across_cosine = 0.17F, facing_cosine = 0.9F, steep_cosine = 0.3F
 
 }  // namespace
 
-std::array<double, PlaneMeasures::count> PlaneMeasures::values() const {
-  std::array<double, count> values{};
-  std::size_t next = 0;
-  visit_fields(*this, [&](const char*, double value) { values[next++] = value; });
-  return values;
-}
-
 PlaneMeter::PlaneMeter(const PointCloud& points, const DistanceField& field,
                        const std::optional<Plane>& table, const ObjectSymmetryBounds& bounds)
     : points_(points),
@@ -123,7 +116,7 @@ void PlaneMeter::measure_shape(const ReflectionPlane& plane, PlaneMeasures& m) c
   m.thickness = thickness_;
   m.size = std::log(count);
   m.roundness = roundness_;
-  m.upright = table_ ? std::abs(table_->normal.dot(plane.normal)) : 0.0;
+  m.upright = table_ ? std::abs(table_->normal.dot(plane.normal)) : -1.0;
 }
 
 PlaneMeter::Image PlaneMeter::meet(const Eigen::Vector3f& p, const Eigen::Vector3f& n) const {

@@ -86,8 +86,15 @@ SharedPoints::SharedPoints(std::span<const PointIndices* const> sets)
   }
   for (const std::vector<std::uint32_t>& own : sets_of) {
     for (const std::uint32_t a : own) {
-      for (const std::uint32_t b : own) ++counts_[(a * sets.size()) + b];
+      for (const std::uint32_t b : own) {
+        if (b > a) break;  // they ascend
+        ++counts_[(a * sets.size()) + b];
+      }
     }
+  }
+  for (std::size_t a = 0; a < sets.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b)
+      counts_[(b * sets.size()) + a] = counts_[(a * sets.size()) + b];
   }
 }
 

@@ -17,11 +17,11 @@ static_assert(of_axes.asks_for_at_most(AxisMeasures::count) &&
 }  // namespace
 
 double axis_probability(const AxisMeasures& measures) {
-  return of_axes.probability(measures.values());
+  return of_axes.probability(values_of(measures));
 }
 
 double plane_probability(const PlaneMeasures& measures) {
-  return of_planes.probability(measures.values());
+  return of_planes.probability(values_of(measures));
 }
 
 }  // namespace symscene

@@ -1,11 +1,22 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <span>
 
 namespace symscene {
+
+/// The values of some measures, one kind after the other, in the order of their fields.
+template <class... Measures>
+std::array<double, (Measures::count + ...)> values_of(const Measures&... measures) {
+  std::array<double, (Measures::count + ...)> values{};
+  std::size_t next = 0;
+  const auto append = [&](const char*, double value) { values.at(next++) = value; };
+  (Measures::visit_fields(measures, append), ...);
+  return values;
+}
 
 /// A node of a tree: a question with what follows for an answer of at most the bound (the next
 /// node) and above it, or a leaf that adds to the log-odds.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "symscene/core/geometry.hpp"
@@ -44,7 +44,6 @@ struct AxisMeasures {
     visit("size", self.size);
   }
   static constexpr std::size_t count = 13;
-  std::array<double, count> values() const;
 };
 
 /// `points` has normals and is not empty.
@@ -52,7 +51,7 @@ AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
                           const RotationalScores& scores, const std::optional<Plane>& table);
 
 /// The mean distance of points off the sphere that fits them best (by algebraic distance), by its
-/// radius; 1 where there is none.
+/// radius; 1 where there is none, or one so large that they are nearly flat.
 double distance_off_sphere(const Points& points);
 
 }  // namespace symscene

@@ -35,15 +35,10 @@ std::optional<MeasuredAxis> measured_axis(const SceneProposals& proposals,
                                           const PipelineOptions& options,
                                           const SceneObject& object);
 
-/// The distinct planes that an object's points propose, and those under which it was cut out, by
-/// rising misfit. Planes that follow from its axis are left out.
-std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
-                                           const PipelineOptions& options,
-                                           const SceneObject& object);
-
-/// Both for an object. Planes that follow from the axis are left out if it is probable enough.
+/// That axis, and the distinct planes that the points propose and under which they were cut out.
+/// Planes that follow from the axis are left out if it is more likely than not.
 MeasuredSymmetries measure_symmetries(const SceneProposals& proposals,
-                                      const PipelineOptions& options, SceneObject object);
+                                      const PipelineOptions& options, const SceneObject& object);
 
 /// Lists in an object what is probable enough to be a symmetry of it, by rising misfit.
 void list_symmetries(const MeasuredSymmetries& measured, const ObjectSymmetryBounds& bounds,

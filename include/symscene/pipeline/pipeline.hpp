@@ -77,7 +77,7 @@ struct ObjectSymmetryBounds {
           "planes that hold an axis so nearly follow from it");
     visit("plane_in_axis_distance", self.plane_in_axis_distance, "m", "and pass it this near");
   }
-  /// Throws InputError on a value below 0.
+  /// Throws InputError on a value below 0, or above 1 where it has no unit.
   void validate() const;
 };
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <optional>
-#include <span>
 
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
@@ -35,13 +34,14 @@ struct PlaneMeasures {
   double thickness = 0.0;     ///< least one [m]
   double size = 0.0;          ///< natural logarithm of the number of points
   double roundness = 0.0;     ///< mean distance off the sphere through the points, by its radius
-  double upright = 0.0;       ///< |cosine| of the plane's normal and the table's; 0 without one
+  double upright = 0.0;       ///< |cosine| of the plane's normal and the table's; -1 without one
   double along_axis = 0.0;    ///< |cosine| of the plane's normal and the object's axis; -1 without
   double object_score = 0.0;  ///< of the object
   // Beside other planes of the object, by rising misfit:
-  double rank = 0.0;          ///< how many planes fit better
-  double nearest = 0.0;       ///< least angle to one of these [rad]
-  double off_square = 0.0;    ///< least sine of the angle by which it is off a right angle to one
+  double rank = 0.0;     ///< how many planes fit better
+  double nearest = 0.0;  ///< least angle to one of these; a right one without any [rad]
+  double off_square =
+      0.0;  ///< least sine of how far it is off a right angle to one; -1 without any
   double best_matched = 0.0;  ///< share matched by the first
 
   /// Calls visit(name, value) for every measure, in this order.
@@ -75,7 +75,6 @@ struct PlaneMeasures {
     visit("best_matched", self.best_matched);
   }
   static constexpr std::size_t count = 26;
-  std::array<double, count> values() const;
 
   /// How far the plane is from explaining all points, in [0, 1]: what is hidden speaks neither for
   /// nor against it.
@@ -86,7 +85,7 @@ struct PlaneMeasures {
 /// Measures planes on the points of one object.
 class PlaneMeter {
  public:
-  /// What is referred to has to stay. `points` has normals.
+  /// What is referred to has to stay. `points` has normals and is not empty.
   PlaneMeter(const PointCloud& points, const DistanceField& field,
              const std::optional<Plane>& table, const ObjectSymmetryBounds& bounds);
 

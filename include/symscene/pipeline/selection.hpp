@@ -6,9 +6,9 @@
 namespace symscene {
 
 struct SelectionOptions {
-  bool by_score = true;    ///< choose among all proposals by their estimated probability; otherwise
-                           ///< among the cuts within the bounds of section 4.3.3, by size and score
-  double min_score = 0.4;  ///< least probability of an object
+  bool by_score = true;  ///< choose among all proposals by their estimated probability; otherwise
+                         ///< among the cuts within the bounds of section 4.3.3, by size and score
+  double min_score = 0.45;       ///< least probability of an object
   double max_overlap = 0.5;      ///< of two objects that share more of the smaller one, one goes
   double min_parts_cover = 0.9;  ///< an object is a composite if smaller ones hold this share of it
   double score_exponent = 1.0;   ///< an object is worth its size times this power of its score
