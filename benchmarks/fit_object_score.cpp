@@ -17,7 +17,7 @@ namespace symscene::bench {
 namespace {
 
 struct Arguments : FitArguments {
-  double half_right = 0.35;          ///< target of a proposal with an IoU between 0.75 and 0.9
+  double half_right = 0.35;  ///< target of a proposal with an IoU between 0.75 and 0.9
   std::vector<double> beliefs{cut_belief};  ///< in the confidence of cuts, to compare
 };
 
@@ -40,10 +40,8 @@ struct Model {
 
 double target_of(const std::vector<PointIndices>& truth, const PointIndices& points,
                  double half_right) {
-  double best = 0.0;
-  for (const PointIndices& mask : truth)
-    best = std::max(best, intersection_over_union(mask, points));
-  return best > 0.9 ? 1.0 : best > 0.75 ? half_right : 0.0;
+  const double overlap = best_overlap(truth, points);
+  return overlap > 0.9 ? 1.0 : overlap > 0.75 ? half_right : 0.0;
 }
 
 ScoredScene load(const DatasetEntry& entry, std::size_t dataset, double noise,
@@ -180,8 +178,17 @@ void rescore(const Model& model, double belief, ScoredScene& scene) {
   }
 }
 
+using Scenes = std::vector<ScoredScene>;
+
+Scenes of_dataset(const Scenes& scenes, std::size_t dataset) {
+  Scenes own;
+  std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(own),
+               [&](const ScoredScene& scene) { return scene.dataset == dataset; });
+  return own;
+}
+
 /// Every dataset with trees that were fitted to the others.
-void cross_validate(std::vector<ScoredScene> scenes, const Arguments& arguments) {
+void cross_validate(Scenes& scenes, const Arguments& arguments) {
   std::vector<Model> models;
   for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
     std::vector<const ScoredScene*> others;
@@ -194,13 +201,10 @@ void cross_validate(std::vector<ScoredScene> scenes, const Arguments& arguments)
     for (ScoredScene& scene : scenes) rescore(models[scene.dataset], belief, scene);
     fmt::print("each dataset scored by the others, belief {}:\n", belief);
     print_curve(scenes);
-  }
-  for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
-    std::vector<ScoredScene> own;
-    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(own),
-                 [&](const ScoredScene& scene) { return scene.dataset == d; });
-    fmt::print("{}:\n", arguments.datasets[d].filename().string());
-    print_curve(own);
+    for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
+      fmt::print("{}, belief {}:\n", arguments.datasets[d].filename().string(), belief);
+      print_curve(of_dataset(scenes, d));
+    }
   }
 }
 

@@ -1,7 +1,5 @@
 // Fits the probability that a plane or an axis is a symmetry of an object to datasets with truth:
 // see README.md.
-#include <map>
-
 #include "symscene/core/parallel.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/mask_measures.hpp"
@@ -65,13 +63,6 @@ struct CandidatesOfScene {
   SceneTruth truth;
   std::vector<Candidate<Kind>> candidates;
 };
-
-double best_overlap(const std::vector<PointIndices>& truth, const PointIndices& points) {
-  double best = 0.0;
-  for (const PointIndices& mask : truth)
-    best = std::max(best, intersection_over_union(mask, points));
-  return best;
-}
 
 /// Right within 3 cm, wrong beyond 10 cm.
 template <class Kind>

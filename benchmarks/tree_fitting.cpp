@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "symscene/core/error.hpp"
 #include "symscene/core/random.hpp"
 
 namespace symscene::bench {
@@ -30,11 +31,19 @@ int run_fit(CLI::App& app, int argc, char** argv, const char* name,
   }
 }
 
+double best_overlap(const std::vector<PointIndices>& truth, const PointIndices& points) {
+  double best = 0.0;
+  for (const PointIndices& mask : truth)
+    best = std::max(best, intersection_over_union(mask, points));
+  return best;
+}
+
 PointCloud with_noise(PointCloud cloud, double degrees, std::uint64_t seed) {
   constexpr double cell = 0.01;               // [m]
   constexpr double offset_per_degree = 1e-4;  // [m]
   const auto sigma = static_cast<float>(radians(degrees));
-  if (!cloud.has_normals()) return cloud;
+  if (sigma > 0.0F && !cloud.has_normals())
+    throw InputError("--noise", "clouds with normals", "one without");
   for (Index i = 0; i < cloud.size() && sigma > 0.0F; ++i) {
     const Eigen::Vector3d at = (cloud.position(i).cast<double>() / cell).array().floor();
     const auto key = static_cast<std::uint64_t>((at.x() * 73856093.0) + (at.y() * 19349663.0) +

@@ -29,6 +29,9 @@ void add_fit_options(CLI::App& app, FitArguments& arguments);
 int run_fit(CLI::App& app, int argc, char** argv, const char* name,
             const std::function<void()>& work);
 
+/// The greatest overlap (intersection over union) of a set of points with a true mask.
+double best_overlap(const std::vector<PointIndices>& truth, const PointIndices& points);
+
 /// The cloud as a worse sensor would have it: normals turned at random, alike within a centimetre,
 /// as the noise of a depth image is, and points off the surface in proportion.
 PointCloud with_noise(PointCloud cloud, double degrees, std::uint64_t seed);

@@ -53,8 +53,11 @@ TEST(AxisMeasures, OfABall) {
 TEST(AxisMeasures, OfPointsOffASphere) {
   Points one(1, 3);
   one << 1.0F, 2.0F, 3.0F;
-  EXPECT_GE(distance_off_sphere(one), 0.0);
-  EXPECT_LE(distance_off_sphere(one), 1.0);
+  EXPECT_EQ(distance_off_sphere(one), 1.0);
+  Points flat = ball().positions;
+  flat.col(2).setConstant(0.3F);
+  EXPECT_GT(distance_off_sphere(flat), 0.1);
+  EXPECT_EQ(distance_off_sphere(Points(0, 3)), 1.0);
   EXPECT_LT(distance_off_sphere(ball().positions), 0.01);
 }
 

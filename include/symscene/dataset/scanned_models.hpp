@@ -13,9 +13,9 @@ namespace symscene {
 bool is_ball(const TriangleMesh& mesh);
 
 /// The meshes in a folder (in metres), named for their files and sorted by name, with what a file
-/// of symmetries says of them, and a ball known as such; no file where its path is empty. Throws
-/// InputError if the folder holds no mesh, or a file in it or that of the symmetries cannot be
-/// read.
+/// of symmetries says of them; no file where its path is empty. What it names and is_ball() knows
+/// is a sphere whatever it says. Throws InputError if the folder holds no mesh, or a file in it or
+/// that of the symmetries cannot be read.
 std::vector<ObjectModel> read_models(const std::filesystem::path& meshes,
                                      const std::filesystem::path& symmetries);
 
