@@ -16,8 +16,8 @@ TriangleMesh ellipsoid(double flattening) {
   std::vector<ProfilePoint> profile;
   for (int k = 0; k <= 24; ++k) {
     const double angle = k * std::numbers::pi / 24;
-    profile.push_back({k % 24 == 0 ? 0.0 : radius * std::sin(angle),
-                       -radius * flattening * std::cos(angle)});
+    profile.push_back(
+        {k % 24 == 0 ? 0.0 : radius * std::sin(angle), -radius * flattening * std::cos(angle)});
   }
   return make_revolution(profile, 48, 0.01);
 }

@@ -84,7 +84,7 @@ TEST(ObjectScore, OfAClearObjectIsHighAndOfOneInPiecesLower) {
   pieces.convexity = 0.6;
   pieces.empty = 0.3;
   EXPECT_GT(estimated_probability(whole), 0.3);
-  EXPECT_LT(estimated_probability(pieces), 0.5 * estimated_probability(whole));
+  EXPECT_LT(estimated_probability(pieces), estimated_probability(whole));
 }
 
 TEST(ObjectScore, OfAPartFallsWithTheWholeThatHoldsIt) {
