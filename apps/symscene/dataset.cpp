@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -52,6 +53,9 @@ std::string reasons(const SceneFacts& facts) {
 }
 
 /// Makes and writes a scene in a process of its own; what there is to say of it, as JSON.
+/// Without one of these a scene is made again.
+constexpr std::array scene_files{"scene.json", "cloud.ply", "truth.json"};
+
 std::string make_and_write(const fs::path& dir, const DatasetOptions& options, Split split,
                            const std::vector<ObjectModel>& models, std::size_t index) {
   const ThreadLimit one(1);
@@ -94,6 +98,16 @@ std::string first_difference(const Json& wanted, const Json& found) {
     if (!a.contains(key)) return fmt::format("{} {}", key.substr(1), value.dump());
   }
   return "";
+}
+
+/// A scene does not depend on how many others there are, so that a dataset may grow. Whether it
+/// does.
+bool make_as_long(Json& description, int scenes) {
+  const Json::json_pointer place("/options/scenes");
+  if (!description.contains(place) || !description[place].is_number_integer()) return false;
+  if (description[place].get<long long>() >= scenes) return false;
+  description[place] = scenes;
+  return true;
 }
 
 /// What has come of the scenes so far.
@@ -207,17 +221,22 @@ struct Dataset {
       write_file_atomically(file, wanted.dump(2) + "\n");
       return;
     }
-    const Json found = Json::parse(read_file(file), nullptr, false);
+    Json found = Json::parse(read_file(file), nullptr, false);
     if (found.is_discarded()) throw InputError(file.string(), "JSON", "a mistake in it");
+    const bool grows = make_as_long(found, options.scenes);
     const std::string difference = first_difference(wanted, found);
     if (!difference.empty())
       throw InputError(file.string(), "a dataset made with the same options", difference);
+    if (grows) write_file_atomically(file, wanted.dump(2) + "\n");
   }
 
   std::vector<std::size_t> missing() const {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < static_cast<std::size_t>(options.scenes); ++i) {
-      if (!fs::exists(scene_folder(dir, i) / "scene.json")) indices.push_back(i);
+      const fs::path scene = scene_folder(dir, i);
+      const bool is_whole = std::all_of(scene_files.begin(), scene_files.end(),
+                                        [&](const char* file) { return fs::exists(scene / file); });
+      if (!is_whole) indices.push_back(i);
     }
     return indices;
   }

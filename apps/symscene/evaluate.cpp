@@ -95,6 +95,19 @@ struct Evaluate {
     return evaluation;
   }
 
+  std::string made_with(const DatasetListing& listing) const {
+    std::string text;
+    if (listing.split && listing.seed) {
+      text += fmt::format("The {} split, seed {}. ", to_string(*listing.split), *listing.seed);
+      if (*listing.split == Split::tune)
+        text += "Probabilities were fitted to objects of this split. ";
+    }
+    text += shared.config.empty() ? "Default options"
+                                  : fmt::format("Options of {}", shared.config.filename().string());
+    return text +
+           fmt::format(", peers {}{}.", peers, fast ? ", without the variant by planes" : "");
+  }
+
   void say(const Evaluation& evaluation, const std::string& json, const std::string& then,
            Session& session) const {
     session.say(fmt::format("{}; F in percent\n", what_was_evaluated(evaluation)));
@@ -119,8 +132,10 @@ struct Evaluate {
     if (!listing.missing.empty())
       session.warn(
           fmt::format("{}: {} scenes are not made yet", dataset.string(), listing.missing.size()));
+    if (listing.entries.empty())
+      throw InputError(dataset.string(), "at least one scene to evaluate", "none");
     const Evaluation evaluation = evaluate(listing.entries, session);
-    const ReportInfo info{folder_name(dataset), today(), SYMSCENE_VERSION};
+    const ReportInfo info{folder_name(dataset), today(), SYMSCENE_VERSION, made_with(listing)};
     const std::string json = report_json(evaluation, info);
     write_report(absolute(shared.output), evaluation, info, json);
     say(evaluation, json, then, session);
@@ -144,7 +159,8 @@ void add_evaluate(CLI::App& app) {
   arguments.required_output(state->shared, "report folder to write");
   arguments.file("--compare", state->earlier, "report.json of an earlier run: print what changed");
   arguments.text("--peers", state->peers,
-                 "methods to compare with: all, none or names with commas (default: all)");
+                 "methods to compare with: all, none or names with commas: felzenszwalb, "
+                 "euclidean, lccp (default: all)");
   arguments.flag("--fast", state->fast, "leave out the variant without rotations");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

@@ -81,6 +81,9 @@ void find_scenes(const fs::path& root, const fs::path& dir, int levels,
   for (const fs::path& child : sorted_children(dir)) {
     // Results have clouds too.
     if (!fs::is_directory(child) || fs::exists(child / "objects.json")) continue;
+    if (!is_scene_folder(child) && fs::exists(child / truth_file))
+      throw InputError((child / "cloud.ply").string(), "the cloud of a scene with truth",
+                       "no such file");
     if (is_scene_folder(child)) {
       entries.push_back(scene_entry(child, child.lexically_relative(root).string()));
     } else if (levels > 1) {
@@ -174,6 +177,7 @@ bool has_single_views(const fs::path& path) { return !names_with(path, label_end
 
 /// Every object has a mask, and no point is in two.
 void require_masks(const SceneTruth& truth, const std::string& name) {
+  if (truth.objects.empty()) throw InputError(name, "at least one object", "none");
   std::map<Index, std::string> owners;
   for (std::size_t k = 0; k < truth.objects.size(); ++k) {
     const std::string own = fmt::format("object {} (\"{}\")", k, truth.objects[k].name);

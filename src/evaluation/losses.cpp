@@ -6,6 +6,7 @@ namespace symscene {
 namespace {
 
 constexpr double found_overlap = 0.9;
+constexpr double proposed_overlap = 0.5;  // of the best cut or part with an object that is proposed
 
 /// A true object with its points where the proposals count.
 struct Target {
@@ -104,7 +105,7 @@ void judge_loss(const Target& target, const SceneProposals& proposals,
     outcome.reason = refusal(target, result);
     return;
   }
-  outcome.reason = missing_proposal(target, proposals);
+  if (cut.overlap <= proposed_overlap) outcome.reason = missing_proposal(target, proposals);
   outcome.fate = outcome.reason.empty() ? Fate::cut_wrongly : Fate::not_proposed;
   if (outcome.fate == Fate::cut_wrongly) outcome.reason = wrong_cut(target, cut);
 }

@@ -163,6 +163,7 @@ std::string report_json(const Evaluation& evaluation, const ReportInfo& info) {
                {"symscene", info.version},
                {"dataset", info.dataset},
                {"date", info.date},
+               {"made_with", info.made_with},
                {"headline", headline_json(evaluation.segmentation)},
                {"losses", losses_json(evaluation)},
                {"runtimes", runtimes_json(evaluation)},

@@ -147,9 +147,10 @@ std::string head(const ReportInfo& info) {
 }
 
 std::string opening(const Evaluation& evaluation, const ReportInfo& info) {
-  return fmt::format("<h1>Evaluation on {}</h1>\n<p>{}. {}, symscene {}.</p>\n",
+  return fmt::format("<h1>Evaluation on {}</h1>\n<p>{}. {}, symscene {}. {}</p>\n",
                      escape_markup(info.dataset), what_was_evaluated(evaluation),
-                     escape_markup(info.date), escape_markup(info.version));
+                     escape_markup(info.date), escape_markup(info.version),
+                     escape_markup(info.made_with));
 }
 
 }  // namespace
@@ -162,15 +163,20 @@ std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
                   "at its best setting, all else at the best one for masks at 0.9.");
   html += table_html(headline_table(evaluation.segmentation), "l2") + "<br/>\n";
   html += table_html(default_table(evaluation.segmentation), "l1 last");
-  html += section("Masks",
-                  "Precision and recall over the settings of table 4.2. Dots are settings, lines "
-                  "their envelopes, stars the best F, rings the default; dashed curves join equal "
-                  "F of 20, 40, 60 and 80.");
+  html += section(
+      "Masks",
+      "Precision and recall over the settings of each method: least probabilities of SymScene, the "
+      "bounds of table 4.2, the parameters of the peers. Dots are settings, lines "
+      "their envelopes, stars the best F, rings the default; dashed curves join equal "
+      "F of 20, 40, 60 and 80.");
   html += figures(evaluation);
   html += losses(evaluation);
   html += section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.");
   html += table_html(kind_table(evaluation), "l1");
-  html += section("Runtime", "Means over scenes, by their number of objects; without completion.");
+  html += section("Runtime",
+                  "Means over scenes, by their number of objects; without completion. Wall times "
+                  "of this run, whatever else the machine did; a peer's is that of its whole sweep "
+                  "by the number of settings.");
   html += table_html(runtime_table(evaluation), "l1") + "<br/>\n";
   html += table_html(method_time_table(evaluation), "l1");
   html += subsets(evaluation) + scenes(evaluation);

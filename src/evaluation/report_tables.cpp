@@ -100,13 +100,16 @@ TextTable headline_table(const std::vector<Sweep>& sweeps) {
 }
 
 TextTable default_table(const std::vector<Sweep>& sweeps) {
-  TextTable table{{"masks at 0.9", "default F", "best F", "difference", "best setting"}};
+  TextTable table{
+      {"masks at 0.9", "precision", "recall", "F", "best F", "difference", "best setting"}};
   for (const Sweep& sweep : sweeps) {
     const auto best = best_setting(sweep, Measure::masks_90);
     if (!sweep.at_default || !best) continue;
-    const double given = sweep.at_default->score(Measure::masks_90).f_measure();
+    const Score at_default = sweep.at_default->score(Measure::masks_90);
+    const double given = at_default.f_measure();
     const double greatest = sweep.counts[*best].score(Measure::masks_90).f_measure();
-    table.push_back({sweep.method, percent(given), percent(greatest),
+    table.push_back({sweep.method, percent(at_default.precision()), percent(at_default.recall()),
+                     percent(given), percent(greatest),
                      fmt::format("{:+.1f}", 100.0 * (given - greatest)),
                      setting_text(sweep, *best)});
   }

@@ -81,17 +81,21 @@ SegmentMeasures& SegmentMeasures::operator+=(const SegmentMeasures& other) {
   overlap_precision += other.overlap_precision;
   overlap_recall += other.overlap_recall;
   overlap_f += other.overlap_f;
-  boundary_precision += other.boundary_precision;
-  boundary_recall += other.boundary_recall;
-  boundary_f += other.boundary_f;
+  if (other.with_boundary > 0.0) {
+    boundary_precision += other.boundary_precision;
+    boundary_recall += other.boundary_recall;
+    boundary_f += other.boundary_f;
+    with_boundary += other.with_boundary;
+  }
   found_75 += other.found_75;
   return *this;
 }
 
 SegmentMeasures SegmentMeasures::mean(std::size_t scenes) const {
   const double n = scenes == 0 ? 1.0 : static_cast<double>(scenes);
-  return {overlap_precision / n, overlap_recall / n, overlap_f / n, boundary_precision / n,
-          boundary_recall / n,   boundary_f / n,     found_75 / n};
+  const double b = with_boundary > 0.0 ? with_boundary : 1.0;
+  return {overlap_precision / n, overlap_recall / n, overlap_f / n,     boundary_precision / b,
+          boundary_recall / b,   boundary_f / b,     with_boundary / n, found_75 / n};
 }
 
 std::vector<Index> label_points(const std::vector<PointIndices>& masks, std::size_t point_count) {
@@ -134,6 +138,7 @@ SegmentMeasures segment_measures(const std::vector<PointIndices>& truth,
   measures.boundary_recall =
       ratio(met_boundary(of_truth, of_found, found_for, neighbors), of_truth.boundary_total);
   measures.boundary_f = f_measure(measures.boundary_precision, measures.boundary_recall);
+  measures.with_boundary = of_truth.boundary_total > 0.0 ? 1.0 : 0.0;
   measures.found_75 = ratio(well_found, static_cast<double>(truth.size()));
   return measures;
 }

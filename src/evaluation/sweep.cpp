@@ -76,7 +76,7 @@ std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measu
 std::string setting_text(const Sweep& sweep, std::size_t setting) {
   std::string text;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
-    text += fmt::format("{}{}={:g}", p == 0 ? "" : " ", sweep.parameters[p],
+    text += fmt::format("{}{}={:.4g}", p == 0 ? "" : " ", sweep.parameters[p],
                         sweep.settings.at(setting).at(p));
   return text;
 }

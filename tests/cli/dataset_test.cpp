@@ -72,6 +72,19 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   expect_refusal(make("one", "--split tune"), "split \"report\" in place of \"tune\"");
   EXPECT_EQ(files_in(workspace / "one"), files);
 
+  // A scene without its truth is made again, and a dataset may grow but not shrink.
+  fs::remove(workspace / "one" / "scenes" / "0000" / "truth.json");
+  ASSERT_EQ(make("one").code, 0);
+  EXPECT_EQ(files_in(workspace / "one"), files);
+  const auto grown = workspace.run("dataset one --scenes 3 --config small.json");
+  ASSERT_EQ(grown.code, 0) << grown.err;
+  EXPECT_NE(grown.out.find("2 of 3 scenes are there already"), std::string::npos) << grown.out;
+  auto longer = files_in(workspace / "one");
+  EXPECT_EQ(longer.at("scenes/0001/cloud.ply"), files.at("scenes/0001/cloud.ply"));
+  EXPECT_EQ(longer.count("scenes/0002/truth.json"), 1U);
+  expect_refusal(make("one"), "options/scenes 3 in place of 2");
+  fs::remove_all(workspace / "one" / "scenes" / "0002");
+
   fs::remove_all(workspace / "one" / "scenes" / "0001");
   const Outcome info = workspace.run("info one --json");
   ASSERT_EQ(info.code, 0) << info.err;
@@ -79,7 +92,7 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   EXPECT_EQ(facts.at("kind"), "dataset");
   EXPECT_EQ(facts.at("split"), "report");
   EXPECT_EQ(facts.at("scenes"), 1);
-  EXPECT_EQ(facts.at("missing"), nlohmann::json::array({"0001"}));
+  EXPECT_EQ(facts.at("missing"), nlohmann::json::array({"0001", "0002"}));
   EXPECT_GE(facts.at("objects"), 1);
 }
 

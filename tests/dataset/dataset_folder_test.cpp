@@ -198,6 +198,13 @@ TEST(FoldersOfScenes, WithMissingOrContradictoryTruthAreRefused) {
   expect_in("4", refused());
   write_small_scene(dir, "[0, 1]", "[]");
   expect_in("expected points of every object, found none of object 1 (\"box\")", refused());
+  write_small_scene(dir, "[0, 1]", "[2]");
+  write_text(dir / "truth.json", R"({"table": [0, 0, 1, 0], "objects": []})");
+  expect_in("truth.json: expected at least one object, found none", refused());
+  write_small_scene(dir, "[0, 1]", "[2]");
+  fs::remove(dir / "cloud.ply");
+  expect_in("cloud.ply: expected the cloud of a scene with truth, found no such file", refused());
+  write_small_scene(dir, "[0, 1]", "[2]");
   fs::remove(dir / "truth.json");
   expect_in("truth.json: expected the truth of the scene, found no such file", refused());
   fs::remove_all(dir);

@@ -71,6 +71,14 @@ TEST_F(Losses, ACandidateInItThatIsNoSymmetryOfItProposesNothing) {
   expect(Fate::not_proposed, "no symmetry");
 }
 
+TEST_F(Losses, WhatAPartOfTheSurfaceComesNearIsProposedWithoutASymmetry) {
+  cut(range(0, 60));
+  expect(Fate::cut_wrongly, "too little");
+  proposals_.reflectional.clear();
+  cut(range(0, 50));
+  expect(Fate::not_proposed, "no segment");  // half of it is not enough
+}
+
 TEST_F(Losses, AnObjectWithoutKnownSymmetriesIsProposedByWhateverLiesInIt) {
   truth_.objects.front().reflectional.clear();
   propose(elsewhere, range(0, 50));

@@ -10,7 +10,7 @@ namespace symscene {
 namespace {
 
 const std::string nasty = "<b>\"mug\" & co, \xC3\xA9</b>";
-const ReportInfo info{nasty, "2020-01-02", "0.0"};
+const ReportInfo info{nasty, "2020-01-02", "0.0", nasty};
 
 SettingCounts masks(Score score) {
   SettingCounts counts;

@@ -113,6 +113,25 @@ TEST(SegmentMeasures, WhatIsLeftOverCostsPrecisionAndWhatIsMissedRecall) {
   EXPECT_DOUBLE_EQ(missed.found_75, 0.5);
 }
 
+TEST(SegmentMeasures, TheMeanOfBoundariesIsOverScenesThatHaveOne) {
+  const SegmentMeasures touching =
+      segment_measures({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
+  // One object is all of the cloud: it has no boundary, and a stray mask would have one.
+  const SegmentMeasures alone =
+      segment_measures({range(0, 10)}, {range(0, 8), range(8, 10)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(touching.with_boundary, 1.0);
+  EXPECT_DOUBLE_EQ(alone.with_boundary, 0.0);
+  SegmentMeasures sum;
+  sum += segment_measures({range(0, 5), range(5, 10)}, {range(0, 5), range(5, 10)}, row_of_ten());
+  sum += touching;
+  sum += alone;
+  EXPECT_DOUBLE_EQ(sum.mean(3).boundary_f, 0.5);
+  EXPECT_DOUBLE_EQ(sum.mean(3).overlap_f, (1.0 + 0.8 + 0.8) / 3.0);
+  SegmentMeasures none;
+  none += alone;
+  EXPECT_DOUBLE_EQ(none.mean(1).boundary_f, 0.0);
+}
+
 TEST(SegmentMeasures, NothingFoundIsPreciseAndRecallsNothing) {
   const SegmentMeasures m = segment_measures({range(0, 5)}, {}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 1.0);

@@ -6,9 +6,10 @@ namespace symscene {
 
 /// What a report says of itself.
 struct ReportInfo {
-  std::string dataset;  ///< its name
-  std::string date;     ///< as it is to be shown
-  std::string version;  ///< of the program
+  std::string dataset;    ///< its name
+  std::string date;       ///< as it is to be shown
+  std::string version;    ///< of the program
+  std::string made_with;  ///< what the dataset and the run were made with, in words
 };
 
 /// A line of the headline: a method at one setting.

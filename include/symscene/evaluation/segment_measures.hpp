@@ -23,10 +23,12 @@ struct SegmentMeasures {
   double boundary_precision = 0.0;
   double boundary_recall = 0.0;
   double boundary_f = 0.0;
-  double found_75 = 0.0;  ///< share of the true objects with an overlap F of at least 0.75
+  double with_boundary = 0.0;  ///< 1 where true masks have a boundary; others do not count for it
+  double found_75 = 0.0;       ///< share of the true objects with an overlap F of at least 0.75
 
   SegmentMeasures& operator+=(const SegmentMeasures& other);
-  /// Of a sum over `scenes` their mean.
+  /// Of a sum over `scenes` their mean; that of the boundary is over the scenes that have one, and
+  /// 0 where none has.
   SegmentMeasures mean(std::size_t scenes) const;
 };
 
