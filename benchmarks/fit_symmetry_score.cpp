@@ -64,21 +64,39 @@ struct CandidatesOfScene {
   std::vector<Candidate<Kind>> candidates;
 };
 
-/// Right within 3 cm, wrong beyond 10 cm.
+/// The true object that a proposal overlaps most, by itself.
+struct Owner {
+  SceneTruth truth;
+  double overlap = 0.0;
+};
+
+Owner owner_of(const SceneTruth& truth, const std::vector<PointIndices>& masks,
+               const PointIndices& points) {
+  Owner owner;
+  for (std::size_t k = 0; k < masks.size(); ++k) {
+    const double overlap = intersection_over_union(masks[k], points);
+    if (overlap <= owner.overlap) continue;
+    owner.overlap = overlap;
+    owner.truth.objects = {truth.objects[k]};
+  }
+  return owner;
+}
+
+/// Of the object that is meant: right within 3 cm, wrong beyond 10 cm.
 template <class Kind>
 Candidate<Kind> judged(const typename Kind::Symmetry& symmetry,
-                       const typename Kind::Measures& measures, const SceneTruth& truth,
-                       double overlap, const FitArguments& arguments) {
+                       const typename Kind::Measures& measures, const Owner& owner,
+                       const FitArguments& arguments) {
   SymmetryTolerance near, far;
   near.distance = 0.03;
   far.distance = 0.1;
   const typename Kind::Symmetry found[] = {symmetry};
-  const SymmetryMatch match = Kind::match(truth, found, near);
-  const bool is_wrong = match.wrong > 0 && Kind::match(truth, found, far).wrong > 0;
+  const SymmetryMatch match = Kind::match(owner.truth, found, near);
+  const bool is_wrong = match.wrong > 0 && Kind::match(owner.truth, found, far).wrong > 0;
   Candidate<Kind> candidate;
   candidate.symmetry = symmetry;
   candidate.sample = sample_of(measures, is_wrong ? 0.0 : 1.0, arguments.without);
-  candidate.is_counted = is_wrong || (match.right > 0 && overlap > min_overlap);
+  candidate.is_counted = is_wrong || (match.right > 0 && owner.overlap > min_overlap);
   return candidate;
 }
 
@@ -102,10 +120,9 @@ CandidatesOfScene<Kind> load(const DatasetEntry& entry, std::size_t dataset, dou
     });
     if (!is_chosen && (proposal.object.score < min_object_score || count >= most_objects)) continue;
     ++count;
-    const double overlap = best_overlap(truth, proposal.object.points);
+    const Owner owner = owner_of(loaded.truth, truth, proposal.object.points);
     for (const auto& [symmetry, measures] : Kind::measured(proposals, options, proposal.object)) {
-      scene.candidates.push_back(
-          judged<Kind>(symmetry, measures, loaded.truth, overlap, arguments));
+      scene.candidates.push_back(judged<Kind>(symmetry, measures, owner, arguments));
       scene.candidates.back().is_chosen = is_chosen;
     }
   }

@@ -46,7 +46,7 @@ struct ObjectSymmetryBounds {
   double min_axis_probability = 0.1;        ///< of an axis (axis_probability())
   double min_plane_matched = 0.05;          ///< least share of points whose image is on the surface
   double max_plane_contradicted = 0.3;      ///< greatest share of the images that can be judged
-  double min_plane_probability = 0.5;       ///< of being a mirror (plane_probability())
+  double min_plane_probability = 0.4;       ///< of being a mirror (plane_probability())
   double max_image_offset = 0.003;          ///< of an image off the surface that it is on [m]
   double max_image_angle = radians(20.0);   ///< of its normal [rad]
   double same_plane_angle = radians(12.0);  ///< planes closer than this are one [rad]
