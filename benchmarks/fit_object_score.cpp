@@ -29,7 +29,7 @@ struct ScoredScene {
   std::vector<SceneObject> objects;
   std::vector<Sample> samples;      ///< one an object
   std::vector<double> confidences;  ///< of the cuts, one an object
-  std::optional<SharedPoints> shared;
+  std::optional<SharedCounts> shared;
 };
 
 /// Both tables of object_score.cpp.

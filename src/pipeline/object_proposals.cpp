@@ -150,7 +150,7 @@ void score_among_others(std::vector<ObjectProposal>& proposals) {
     sets.push_back(&proposal.object.points);
     estimates.push_back(estimated_probability(proposal.measures));
   }
-  const std::vector<ProposalContext> contexts = proposal_contexts(SharedPoints(sets), estimates);
+  const std::vector<ProposalContext> contexts = proposal_contexts(SharedCounts(sets), estimates);
   for (std::size_t k = 0; k < proposals.size(); ++k) {
     ObjectProposal& proposal = proposals[k];
     proposal.context = contexts[k];

@@ -17,7 +17,7 @@ constexpr std::size_t most_pieces = 9;
 /// What lies in a set, best first, and what is told of the set from that.
 class Inside {
  public:
-  Inside(const SharedPoints& sets, std::span<const double> estimates, std::size_t whole)
+  Inside(const SharedCounts& sets, std::span<const double> estimates, std::size_t whole)
       : sets_(sets), estimates_(estimates), whole_(whole) {
     for (std::size_t b = 0; b < sets.sets(); ++b) {
       if (b != whole && sets.holds(whole, b)) parts_.push_back(b);
@@ -65,7 +65,7 @@ class Inside {
   }
 
  private:
-  const SharedPoints& sets_;
+  const SharedCounts& sets_;
   std::span<const double> estimates_;
   std::size_t whole_;
   std::vector<std::size_t> parts_;
@@ -73,7 +73,7 @@ class Inside {
 
 }  // namespace
 
-SharedPoints::SharedPoints(std::span<const PointIndices* const> sets)
+SharedCounts::SharedCounts(std::span<const PointIndices* const> sets)
     : counts_(sets.size() * sets.size()) {
   Index end = 0;
   for (const PointIndices* set : sets) {
@@ -98,15 +98,15 @@ SharedPoints::SharedPoints(std::span<const PointIndices* const> sets)
   }
 }
 
-bool SharedPoints::holds(std::size_t whole, std::size_t part) const {
+bool SharedCounts::holds(std::size_t whole, std::size_t part) const {
   return size(part) < clearly_less * size(whole) && shared(whole, part) > nearly_all * size(part);
 }
 
-bool SharedPoints::are_apart(std::size_t a, std::size_t b) const {
+bool SharedCounts::are_apart(std::size_t a, std::size_t b) const {
   return shared(a, b) <= nearly_none * std::min(size(a), size(b));
 }
 
-std::vector<ProposalContext> proposal_contexts(const SharedPoints& sets,
+std::vector<ProposalContext> proposal_contexts(const SharedCounts& sets,
                                                std::span<const double> estimates) {
   std::vector<ProposalContext> contexts(sets.sets());
   parallel_for_each(sets.sets(), [&](std::size_t a) {

@@ -18,12 +18,12 @@ std::vector<ProposalContext> contexts_of(const std::vector<PointIndices>& sets,
                                          const std::vector<double>& estimates) {
   std::vector<const PointIndices*> pointers;
   for (const PointIndices& set : sets) pointers.push_back(&set);
-  return proposal_contexts(SharedPoints(pointers), estimates);
+  return proposal_contexts(SharedCounts(pointers), estimates);
 }
 
-TEST(SharedPoints, AreCountedForEveryTwoSets) {
+TEST(SharedCounts, AreCountedForEveryTwoSets) {
   const PointIndices a = range(0, 60), b = range(60, 100), c = range(50, 80), none;
-  const SharedPoints shared(std::array{&a, &b, &c, &none});
+  const SharedCounts shared(std::array{&a, &b, &c, &none});
   EXPECT_EQ(shared.sets(), 4U);
   EXPECT_EQ(shared.size(2), 30.0);
   EXPECT_EQ(shared.shared(0, 0), 60.0);

@@ -45,10 +45,10 @@ struct ProposalContext {
 };
 
 /// How many points every two of some sets share.
-class SharedPoints {
+class SharedCounts {
  public:
   /// The sets are ascending.
-  explicit SharedPoints(std::span<const PointIndices* const> sets);
+  explicit SharedCounts(std::span<const PointIndices* const> sets);
 
   std::size_t sets() const { return sizes_.size(); }
   double size(std::size_t a) const { return sizes_[a]; }
@@ -62,7 +62,7 @@ class SharedPoints {
 };
 
 /// One a set; `estimates` are the sets'.
-std::vector<ProposalContext> proposal_contexts(const SharedPoints& sets,
+std::vector<ProposalContext> proposal_contexts(const SharedCounts& sets,
                                                std::span<const double> estimates);
 
 }  // namespace symscene
