@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "symscene/core/parallel.hpp"
-#include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/mask_measures.hpp"
 #include "symscene/io/atomic_file.hpp"
 #include "symscene/pipeline/object_score.hpp"
@@ -40,16 +39,17 @@ struct Model {
 
 double target_of(const std::vector<PointIndices>& truth, const PointIndices& points,
                  double half_right) {
-  const double overlap = best_overlap(truth, points);
-  return overlap > 0.9 ? 1.0 : overlap > 0.75 ? half_right : 0.0;
+  double best = 0.0;
+  for (const PointIndices& mask : truth)
+    best = std::max(best, intersection_over_union(mask, points));
+  return best > 0.9 ? 1.0 : best > 0.75 ? half_right : 0.0;
 }
 
-ScoredScene load(const DatasetEntry& entry, std::size_t dataset, double noise,
-                 const Arguments& arguments) {
-  LoadedEntry loaded = load_entry(entry);
-  loaded.scene.cloud = with_noise(std::move(loaded.scene.cloud), noise, dataset);
+ScoredScene scored(const FitScene& given, const Arguments& arguments) {
+  const LoadedEntry loaded = load(given);
   ScoredScene scene;
-  scene.dataset = dataset;
+  scene.dataset = given.dataset;
+  scene.number = given.number;
   SceneProposals proposals = propose_objects(loaded.scene);
   scene.truth = transfer_masks(loaded.scene.cloud, loaded.truth, proposals.cloud);
   for (ObjectProposal& proposal : proposals.objects) {
@@ -67,15 +67,9 @@ ScoredScene load(const DatasetEntry& entry, std::size_t dataset, double noise,
 
 std::vector<ScoredScene> load_all(const Arguments& arguments) {
   std::vector<ScoredScene> scenes;
-  std::size_t number = 0;
-  for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
-    for (const DatasetEntry& entry : read_dataset(arguments.datasets[d]).entries) {
-      for (const double noise : arguments.noise) {
-        scenes.push_back(load(entry, d, noise, arguments));
-        scenes.back().number = number;
-      }
-      fmt::print(stderr, "\r{} scenes", ++number);
-    }
+  for (const FitScene& scene : fit_scenes(arguments)) {
+    scenes.push_back(scored(scene, arguments));
+    fmt::print(stderr, "\r{} scenes", scenes.size());
   }
   fmt::print(stderr, "\n");
   return scenes;

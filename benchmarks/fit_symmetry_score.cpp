@@ -1,7 +1,6 @@
 // Fits the probability that a plane or an axis is a symmetry of an object to datasets with truth:
 // see README.md.
 #include "symscene/core/parallel.hpp"
-#include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/mask_measures.hpp"
 #include "symscene/evaluation/symmetry_measures.hpp"
 #include "symscene/io/atomic_file.hpp"
@@ -101,10 +100,8 @@ Candidate<Kind> judged(const typename Kind::Symmetry& symmetry,
 }
 
 template <class Kind>
-CandidatesOfScene<Kind> load(const DatasetEntry& entry, std::size_t dataset, double noise,
-                             const FitArguments& arguments) {
-  LoadedEntry loaded = load_entry(entry);
-  loaded.scene.cloud = with_noise(std::move(loaded.scene.cloud), noise, dataset);
+CandidatesOfScene<Kind> candidates_of(const FitScene& given, const FitArguments& arguments) {
+  LoadedEntry loaded = load(given);
   const PipelineOptions options;
   const SceneProposals proposals = propose_objects(loaded.scene, options);
   std::vector<Rejection> rejected;
@@ -112,7 +109,7 @@ CandidatesOfScene<Kind> load(const DatasetEntry& entry, std::size_t dataset, dou
   const std::vector<PointIndices> truth =
       transfer_masks(loaded.scene.cloud, loaded.truth, proposals.cloud);
   CandidatesOfScene<Kind> scene;
-  scene.dataset = dataset;
+  scene.dataset = given.dataset;
   std::size_t count = 0;
   for (const ObjectProposal& proposal : proposals.objects) {
     const bool is_chosen = std::any_of(chosen.begin(), chosen.end(), [&](const auto& object) {
@@ -132,21 +129,10 @@ CandidatesOfScene<Kind> load(const DatasetEntry& entry, std::size_t dataset, dou
 
 template <class Kind>
 std::vector<CandidatesOfScene<Kind>> load_all(const FitArguments& arguments) {
-  struct Job {
-    DatasetEntry entry;
-    std::size_t dataset;
-    double noise;
-  };
-  std::vector<Job> jobs;
-  for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
-    for (const DatasetEntry& entry : read_dataset(arguments.datasets[d]).entries) {
-      for (const double noise : arguments.noise) jobs.push_back({entry, d, noise});
-    }
-  }
-  std::vector<CandidatesOfScene<Kind>> scenes(jobs.size());
-  parallel_for_each(jobs.size(), [&](std::size_t k) {
-    scenes[k] = load<Kind>(jobs[k].entry, jobs[k].dataset, jobs[k].noise, arguments);
-  });
+  const std::vector<FitScene> given = fit_scenes(arguments);
+  std::vector<CandidatesOfScene<Kind>> scenes(given.size());
+  parallel_for_each(given.size(),
+                    [&](std::size_t k) { scenes[k] = candidates_of<Kind>(given[k], arguments); });
   return scenes;
 }
 

@@ -1,7 +1,6 @@
 #include "tree_fitting.hpp"
 
 #include <cstdio>
-#include <functional>
 
 #include "symscene/core/error.hpp"
 #include "symscene/core/random.hpp"
@@ -31,11 +30,22 @@ int run_fit(CLI::App& app, int argc, char** argv, const char* name,
   }
 }
 
-double best_overlap(const std::vector<PointIndices>& truth, const PointIndices& points) {
-  double best = 0.0;
-  for (const PointIndices& mask : truth)
-    best = std::max(best, intersection_over_union(mask, points));
-  return best;
+std::vector<FitScene> fit_scenes(const FitArguments& arguments) {
+  std::vector<FitScene> scenes;
+  std::size_t number = 0;
+  for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
+    for (const DatasetEntry& entry : read_dataset(arguments.datasets[d]).entries) {
+      for (const double noise : arguments.noise) scenes.push_back({entry, d, number, noise});
+      ++number;
+    }
+  }
+  return scenes;
+}
+
+LoadedEntry load(const FitScene& scene) {
+  LoadedEntry loaded = load_entry(scene.entry);
+  loaded.scene.cloud = with_noise(std::move(loaded.scene.cloud), scene.noise, scene.dataset);
+  return loaded;
 }
 
 PointCloud with_noise(PointCloud cloud, double degrees, std::uint64_t seed) {

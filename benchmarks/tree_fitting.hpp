@@ -11,6 +11,7 @@
 
 #include "boosted_trees.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "symscene/dataset/dataset_folder.hpp"
 
 namespace symscene::bench {
 
@@ -29,8 +30,18 @@ void add_fit_options(CLI::App& app, FitArguments& arguments);
 int run_fit(CLI::App& app, int argc, char** argv, const char* name,
             const std::function<void()>& work);
 
-/// The greatest overlap (intersection over union) of a set of points with a true mask.
-double best_overlap(const std::vector<PointIndices>& truth, const PointIndices& points);
+/// A scene to learn from, with the noise that is added to it.
+struct FitScene {
+  DatasetEntry entry;
+  std::size_t dataset = 0;
+  std::size_t number = 0;  ///< alike for a scene and its noisy copies
+  double noise = 0.0;      ///< [degrees]
+};
+
+/// The scenes of all datasets, each once with each noise.
+std::vector<FitScene> fit_scenes(const FitArguments& arguments);
+
+LoadedEntry load(const FitScene& scene);
 
 /// The cloud as a worse sensor would have it: normals turned at random, alike within a centimetre,
 /// as the noise of a depth image is, and points off the surface in proportion.

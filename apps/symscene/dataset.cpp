@@ -52,10 +52,10 @@ std::string reasons(const SceneFacts& facts) {
   return fmt::format("{}", fmt::join(lines, ", "));
 }
 
-/// Makes and writes a scene in a process of its own; what there is to say of it, as JSON.
 /// Without one of these a scene is made again.
 constexpr std::array scene_files{"scene.json", "cloud.ply", "truth.json"};
 
+/// Makes and writes a scene in a process of its own; what there is to say of it, as JSON.
 std::string make_and_write(const fs::path& dir, const DatasetOptions& options, Split split,
                            const std::vector<ObjectModel>& models, std::size_t index) {
   const ThreadLimit one(1);

@@ -158,9 +158,10 @@ void add_evaluate(CLI::App& app) {
                   "dataset folder, or any folder of scene folders with truth");
   arguments.required_output(state->shared, "report folder to write");
   arguments.file("--compare", state->earlier, "report.json of an earlier run: print what changed");
-  arguments.text("--peers", state->peers,
-                 "methods to compare with: all, none or names with commas: felzenszwalb, "
-                 "euclidean, lccp (default: all)");
+  arguments.text(
+      "--peers", state->peers,
+      ("methods to compare with, with commas between: " + peer_names() + " (default: all)")
+          .c_str());
   arguments.flag("--fast", state->fast, "leave out the variant without rotations");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

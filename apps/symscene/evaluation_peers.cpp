@@ -43,13 +43,13 @@ std::vector<NamedPeer> known_peers() { return {}; }
 
 #endif
 
-std::string names_of(const std::vector<NamedPeer>& peers) {
+}  // namespace
+
+std::string peer_names() {
   std::string names = "all, none";
-  for (const NamedPeer& peer : peers) names += ", " + peer.name;
+  for (const NamedPeer& peer : known_peers()) names += ", " + peer.name;
   return names;
 }
-
-}  // namespace
 
 std::vector<PeerMethod> peer_methods(const std::string& names) {
   const std::vector<NamedPeer> known = known_peers();
@@ -65,7 +65,7 @@ std::vector<PeerMethod> peer_methods(const std::string& names) {
       return candidate.name == name;
     });
     if (peer == known.end()) {
-      throw InputError("--peers", fmt::format("some of {}", names_of(known)),
+      throw InputError("--peers", fmt::format("some of {}", peer_names()),
                        fmt::format("\"{}\"", name));
     }
     chosen.push_back(peer->method);

@@ -7,6 +7,9 @@
 
 namespace symscene::app {
 
+/// What --peers may name in this build: "all, none, ...".
+std::string peer_names();
+
 /// The methods that --peers asks for: "all" of this build, "none", or names with commas between.
 /// Throws InputError if this build has no method of a name.
 std::vector<PeerMethod> peer_methods(const std::string& names);

@@ -81,11 +81,11 @@ void find_scenes(const fs::path& root, const fs::path& dir, int levels,
   for (const fs::path& child : sorted_children(dir)) {
     // Results have clouds too.
     if (!fs::is_directory(child) || fs::exists(child / "objects.json")) continue;
-    if (!is_scene_folder(child) && fs::exists(child / truth_file))
-      throw InputError((child / "cloud.ply").string(), "the cloud of a scene with truth",
-                       "no such file");
     if (is_scene_folder(child)) {
       entries.push_back(scene_entry(child, child.lexically_relative(root).string()));
+    } else if (fs::exists(child / truth_file)) {
+      throw InputError((child / "cloud.ply").string(), "the cloud of a scene with truth",
+                       "no such file");
     } else if (levels > 1) {
       find_scenes(root, child, levels - 1, entries);
     }

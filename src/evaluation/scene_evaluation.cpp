@@ -99,13 +99,15 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
     *unmeasured[k].second = measure_symmetries(proposals, options, *unmeasured[k].first);
   });
   sweep.counts.resize(sweep.settings.size());
-  parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
-    ObjectSymmetryBounds bounds = options.object_symmetry;
-    bounds.min_axis_probability = bounds.min_plane_probability = sweep.settings[k][1];
-    std::vector<SceneObject> objects = chosen[k / probabilities.size()];
-    for (SceneObject& object : objects)
-      list_symmetries(symmetries.at(object.points), bounds, object);
-    sweep.counts[k] = context.count(objects);
+  parallel_for_each(scores.size(), [&](std::size_t k) {
+    SettingCounts* const own = &sweep.counts[k * probabilities.size()];
+    for (std::size_t p = 0; p < probabilities.size(); ++p) {
+      ObjectSymmetryBounds bounds = options.object_symmetry;
+      bounds.min_axis_probability = bounds.min_plane_probability = probabilities[p];
+      for (SceneObject& object : chosen[k])
+        list_symmetries(symmetries.at(object.points), bounds, object);
+      own[p] = p == 0 ? context.count(chosen[k]) : context.recount(own[0], chosen[k]);
+    }
   });
   return sweep;
 }

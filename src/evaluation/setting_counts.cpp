@@ -53,6 +53,15 @@ SettingCounts CountingContext::count(const std::vector<SceneObject>& objects) co
   return count(found, all_axes(objects), all_planes(objects));
 }
 
+SettingCounts CountingContext::recount(SettingCounts counts,
+                                       const std::vector<SceneObject>& objects) const {
+  const SettingCounts own = count_symmetries(truth_, all_axes(objects), all_planes(objects));
+  for (const Measure measure :
+       {Measure::axes, Measure::axes_near, Measure::planes, Measure::planes_near})
+    counts.score(measure) = own.score(measure);
+  return counts;
+}
+
 SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
                            const SegmentationResult& result, const EvaluationOptions& options) {
   return CountingContext(scene, truth, result.cloud, options).count(result.objects);

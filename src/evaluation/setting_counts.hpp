@@ -22,6 +22,9 @@ class CountingContext {
                       const std::vector<ReflectionPlane>& planes) const;
   SettingCounts count(const std::vector<SceneObject>& objects) const;
 
+  /// The counts of the same masks with other symmetries.
+  SettingCounts recount(SettingCounts counts, const std::vector<SceneObject>& objects) const;
+
  private:
   const SceneTruth& truth_;
   std::vector<PointIndices> masks_;

@@ -10,29 +10,6 @@
 namespace symscene {
 namespace {
 
-/// The axis that the points fit best within the bounds. A body with two axes is a ball, and of that
-/// one axis says as much as many.
-std::optional<MeasuredAxis> best_axis(const SceneProposals& proposals, const PointCloud& points,
-                                      const PipelineOptions& options,
-                                      const std::vector<RotationAxis>& proposed) {
-  const ObjectSymmetryBounds& bounds = options.object_symmetry;
-  std::optional<MeasuredAxis> best;
-  RotationalScores best_scores;
-  for (const RotationAxis& axis : proposed) {
-    const RotationalScores scores =
-        rotational_scores(points, axis, proposals.field, options.rotational_detection);
-    const bool fits = scores.symmetry < bounds.max_axis_misfit &&
-                      scores.occlusion < bounds.max_axis_occlusion &&
-                      scores.perpendicularity < options.rotational_detection.max_perpendicularity &&
-                      scores.coverage > bounds.min_axis_coverage;
-    if (!fits || (best && scores.symmetry >= best_scores.symmetry)) continue;
-    best = MeasuredAxis{axis, {}, 0.0};
-    best_scores = scores;
-  }
-  if (best) best->measures = measure_axis(points, best->axis, best_scores, proposals.table);
-  return best;
-}
-
 bool follows_from(const RotationAxis& axis, const ReflectionPlane& plane,
                   const Eigen::Vector3d& here, const ObjectSymmetryBounds& bounds) {
   const SymmetryDifference apart = difference(plane, axis, here);
@@ -79,16 +56,6 @@ void compare_with_better(std::vector<MeasuredPlane>& planes) {
   }
 }
 
-/// One segment that holds all points.
-std::vector<PointIndices> all_of(const PointCloud& points) {
-  return {evenly_spread(points.size(), points.size())};
-}
-
-std::optional<Eigen::Vector3d> up_of(const SceneProposals& proposals) {
-  if (!proposals.table) return std::nullopt;
-  return proposals.table->normal;
-}
-
 /// The detectors' options for points that are a whole object: what is accepted is decided later,
 /// and points near a plane count too.
 PipelineOptions for_whole_objects(PipelineOptions options) {
@@ -106,69 +73,118 @@ PipelineOptions for_whole_objects(PipelineOptions options) {
   return options;
 }
 
-/// The distinct planes that an object's points propose, and those under which it was cut out, by
-/// rising misfit. Planes that follow from its axis are left out.
-std::vector<MeasuredPlane> measured_planes(const SceneProposals& proposals,
-                                           const PipelineOptions& given, const SceneObject& object,
-                                           const std::optional<RotationAxis>& axis) {
-  const PipelineOptions options = for_whole_objects(given);
-  const ObjectSymmetryBounds& bounds = options.object_symmetry;
-  const PointCloud points = select(proposals.cloud, object.points);
-  std::vector<ReflectionPlane> proposed;
-  for (const ScoredPlane& own : object.reflectional) proposed.push_back(own.plane);
-  for (const ReflectionalCandidate& candidate :
-       detect_reflectional(points, all_of(points), proposals.field, up_of(proposals),
-                           options.reflectional_detection)
-           .candidates)
-    proposed.push_back(candidate.plane);
-  if (proposed.empty()) return {};
-  const Eigen::Vector3d here = centroid(points.positions);
-  const PlaneMeter meter(points, proposals.field, proposals.table, bounds);
-  std::vector<MeasuredPlane> measured;
-  for (const ReflectionPlane& plane : proposed) {
-    if (axis && follows_from(*axis, plane, here, bounds)) continue;
-    const MeasuredPlane candidate{plane, meter.measure_images(plane)};
-    if (is_worth_measuring(candidate.measures, bounds)) measured.push_back(candidate);
+/// An object as one segment, in which symmetries are sought.
+class WholeObject {
+ public:
+  WholeObject(const SceneProposals& proposals, const PipelineOptions& options,
+              const SceneObject& object)
+      : proposals_(proposals),
+        options_(for_whole_objects(options)),
+        object_(object),
+        points_(select(proposals.cloud, object.points)),
+        segment_{evenly_spread(points_.size(), points_.size())} {
+    if (proposals.table) up_ = proposals.table->normal;
   }
-  measured = distinct_planes(std::move(measured), bounds);
-  for (MeasuredPlane& candidate : measured) {
-    PlaneMeasures& measures = candidate.measures;
-    meter.measure_shape(candidate.plane, measures);
-    measures.object_score = object.score;
-    measures.along_axis = axis ? std::abs(axis->direction.dot(candidate.plane.normal)) : -1.0;
+
+  /// The axis that the points fit best within the bounds. A body with two axes is a ball, and of
+  /// that one axis says as much as many.
+  std::optional<MeasuredAxis> axis() const {
+    if (!options_.rotational_stream) return std::nullopt;
+    std::optional<MeasuredAxis> best;
+    RotationalScores best_scores;
+    for (const RotationAxis& axis : proposed_axes()) {
+      const RotationalScores scores =
+          rotational_scores(points_, axis, proposals_.field, options_.rotational_detection);
+      if (!fits(scores) || (best && scores.symmetry >= best_scores.symmetry)) continue;
+      best = MeasuredAxis{axis, {}, 0.0};
+      best_scores = scores;
+    }
+    if (!best) return best;
+    best->measures = measure_axis(points_, best->axis, best_scores, proposals_.table);
+    best->probability = axis_probability(best->measures);
+    return best;
   }
-  compare_with_better(measured);
-  for (MeasuredPlane& candidate : measured)
-    candidate.probability = plane_probability(candidate.measures);
-  return measured;
-}
+
+  /// By rising misfit, distinct, without those that follow from an axis.
+  std::vector<MeasuredPlane> planes(const std::optional<RotationAxis>& axis) const {
+    const ObjectSymmetryBounds& bounds = options_.object_symmetry;
+    const std::vector<ReflectionPlane> proposed = proposed_planes();
+    if (proposed.empty()) return {};
+    const Eigen::Vector3d here = centroid(points_.positions);
+    const PlaneMeter meter(points_, proposals_.field, proposals_.table, bounds);
+    std::vector<MeasuredPlane> measured;
+    for (const ReflectionPlane& plane : proposed) {
+      if (axis && follows_from(*axis, plane, here, bounds)) continue;
+      const MeasuredPlane candidate{plane, meter.measure_images(plane)};
+      if (is_worth_measuring(candidate.measures, bounds)) measured.push_back(candidate);
+    }
+    measured = distinct_planes(std::move(measured), bounds);
+    for (MeasuredPlane& candidate : measured) {
+      PlaneMeasures& measures = candidate.measures;
+      meter.measure_shape(candidate.plane, measures);
+      measures.object_score = object_.score;
+      measures.along_axis = axis ? std::abs(axis->direction.dot(candidate.plane.normal)) : -1.0;
+    }
+    compare_with_better(measured);
+    for (MeasuredPlane& candidate : measured)
+      candidate.probability = plane_probability(candidate.measures);
+    return measured;
+  }
+
+ private:
+  /// Those under which the object was cut out, and those that its points propose by themselves.
+  std::vector<RotationAxis> proposed_axes() const {
+    std::vector<RotationAxis> axes;
+    for (const ScoredAxis& own : object_.rotational) axes.push_back(own.axis);
+    for (const RotationalCandidate& candidate :
+         detect_rotational(points_, segment_, proposals_.field, up_, options_.rotational_detection)
+             .candidates)
+      axes.push_back(candidate.axis);
+    return axes;
+  }
+  std::vector<ReflectionPlane> proposed_planes() const {
+    std::vector<ReflectionPlane> planes;
+    for (const ScoredPlane& own : object_.reflectional) planes.push_back(own.plane);
+    for (const ReflectionalCandidate& candidate :
+         detect_reflectional(points_, segment_, proposals_.field, up_,
+                             options_.reflectional_detection)
+             .candidates)
+      planes.push_back(candidate.plane);
+    return planes;
+  }
+
+  bool fits(const RotationalScores& scores) const {
+    const ObjectSymmetryBounds& bounds = options_.object_symmetry;
+    return scores.symmetry < bounds.max_axis_misfit &&
+           scores.occlusion < bounds.max_axis_occlusion &&
+           scores.perpendicularity < options_.rotational_detection.max_perpendicularity &&
+           scores.coverage > bounds.min_axis_coverage;
+  }
+
+  const SceneProposals& proposals_;
+  PipelineOptions options_;
+  const SceneObject& object_;
+  PointCloud points_;
+  std::vector<PointIndices> segment_;
+  std::optional<Eigen::Vector3d> up_;
+};
 
 }  // namespace
 
 std::optional<MeasuredAxis> measured_axis(const SceneProposals& proposals,
-                                          const PipelineOptions& given, const SceneObject& object) {
-  if (!given.rotational_stream) return std::nullopt;
-  const PipelineOptions options = for_whole_objects(given);
-  const PointCloud points = select(proposals.cloud, object.points);
-  std::vector<RotationAxis> proposed;
-  for (const ScoredAxis& own : object.rotational) proposed.push_back(own.axis);
-  for (const RotationalCandidate& candidate :
-       detect_rotational(points, all_of(points), proposals.field, up_of(proposals),
-                         options.rotational_detection)
-           .candidates)
-    proposed.push_back(candidate.axis);
-  std::optional<MeasuredAxis> best = best_axis(proposals, points, options, proposed);
-  if (best) best->probability = axis_probability(best->measures);
-  return best;
+                                          const PipelineOptions& options,
+                                          const SceneObject& object) {
+  return WholeObject(proposals, options, object).axis();
 }
 
 MeasuredSymmetries measure_symmetries(const SceneProposals& proposals,
                                       const PipelineOptions& options, const SceneObject& object) {
+  const WholeObject whole(proposals, options, object);
   MeasuredSymmetries measured;
-  measured.axis = measured_axis(proposals, options, object);
+  measured.axis = whole.axis();
   std::optional<RotationAxis> likely;
   if (measured.axis && measured.axis->probability > 0.5) likely = measured.axis->axis;
-  measured.planes = measured_planes(proposals, options, object, likely);
+  measured.planes = whole.planes(likely);
   return measured;
 }
 

@@ -153,9 +153,8 @@ void score_among_others(std::vector<ObjectProposal>& proposals) {
   const std::vector<ProposalContext> contexts = proposal_contexts(SharedCounts(sets), estimates);
   for (std::size_t k = 0; k < proposals.size(); ++k) {
     ObjectProposal& proposal = proposals[k];
-    proposal.context = contexts[k];
-    proposal.object.score = combined_score(
-        estimated_probability(proposal.measures, proposal.context), proposal.measures.confidence);
+    proposal.object.score = combined_score(estimated_probability(proposal.measures, contexts[k]),
+                                           proposal.measures.confidence);
   }
 }
 

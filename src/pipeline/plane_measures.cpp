@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "symscene/pipeline/axis_measures.hpp"
-#include "symscene/symmetry/point_scores.hpp"
+#include "symscene/symmetry/sphere_fit.hpp"
 
 namespace symscene {
 namespace {
@@ -37,10 +36,9 @@ PlaneMeter::PlaneMeter(const PointCloud& points, const DistanceField& field,
       centroid_(centroid(points.positions)),
       roundness_(distance_off_sphere(points.positions)) {
   const Eigen::Matrix3f axes = principal_axes(points.positions).cast<float>();
-  const Eigen::Vector3d extents = ((points.positions * axes).colwise().maxCoeff() -
-                                   (points.positions * axes).colwise().minCoeff())
-                                      .transpose()
-                                      .cast<double>();
+  const Points along = points.positions * axes;
+  const Eigen::Vector3d extents =
+      (along.colwise().maxCoeff() - along.colwise().minCoeff()).transpose().cast<double>();
   length_ = extents.maxCoeff();
   thickness_ = extents.minCoeff();
 }
@@ -51,9 +49,7 @@ PlaneMeasures PlaneMeter::measure_images(const ReflectionPlane& plane) const {
   PlaneMeasures m;
   double count = 0.0, steep = 0.0;
   for (const Index i : sample_) {
-    if (std::abs(reflector.signed_distance(points_.position(i))) <
-        static_cast<float>(bounds_.min_plane_distance))
-      continue;
+    if (matches_itself(reflector, i)) continue;
     count += 1.0;
     const Eigen::Vector3f p = reflector.point(points_.position(i));
     const Eigen::Vector3f n = reflector.direction(points_.normal(i));
@@ -85,7 +81,6 @@ PlaneMeasures PlaneMeter::measure_images(const ReflectionPlane& plane) const {
 }
 
 void PlaneMeter::measure_shape(const ReflectionPlane& plane, PlaneMeasures& m) const {
-  const PlaneReflector reflector(plane);
   const Eigen::Vector3f across = plane.normal.cast<float>();
   const Eigen::VectorXf facing = (points_.normals * across).cwiseAbs();
   const Eigen::VectorXf heights =
@@ -117,6 +112,11 @@ void PlaneMeter::measure_shape(const ReflectionPlane& plane, PlaneMeasures& m) c
   m.size = std::log(count);
   m.roundness = roundness_;
   m.upright = table_ ? std::abs(table_->normal.dot(plane.normal)) : -1.0;
+}
+
+bool PlaneMeter::matches_itself(const PlaneReflector& reflector, Index i) const {
+  return std::abs(reflector.signed_distance(points_.position(i))) <
+         static_cast<float>(bounds_.min_plane_distance);
 }
 
 PlaneMeter::Image PlaneMeter::meet(const Eigen::Vector3f& p, const Eigen::Vector3f& n) const {
@@ -153,9 +153,7 @@ double PlaneMeter::share_matched(const ReflectionPlane& plane) const {
   const PlaneReflector reflector(plane);
   double matched = 0.0, count = 0.0;
   for (const Index i : thin_sample_) {
-    if (std::abs(reflector.signed_distance(points_.position(i))) <
-        static_cast<float>(bounds_.min_plane_distance))
-      continue;
+    if (matches_itself(reflector, i)) continue;
     count += 1.0;
     const Image image =
         meet(reflector.point(points_.position(i)), reflector.direction(points_.normal(i)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "symscene/core/parallel.hpp"
 
@@ -108,6 +109,8 @@ bool SharedCounts::are_apart(std::size_t a, std::size_t b) const {
 
 std::vector<ProposalContext> proposal_contexts(const SharedCounts& sets,
                                                std::span<const double> estimates) {
+  std::vector<std::optional<Inside>> insides(sets.sets());
+  parallel_for_each(sets.sets(), [&](std::size_t a) { insides[a].emplace(sets, estimates, a); });
   std::vector<ProposalContext> contexts(sets.sets());
   parallel_for_each(sets.sets(), [&](std::size_t a) {
     ProposalContext& context = contexts[a];
@@ -129,9 +132,9 @@ std::vector<ProposalContext> proposal_contexts(const SharedCounts& sets,
     context.wholes = std::log1p(context.wholes);
     if (best_whole != a) {
       context.whole_share = sets.size(a) / sets.size(best_whole);
-      context.rest = Inside(sets, estimates, best_whole).best_rest(a);
+      context.rest = insides[best_whole]->best_rest(a);
     }
-    const Inside inside(sets, estimates, a);
+    const Inside& inside = *insides[a];
     context.part = inside.best();
     context.parts = std::log1p(static_cast<double>(inside.count()));
     context.split = inside.best_split();

@@ -12,13 +12,6 @@ constexpr Index pair_points = 40;
 
 }  // namespace
 
-std::array<double, ObjectMeasures::count> ObjectMeasures::values() const {
-  std::array<double, count> values{};
-  std::size_t next = 0;
-  visit_fields(*this, [&](const char*, double value) { values.at(next++) = value; });
-  return values;
-}
-
 ObjectMeter::ObjectMeter(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
                          const DistanceField& field, const std::optional<Plane>& table)
     : cloud_(cloud), field_(field), table_(table), cells_(cloud.positions, near) {

@@ -6,6 +6,7 @@
 
 #include "surfaces.hpp"
 #include "symscene/pipeline/symmetry_score.hpp"
+#include "symscene/symmetry/sphere_fit.hpp"
 
 namespace symscene {
 namespace {

@@ -61,7 +61,9 @@ TEST(ObjectMeasures, HaveAsManyValuesAsNamesInTheirOrder) {
     next += 1.0;
   });
   EXPECT_EQ(names.size(), ObjectMeasures::count);
-  const auto values = measures.values();
+  std::vector<double> values;
+  ObjectMeasures::visit_fields(measures,
+                               [&](const char*, double value) { values.push_back(value); });
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(values.at(k), static_cast<double>(k));
   EXPECT_EQ(measures.size, 0.0);
   EXPECT_EQ(measures.confidence, 23.0);

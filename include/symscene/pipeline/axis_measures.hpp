@@ -50,8 +50,4 @@ struct AxisMeasures {
 AxisMeasures measure_axis(const PointCloud& points, const RotationAxis& axis,
                           const RotationalScores& scores, const std::optional<Plane>& table);
 
-/// The mean distance of points off the sphere that fits them best (by algebraic distance), by its
-/// radius; 1 where there is none, or one so large that they are nearly flat.
-double distance_off_sphere(const Points& points);
-
 }  // namespace symscene

@@ -8,6 +8,7 @@
 #include "symscene/core/point_cloud.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/pipeline/pipeline.hpp"
+#include "symscene/symmetry/point_scores.hpp"
 
 namespace symscene {
 
@@ -103,6 +104,7 @@ class PlaneMeter {
     float cosine = 1.0F;  ///< of its normal and the surface's
   };
 
+  bool matches_itself(const PlaneReflector& reflector, Index i) const;
   Image meet(const Eigen::Vector3f& p, const Eigen::Vector3f& n) const;
   bool is_buried(const Eigen::Vector3f& p, const Eigen::Vector3f& n) const;
   double share_matched(const ReflectionPlane& plane) const;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "symscene/pipeline/pipeline.hpp"
-#include "symscene/pipeline/proposal_context.hpp"
 #include "symscene/segmentation/object_measures.hpp"
 
 namespace symscene {
@@ -10,7 +9,6 @@ namespace symscene {
 struct ObjectProposal {
   SceneObject object;  ///< its score is the probability of being one whole object
   ObjectMeasures measures;
-  ProposalContext context;
 };
 
 /// What a scene proposes as objects before anything is decided: every segment that was cut out,

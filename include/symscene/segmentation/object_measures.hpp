@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -69,7 +69,6 @@ struct ObjectMeasures {
     visit("confidence", self.confidence);
   }
   static constexpr std::size_t count = 24;
-  std::array<double, count> values() const;
 };
 
 /// Measures sets of points of one scene.
