@@ -7,8 +7,8 @@
 #include <octomap/OcTree.h>
 #endif
 
+#include "core/parallel.hpp"
 #include "stopwatch.hpp"
-#include "symscene/core/parallel.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
 #include "symscene/simulation/simulation.hpp"
@@ -21,7 +21,7 @@ struct Arguments {
   std::uint64_t seed = 2000;
   int objects = 6;
   int frames = 20;
-  int peer_frames = 3;  ///< OctoMap takes seconds for each
+  int baseline_frames = 3;  ///< OctoMap takes seconds for each
   int repeat = 5;
   double max_depth = 3.0;
   double free_margin = 0.006;
@@ -141,7 +141,8 @@ void print_agreement(const OccupancyMap& theirs, const OccupancyMap& ours, const
 void compare_with_octomap(const Scan& scan, const Arguments& arguments, const Seconds& one,
                           const Seconds& two) {
   octomap::OcTree tree(volume_options(arguments).resolution);
-  const auto frames = std::min(scan.frames.size(), static_cast<std::size_t>(arguments.peer_frames));
+  const auto frames =
+      std::min(scan.frames.size(), static_cast<std::size_t>(arguments.baseline_frames));
   Seconds theirs;
   for (std::size_t i = 0; i < frames; ++i) {
     const octomap::Pointcloud points = world_points(scan, i);
@@ -168,7 +169,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", arguments.seed, "seed of the simulated table")->capture_default_str();
   app.add_option("--objects", arguments.objects, "objects on it")->capture_default_str();
   app.add_option("--frames", arguments.frames, "frames of the scan")->capture_default_str();
-  app.add_option("--peer-frames", arguments.peer_frames, "frames that OctoMap inserts")
+  app.add_option("--baseline-frames", arguments.baseline_frames, "frames that OctoMap inserts")
       ->capture_default_str();
   app.add_option("--repeat", arguments.repeat, "scans that are timed")->capture_default_str();
   app.add_option("--max-depth", arguments.max_depth, "how far space is seen [m]")
@@ -190,7 +191,7 @@ int main(int argc, char** argv) {
   fmt::print("ours, memory            {:8.1f} MB; {} leaves in {:.1f} ms\n",
              1e-6 * static_cast<double>(volume.memory()), map.leaves.size(), 1e3 * to_map.wall);
 #ifdef SYMSCENE_WITH_OCTOMAP
-  if (arguments.peer_frames > 0) compare_with_octomap(scan, arguments, one, two);
+  if (arguments.baseline_frames > 0) compare_with_octomap(scan, arguments, one, two);
 #else
   fmt::print("OctoMap was not found when this was built\n");
 #endif

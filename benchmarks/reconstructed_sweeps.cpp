@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cstdio>
 
-#include "symscene/core/parallel.hpp"
+#include "core/parallel.hpp"
+#include "simulation/true_surface.hpp"
 #include "symscene/dataset/scanned_models.hpp"
 #include "symscene/dataset/swept_scene.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
-#include "symscene/simulation/true_surface.hpp"
 #include "tables.hpp"
 
 namespace symscene::bench {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/parallel.hpp"
 #include "stopwatch.hpp"
-#include "symscene/core/parallel.hpp"
 #include "symscene/reconstruction/model_view.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
 #include "symscene/simulation/sweep.hpp"
@@ -22,7 +22,7 @@ struct Arguments {
   std::uint64_t seed = 2000;
   int objects = 6;
   int frames = 60;
-  int peer_frames = 20;  ///< Open3D takes a fraction of a second for each
+  int baseline_frames = 20;  ///< Open3D takes a fraction of a second for each
   int repeat = 3;
   std::vector<std::size_t> threads = {1, 2};
   std::vector<int> block_resolutions = {8, 16};
@@ -68,7 +68,7 @@ ReconstructionOptions reconstruction_options(const Arguments& arguments) {
 
 /// The frames that both fuse.
 std::size_t shared_frames(const Sweep& sweep, const Arguments& arguments) {
-  return std::min(sweep.frames.size(), static_cast<std::size_t>(arguments.peer_frames));
+  return std::min(sweep.frames.size(), static_cast<std::size_t>(arguments.baseline_frames));
 }
 
 /// Times of the frames of all repeats.
@@ -97,7 +97,7 @@ struct FusionTimes {
 struct Measurements {
   TrackingTimes tracking;
   FusionTimes ours;
-  std::map<int, FusionTimes> peers;  ///< by block resolution
+  std::map<int, FusionTimes> baselines;  ///< by block resolution
 };
 
 double add_stage_times(const std::vector<StageTime>& before, const std::vector<StageTime>& after,
@@ -160,8 +160,8 @@ void time_fusion(const Sweep& sweep, std::size_t frames, const ReconstructionOpt
 }
 
 #ifdef SYMSCENE_WITH_OPEN3D
-void time_peer(const Sweep& sweep, std::size_t frames, const ReconstructionOptions& options,
-               int block_resolution, FusionTimes& times) {
+void time_baseline(const Sweep& sweep, std::size_t frames, const ReconstructionOptions& options,
+                   int block_resolution, FusionTimes& times) {
   VoxelBlockGrid grid({.voxel_size = options.tsdf.voxel_size,
                        .block_resolution = block_resolution,
                        .truncation = options.tsdf.truncation,
@@ -188,7 +188,7 @@ void measure(const Sweep& sweep, std::size_t threads, const Arguments& arguments
 #ifdef SYMSCENE_WITH_OPEN3D
   VoxelBlockGrid::limit_threads(threads);
   for (const int resolution : arguments.block_resolutions) {
-    time_peer(sweep, frames, options, resolution, measurements.peers[resolution]);
+    time_baseline(sweep, frames, options, resolution, measurements.baselines[resolution]);
   }
 #endif
 }
@@ -250,7 +250,7 @@ void print_ratio(const std::string& what, const Times& theirs, const Times& ours
              a.processor / b.processor);
 }
 
-void print_peer(int resolution, const FusionTimes& theirs, const FusionTimes& ours) {
+void print_baseline(int resolution, const FusionTimes& theirs, const FusionTimes& ours) {
   print_row(fmt::format("Open3D, blocks of {}: integrate", resolution), theirs.fuse);
   print_row(fmt::format("Open3D, blocks of {}: view", resolution), theirs.view);
   print_ratio("integration alone", theirs.fuse, ours.integrate);
@@ -265,8 +265,8 @@ void print_times(std::size_t threads, const Measurements& measurements) {
              "quiet", "processor");
   print_tracking(measurements.tracking);
   print_fusion(measurements.ours);
-  for (const auto& [resolution, theirs] : measurements.peers) {
-    print_peer(resolution, theirs, measurements.ours);
+  for (const auto& [resolution, theirs] : measurements.baselines) {
+    print_baseline(resolution, theirs, measurements.ours);
   }
 }
 
@@ -308,14 +308,14 @@ void print_views(const Sweep& sweep, const Measurements& measurements) {
   const auto ours = [&](std::size_t i) { return measurements.ours.views[i]; };
   fmt::print("\n{:<38}{:>10}{:>10}\n", "views: depth difference, coverage", "[mm]", "[%]");
   print_agreement("ours and exact depth", measurements.ours, exact);
-  for (const auto& [resolution, theirs] : measurements.peers) {
+  for (const auto& [resolution, theirs] : measurements.baselines) {
     print_agreement(fmt::format("Open3D, blocks of {}, and exact depth", resolution), theirs,
                     exact);
     print_agreement(fmt::format("Open3D, blocks of {}, and ours", resolution), theirs, ours);
   }
   fmt::print("\nmemory after {} frames: ours {:.0f} MB", measurements.ours.views.size(),
              1e-6 * static_cast<double>(measurements.ours.bytes));
-  for (const auto& [resolution, theirs] : measurements.peers) {
+  for (const auto& [resolution, theirs] : measurements.baselines) {
     fmt::print(", Open3D with blocks of {} {:.0f} MB", resolution,
                1e-6 * static_cast<double>(theirs.bytes));
   }
@@ -329,7 +329,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   add("--seed", arguments.seed, "seed of the simulated table");
   add("--objects", arguments.objects, "objects on it");
   add("--frames", arguments.frames, "frames of the sweep")->check(CLI::Range(2, 1000));
-  add("--peer-frames", arguments.peer_frames, "frames that are fused with their poses, by both")
+  add("--baseline-frames", arguments.baseline_frames,
+      "frames that are fused with their poses, by both")
       ->check(CLI::Range(1, 1000));
   add("--repeat", arguments.repeat, "sweeps that are timed, each from an empty volume")
       ->check(CLI::Range(1, 1000));

@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "symscene/core/voxel_sampling.hpp"
+#include "core/voxel_sampling.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 #include "symscene/simulation/simulation.hpp"

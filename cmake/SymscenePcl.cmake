@@ -1,4 +1,4 @@
-# Sets SYMSCENE_PCL_LIBRARIES and SYMSCENE_PCL_INCLUDE to what LCCP, a peer in the evaluation, needs, or to nothing where
+# Sets SYMSCENE_PCL_LIBRARIES and SYMSCENE_PCL_INCLUDE to what LCCP, a baseline in the evaluation, needs, or to nothing where
 # it is not installed. PCL's own package configuration looks for VTK and all else that any of its modules might use: this
 # looks for the files of the modules.
 include(SymsceneCompiles)

@@ -33,29 +33,28 @@ if(SYMSCENE_BUILD_FUZZERS)
   target_compile_options(symscene_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# A second build of the same sources costs seconds where ccache is installed. Precompiled headers
-# need its looser checks, and clang's need to be the same from build to build.
-find_program(SYMSCENE_CCACHE ccache)
-if(SYMSCENE_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-    ${SYMSCENE_CCACHE})
-  target_compile_options(symscene_flags INTERFACE
-    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
-    $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
-endif()
-
-# symscene_library(NAME LINK public... PRIVATE_LINK private...)
-# The static library symscene_NAME, alias symscene::NAME, of every source in src/NAME.
+# symscene_library(ROOM [EVALUATION] LINK public... PRIVATE_LINK private...)
+# The static library symscene_ROOM, alias symscene::ROOM, of every source in src/ROOM (evaluation/ROOM). Its headers:
+#   ROOM/include/symscene/ROOM   the interface, installed
+#   ROOM/internal/ROOM           what other rooms of this project read too, not installed
+#   ROOM                         what no other room sees
+# A room sees the headers of the rooms that it links, and no others.
 function(symscene_library name)
-  cmake_parse_arguments(arg "" "" "LINK;PRIVATE_LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  cmake_parse_arguments(arg "EVALUATION" "" "LINK;PRIVATE_LINK" ${ARGN})
+  set(folder ${PROJECT_SOURCE_DIR}/src/${name})
+  set(wing SYMSCENE_LIBRARIES)
+  if(arg_EVALUATION)
+    set(folder ${PROJECT_SOURCE_DIR}/evaluation/${name})
+    set(wing SYMSCENE_EVALUATION_LIBRARIES)
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   add_library(symscene_${name} STATIC ${sources})
   add_library(symscene::${name} ALIAS symscene_${name})
-  set_target_properties(symscene_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  target_include_directories(symscene_${name}
-    PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  set_target_properties(symscene_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    SYMSCENE_FOLDER ${folder})
+  target_include_directories(symscene_${name} PUBLIC
+    $<BUILD_INTERFACE:${folder}/include> $<BUILD_INTERFACE:${folder}/internal>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(symscene_${name} PUBLIC cxx_std_20)
   target_link_libraries(symscene_${name}
     PUBLIC ${arg_LINK} PRIVATE $<BUILD_INTERFACE:symscene_flags> ${arg_PRIVATE_LINK})
@@ -67,5 +66,20 @@ function(symscene_library name)
   else()
     target_precompile_headers(symscene_${name} REUSE_FROM symscene_core)
   endif()
-  set_property(GLOBAL APPEND PROPERTY SYMSCENE_LIBRARIES symscene_${name})
+  set_property(GLOBAL APPEND PROPERTY ${wing} symscene_${name})
+endfunction()
+
+# symscene_optional(ROOM SOURCE DEFINITION INCLUDES folder... LIBRARIES library...)
+# What one source of a room does with an optional library: only it is compiled anew where that comes or goes.
+function(symscene_optional name source definition)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "INCLUDES;LIBRARIES")
+  if(NOT arg_LIBRARIES)
+    return()
+  endif()
+  get_target_property(folder symscene_${name} SYMSCENE_FOLDER)
+  list(REMOVE_ITEM arg_INCLUDES /usr/include)
+  list(TRANSFORM arg_INCLUDES PREPEND "-isystem")
+  set_source_files_properties(${folder}/${source} PROPERTIES
+    COMPILE_DEFINITIONS ${definition} COMPILE_OPTIONS "${arg_INCLUDES}" SKIP_UNITY_BUILD_INCLUSION ON)
+  target_link_libraries(symscene_${name} PRIVATE ${arg_LIBRARIES})
 endfunction()

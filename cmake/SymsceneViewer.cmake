@@ -41,6 +41,7 @@ function(symscene_embed_page target)
     DEPENDS ${page} ${embed} COMMENT "Embedding the viewer's page" VERBATIM)
   set_source_files_properties(${embedded} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   target_sources(${target} PRIVATE ${embedded})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/viewer)
 endfunction()
 
 if(TARGET symscene_viewer)

@@ -1,7 +1,7 @@
 #include <string>
 
 #include "accepted.hpp"
-#include "symscene/io/bag.hpp"
+#include "io/bag.hpp"
 
 /// Any bytes are a sound ROS 1 bag or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

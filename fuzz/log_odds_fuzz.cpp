@@ -2,7 +2,7 @@
 #include <string>
 
 #include "accepted.hpp"
-#include "symscene/io/octomap_log_odds.hpp"
+#include "io/octomap_log_odds.hpp"
 
 /// Any bytes are a map that is written and read back with as many leaves, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "core/random_clouds.hpp"
-#include "symscene/core/surface_sampling.hpp"
-#include "symscene/core/voxel_sampling.hpp"
+#include "core/surface_sampling.hpp"
+#include "core/voxel_sampling.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
-#include "symscene/simulation/shapes.hpp"
 
 /// Known surfaces for tests of the stages that work on oriented points.
 namespace symscene::testing {

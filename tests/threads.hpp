@@ -2,7 +2,7 @@
 
 #include <tbb/task_arena.h>
 
-#include "symscene/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace symscene::testing {
 

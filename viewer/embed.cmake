@@ -2,7 +2,7 @@
 # Writes the page as a C++ source. Raw strings in chunks: what every compiler takes and takes fast.
 file(READ ${PAGE} page)
 string(LENGTH "${page}" length)
-set(source "#include \"viewer/page_template.hpp\"\n\nnamespace symscene {\n\nstd::string_view page_template() {\n  return {\n")
+set(source "#include \"page_template.hpp\"\n\nnamespace symscene {\n\nstd::string_view page_template() {\n  return {\n")
 set(begin 0)
 while(begin LESS length)
   string(SUBSTRING "${page}" ${begin} 8000 chunk)

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 
 namespace symscene::app {
 namespace {

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "symscene/core/options.hpp"
+
 namespace symscene::app {
 
 /// One option of a stage, by its path through the groups: "rotational.max_angle".
@@ -14,6 +16,7 @@ struct OptionField {
   std::variant<double*, int*, bool*, std::uint64_t*> value;
   std::string unit;
   std::string help;
+  Range range = any_value();
 };
 using OptionFields = std::vector<OptionField>;
 
@@ -26,6 +29,11 @@ class FieldCollector {
   template <class Value>
   void operator()(const std::string& name, Value& value, const char* unit, const char* help) {
     fields_.push_back({prefix_ + name, &value, unit, help});
+  }
+  template <class Value>
+  void operator()(const std::string& name, Value& value, const char* unit, const Range& range,
+                  const char* help) {
+    fields_.push_back({prefix_ + name, &value, unit, help, range});
   }
   template <class Group>
   void operator()(const std::string& name, Group& group) {

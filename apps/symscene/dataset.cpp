@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "core/process_pool.hpp"
+#include "io/atomic_file.hpp"
 #include "session.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
-#include "symscene/dataset/process_pool.hpp"
 #include "symscene/dataset/scanned_models.hpp"
 #include "symscene/dataset/scene_maker.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/scene.hpp"
 
 namespace symscene::app {

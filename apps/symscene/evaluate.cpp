@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "evaluation_peers.hpp"
+#include "evaluation_baselines.hpp"
+#include "io/atomic_file.hpp"
 #include "session.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/report.hpp"
-#include "symscene/io/atomic_file.hpp"
 
 namespace symscene::app {
 namespace {
@@ -64,7 +64,7 @@ struct Evaluate {
   EvaluationOptions options;
   std::filesystem::path dataset;
   std::filesystem::path earlier;
-  std::string peers = "all";
+  std::string baselines = "all";
   bool fast = false;
 
   OptionFields configure() {
@@ -104,8 +104,8 @@ struct Evaluate {
     }
     text += shared.config.empty() ? "Default options"
                                   : fmt::format("Options of {}", shared.config.filename().string());
-    return text +
-           fmt::format(", peers {}{}.", peers, fast ? ", without the variant by planes" : "");
+    return text + fmt::format(", baselines {}{}.", baselines,
+                              fast ? ", without the variant by planes" : "");
   }
 
   void say(const Evaluation& evaluation, const std::string& json, const std::string& then,
@@ -126,7 +126,7 @@ struct Evaluate {
     const std::string then = earlier.empty() ? "" : read_file(earlier);
     if (!then.empty()) report_difference(then, then, earlier.string());  // before the work
     options.reflectional_only = !fast;
-    options.peers = peer_methods(peers);
+    options.baselines = baseline_methods(baselines);
     Session session("evaluate", shared);
     const DatasetListing listing = read_dataset(dataset);
     if (!listing.missing.empty())
@@ -159,8 +159,8 @@ void add_evaluate(CLI::App& app) {
   arguments.required_output(state->shared, "report folder to write");
   arguments.file("--compare", state->earlier, "report.json of an earlier run: print what changed");
   arguments.text(
-      "--peers", state->peers,
-      ("methods to compare with, with commas between: " + peer_names() + " (default: all)")
+      "--baselines", state->baselines,
+      ("methods to compare with, with commas between: " + baseline_names() + " (default: all)")
           .c_str());
   arguments.flag("--fast", state->fast, "leave out the variant without rotations");
   arguments.threads(state->shared);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "symscene/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 
 namespace symscene::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "frame_log.hpp"
 #include "scene_output.hpp"
 #include "session.hpp"
-#include "symscene/evaluation/trajectory_measures.hpp"
+#include "symscene/evaluation/trajectory_metrics.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/io/table_plane.hpp"
 

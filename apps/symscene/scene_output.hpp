@@ -2,8 +2,8 @@
 
 #include "session.hpp"
 #include "symscene/io/sequence.hpp"
-#include "symscene/pipeline/scene_building.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
+#include "symscene/tabletop/scene_building.hpp"
 
 namespace symscene::app {
 

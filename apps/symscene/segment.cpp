@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "io/atomic_file.hpp"
 #include "results.hpp"
 #include "surroundings.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 #include "symscene/viewer/page.hpp"

@@ -62,6 +62,10 @@ void Session::warn(const std::string& line) {
   progress_.print_line(fmt::format("symscene {}: warning: {}", command_, line));
 }
 
+void Session::warn(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) warn(line);
+}
+
 void Session::finish(const std::vector<ReportMember>& members,
                      const std::vector<StageTime>& times) {
   if (shared_.verbose && !shared_.quiet) print(format_times(times));

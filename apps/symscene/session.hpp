@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "core/log.hpp"
+#include "core/parallel.hpp"
 #include "progress.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/core/parallel.hpp"
 #include "symscene/core/stage_timer.hpp"
 
 namespace symscene::app {
@@ -54,6 +54,7 @@ class Session {
   void say(const std::string& line);
   /// A warning, as the library's are shown.
   void warn(const std::string& line);
+  void warn(const std::vector<std::string>& lines);
   /// What comes last: with -v the table of stage times, with --json one line with these members.
   void finish(const std::vector<ReportMember>& members, const std::vector<StageTime>& times);
 

@@ -7,7 +7,7 @@
 #include "scene_output.hpp"
 #include "session.hpp"
 #include "stitch_report.hpp"
-#include "symscene/evaluation/trajectory_measures.hpp"
+#include "symscene/evaluation/trajectory_metrics.hpp"
 #include "symscene/io/table_plane.hpp"
 
 namespace symscene::app {

@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "core/surface_sampling.hpp"
+#include "io/atomic_file.hpp"
 #include "models.hpp"
 #include "session.hpp"
-#include "symscene/core/surface_sampling.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
-#include "symscene/pipeline/object_symmetry.hpp"
+#include "symscene/symmetry/object_symmetry.hpp"
 
 namespace symscene::app {
 namespace {

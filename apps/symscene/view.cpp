@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "io/atomic_file.hpp"
 #include "session.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/viewer/page.hpp"
 

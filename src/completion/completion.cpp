@@ -7,10 +7,10 @@
 
 #include <Eigen/Dense>
 
+#include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
-#include "symscene/core/voxel_sampling.hpp"
 
 namespace symscene {
 namespace {

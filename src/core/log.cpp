@@ -1,4 +1,4 @@
-#include "symscene/core/log.hpp"
+#include "core/log.hpp"
 
 #include <utility>
 

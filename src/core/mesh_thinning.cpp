@@ -1,4 +1,4 @@
-#include "symscene/core/mesh_thinning.hpp"
+#include "core/mesh_thinning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "symscene/core/vertex_normals.hpp"
+#include "core/vertex_normals.hpp"
 
 namespace symscene {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/neighbors.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

@@ -1,4 +1,4 @@
-#include "symscene/core/surface_sampling.hpp"
+#include "core/surface_sampling.hpp"
 
 #include <cmath>
 

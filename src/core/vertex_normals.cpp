@@ -1,4 +1,4 @@
-#include "symscene/core/vertex_normals.hpp"
+#include "core/vertex_normals.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "symscene/core/voxel_sampling.hpp"
+#include "core/voxel_sampling.hpp"
 
 #include <algorithm>
 #include <cmath>

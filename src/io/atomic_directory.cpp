@@ -6,9 +6,9 @@
 #include <system_error>
 #include <utility>
 
-#include "io/temporary_name.hpp"
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "temporary_name.hpp"
 
 namespace symscene {
 namespace {

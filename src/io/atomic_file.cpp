@@ -1,11 +1,11 @@
-#include "symscene/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 
 #include <cerrno>
 #include <fstream>
 #include <system_error>
 
-#include "io/temporary_name.hpp"
 #include "symscene/core/error.hpp"
+#include "temporary_name.hpp"
 
 namespace symscene {
 namespace {

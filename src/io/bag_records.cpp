@@ -4,9 +4,9 @@
 #include <optional>
 #include <set>
 
-#include "io/byte_cursor.hpp"
-#include "io/text.hpp"
-#include "symscene/io/bag.hpp"
+#include "bag.hpp"
+#include "byte_cursor.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

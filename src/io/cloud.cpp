@@ -1,10 +1,10 @@
 #include "symscene/io/cloud.hpp"
 
-#include "io/text.hpp"
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/pcd.hpp"
 #include "symscene/io/ply.hpp"
+#include "text.hpp"
 
 namespace symscene {
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include "io/gltf_document.hpp"
-#include "io/mesh_builder.hpp"
-#include "io/mesh_formats.hpp"
+#include "gltf_document.hpp"
+#include "mesh_builder.hpp"
+#include "mesh_formats.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

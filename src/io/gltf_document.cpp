@@ -1,11 +1,11 @@
-#include "io/gltf_document.hpp"
+#include "gltf_document.hpp"
 
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/json_cursor.hpp"
-#include "io/mesh_formats.hpp"
-#include "io/scalar.hpp"
+#include "mesh_formats.hpp"
+#include "scalar.hpp"
 
 namespace symscene {
 

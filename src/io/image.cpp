@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "io/image_formats.hpp"
+#include "image_formats.hpp"
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 
 namespace symscene {
 namespace {

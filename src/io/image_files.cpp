@@ -1,12 +1,12 @@
-#include "io/image_files.hpp"
+#include "image_files.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

@@ -1,14 +1,14 @@
-#include "io/image_lists.hpp"
+#include "image_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "io/image_files.hpp"
-#include "io/text.hpp"
+#include "image_files.hpp"
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

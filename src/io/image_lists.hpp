@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/image_sequence.hpp"
+#include "image_sequence.hpp"
 
 namespace symscene {
 

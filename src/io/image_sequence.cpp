@@ -1,11 +1,11 @@
-#include "io/image_sequence.hpp"
+#include "image_sequence.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/log.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
 #include "symscene/io/image.hpp"
 #include "symscene/io/intrinsics.hpp"
 

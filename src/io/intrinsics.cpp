@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "io/image_formats.hpp"
+#include "image_formats.hpp"
+#include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <jpeglib.h>
 
-#include "io/image_formats.hpp"
+#include "image_formats.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

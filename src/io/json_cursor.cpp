@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
-#include "io/unit_vectors.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
+#include "unit_vectors.hpp"
 
 namespace symscene {
 namespace {

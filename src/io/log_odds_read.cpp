@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "io/octomap_header.hpp"
-#include "io/octree_keys.hpp"
-#include "io/scalar.hpp"
+#include "io/atomic_file.hpp"
+#include "octomap_header.hpp"
+#include "octomap_log_odds.hpp"
+#include "octree_keys.hpp"
+#include "scalar.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
-#include "symscene/io/octomap_log_odds.hpp"
 
 namespace symscene {
 namespace {

@@ -2,11 +2,11 @@
 #include <array>
 #include <limits>
 
-#include "io/coded_leaves.hpp"
-#include "io/octomap_header.hpp"
-#include "io/scalar.hpp"
-#include "symscene/io/atomic_file.hpp"
-#include "symscene/io/octomap_log_odds.hpp"
+#include "coded_leaves.hpp"
+#include "io/atomic_file.hpp"
+#include "octomap_header.hpp"
+#include "octomap_log_odds.hpp"
+#include "scalar.hpp"
 
 namespace symscene {
 namespace {

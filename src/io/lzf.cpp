@@ -1,4 +1,4 @@
-#include "io/lzf.hpp"
+#include "lzf.hpp"
 
 #include <cstdint>
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "io/mesh_formats.hpp"
+#include "core/log.hpp"
+#include "io/atomic_file.hpp"
+#include "mesh_formats.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/ply.hpp"
 
 namespace symscene {

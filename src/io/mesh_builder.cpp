@@ -1,12 +1,12 @@
-#include "io/mesh_builder.hpp"
+#include "mesh_builder.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "io/color.hpp"
-#include "io/weld.hpp"
+#include "color.hpp"
 #include "symscene/core/error.hpp"
+#include "weld.hpp"
 
 namespace symscene {
 namespace {

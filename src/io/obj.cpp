@@ -1,7 +1,7 @@
-#include "io/mesh_builder.hpp"
-#include "io/mesh_formats.hpp"
-#include "io/text.hpp"
+#include "mesh_builder.hpp"
+#include "mesh_formats.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

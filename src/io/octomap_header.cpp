@@ -1,12 +1,12 @@
-#include "io/octomap_header.hpp"
+#include "octomap_header.hpp"
 
 #include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
 
 namespace symscene {
 

@@ -2,11 +2,11 @@
 #include <array>
 #include <bit>
 
-#include "io/octomap_header.hpp"
-#include "io/octree_keys.hpp"
-#include "io/scalar.hpp"
+#include "io/atomic_file.hpp"
+#include "octomap_header.hpp"
+#include "octree_keys.hpp"
+#include "scalar.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/octomap.hpp"
 
 namespace symscene {

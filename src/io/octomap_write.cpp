@@ -1,11 +1,11 @@
 #include <array>
 #include <span>
 
-#include "io/coded_leaves.hpp"
-#include "io/octomap_header.hpp"
-#include "io/octree_keys.hpp"
-#include "io/scalar.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "coded_leaves.hpp"
+#include "io/atomic_file.hpp"
+#include "octomap_header.hpp"
+#include "octree_keys.hpp"
+#include "scalar.hpp"
 #include "symscene/io/octomap.hpp"
 
 namespace symscene {

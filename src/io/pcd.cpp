@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "io/cloud_checks.hpp"
-#include "io/lzf.hpp"
-#include "io/pcd_header.hpp"
-#include "io/text.hpp"
+#include "cloud_checks.hpp"
+#include "io/atomic_file.hpp"
+#include "lzf.hpp"
+#include "pcd_header.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/pcd_header.hpp"
+#include "pcd_header.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/types.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

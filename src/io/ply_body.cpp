@@ -1,9 +1,9 @@
-#include "io/ply_body.hpp"
+#include "ply_body.hpp"
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
 
 namespace symscene {
 

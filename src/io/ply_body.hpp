@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "io/ply_header.hpp"
+#include "ply_header.hpp"
 
 namespace symscene {
 

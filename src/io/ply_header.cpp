@@ -1,10 +1,10 @@
-#include "io/ply_header.hpp"
+#include "ply_header.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "io/text.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

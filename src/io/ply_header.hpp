@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/scalar.hpp"
+#include "scalar.hpp"
 
 namespace symscene {
 

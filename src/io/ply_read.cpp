@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "io/color.hpp"
-#include "io/ply_body.hpp"
-#include "io/ply_points.hpp"
+#include "color.hpp"
+#include "io/atomic_file.hpp"
+#include "ply_body.hpp"
+#include "ply_points.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/ply.hpp"
 
 namespace symscene {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "io/cloud_checks.hpp"
-#include "io/ply_points.hpp"
-#include "io/scalar.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "cloud_checks.hpp"
+#include "io/atomic_file.hpp"
+#include "ply_points.hpp"
+#include "scalar.hpp"
 #include "symscene/io/ply.hpp"
 
 namespace symscene {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "io/image_formats.hpp"
+#include "image_formats.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "io/cloud_checks.hpp"
-#include "io/ply_points.hpp"
+#include "cloud_checks.hpp"
+#include "io/atomic_file.hpp"
+#include "ply_points.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/ply.hpp"
 #include "symscene/io/trajectory.hpp"
 

@@ -1,13 +1,13 @@
-#include "io/ros_messages.hpp"
+#include "ros_messages.hpp"
 
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
-#include "io/byte_cursor.hpp"
-#include "io/image_formats.hpp"
-#include "io/text.hpp"
+#include "byte_cursor.hpp"
+#include "image_formats.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

@@ -4,13 +4,13 @@
 #include <array>
 #include <string_view>
 
+#include "core/log.hpp"
+#include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
+#include "octomap_log_odds.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/octomap.hpp"
-#include "symscene/io/octomap_log_odds.hpp"
 #include "symscene/io/ply.hpp"
 #include "symscene/io/table_plane.hpp"
 #include "symscene/io/trajectory.hpp"

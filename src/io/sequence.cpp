@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "io/sequence_layouts.hpp"
+#include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

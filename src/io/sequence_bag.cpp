@@ -1,6 +1,6 @@
 // A ROS 1 bag: depth images, the camera's description beside them, colour images if they fit.
-#include "io/image_files.hpp"
-#include "io/sequence_layouts.hpp"
+#include "image_files.hpp"
+#include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 
 #ifdef SYMSCENE_HAS_ROSBAG
@@ -10,12 +10,12 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "io/image_lists.hpp"
-#include "io/image_sequence.hpp"
-#include "io/mapped_file.hpp"
-#include "io/ros_messages.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/io/bag.hpp"
+#include "bag.hpp"
+#include "core/log.hpp"
+#include "image_lists.hpp"
+#include "image_sequence.hpp"
+#include "mapped_file.hpp"
+#include "ros_messages.hpp"
 #include "symscene/io/intrinsics.hpp"
 #endif
 

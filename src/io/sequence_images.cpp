@@ -1,7 +1,7 @@
 // Depth images and nothing else: one file, or a folder of them.
-#include "io/image_files.hpp"
-#include "io/image_sequence.hpp"
-#include "io/sequence_layouts.hpp"
+#include "image_files.hpp"
+#include "image_sequence.hpp"
+#include "sequence_layouts.hpp"
 #include "symscene/io/image.hpp"
 
 namespace symscene {

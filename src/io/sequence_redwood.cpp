@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "io/image_files.hpp"
-#include "io/image_lists.hpp"
-#include "io/image_sequence.hpp"
-#include "io/sequence_layouts.hpp"
+#include "core/log.hpp"
+#include "image_files.hpp"
+#include "image_lists.hpp"
+#include "image_sequence.hpp"
+#include "io/atomic_file.hpp"
+#include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/intrinsics.hpp"
 #include "symscene/io/trajectory.hpp"
 

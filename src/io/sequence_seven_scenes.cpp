@@ -1,11 +1,11 @@
 // 7-Scenes: a folder of frame-NNNNNN.depth.png, .color.png and .pose.txt.
 #include <fmt/format.h>
 
-#include "io/image_files.hpp"
-#include "io/image_sequence.hpp"
-#include "io/sequence_layouts.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "core/log.hpp"
+#include "image_files.hpp"
+#include "image_sequence.hpp"
+#include "io/atomic_file.hpp"
+#include "sequence_layouts.hpp"
 #include "symscene/io/trajectory.hpp"
 
 namespace symscene {

@@ -1,10 +1,10 @@
 // TUM RGB-D, and ICL-NUIM in its TUM-compatible form.
 #include <cmath>
 
-#include "io/image_files.hpp"
-#include "io/image_lists.hpp"
-#include "io/image_sequence.hpp"
-#include "io/sequence_layouts.hpp"
+#include "image_files.hpp"
+#include "image_lists.hpp"
+#include "image_sequence.hpp"
+#include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/trajectory.hpp"
 

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include "io/image_files.hpp"
-#include "io/text.hpp"
+#include "image_files.hpp"
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/image.hpp"
 #include "symscene/io/intrinsics.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/io/trajectory.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "io/mesh_builder.hpp"
-#include "io/mesh_formats.hpp"
-#include "io/scalar.hpp"
-#include "io/text.hpp"
+#include "mesh_builder.hpp"
+#include "mesh_formats.hpp"
+#include "scalar.hpp"
 #include "symscene/core/error.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

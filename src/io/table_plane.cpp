@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
-#include "io/unit_vectors.hpp"
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "text.hpp"
+#include "unit_vectors.hpp"
 
 namespace symscene {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/temporary_name.hpp"
+#include "temporary_name.hpp"
 
 #include <unistd.h>
 

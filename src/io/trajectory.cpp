@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "io/text.hpp"
+#include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
+#include "text.hpp"
 
 namespace symscene {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/atomic_file.hpp"
 #include "symscene/io/ply.hpp"
 
 namespace symscene {

@@ -1,4 +1,4 @@
-#include "io/unit_vectors.hpp"
+#include "unit_vectors.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "io/weld.hpp"
+#include "weld.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "symscene/core/dispatch.hpp"
+#include "core/dispatch.hpp"
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

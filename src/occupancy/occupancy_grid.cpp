@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

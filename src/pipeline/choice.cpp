@@ -1,6 +1,6 @@
-#include "symscene/core/parallel.hpp"
-#include "symscene/pipeline/mask_symmetry.hpp"
-#include "symscene/pipeline/proposals.hpp"
+#include "core/parallel.hpp"
+#include "symmetry/mask_symmetry.hpp"
+#include "symscene/pipeline/pipeline.hpp"
 
 namespace symscene {
 namespace {
@@ -43,24 +43,17 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
 
 void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
                      SegmentationResult& result) {
+  const WholeObjectOptions whole = options.whole_object_options();
   result.rejected = proposals.rejected;
   result.objects = probable_objects(proposals, options.selection, result.rejected);
   parallel_for_each(result.objects.size(), [&](std::size_t k) {
     SceneObject& object = result.objects[k];
-    list_symmetries(measure_symmetries(proposals, options, object), options.object_symmetry,
-                    object);
+    list_symmetries(measure_symmetries(proposals.observed(), whole, object),
+                    options.object_symmetry, object);
   });
 }
 
 }  // namespace
-
-std::vector<SceneObject> probable_objects(const SceneProposals& proposals,
-                                          const SelectionOptions& options,
-                                          std::vector<Rejection>& rejected) {
-  std::vector<SceneObject> objects;
-  for (const ObjectProposal& proposal : proposals.objects) objects.push_back(proposal.object);
-  return select_probable(std::move(objects), options, rejected);
-}
 
 SegmentationResult choose_objects(const SceneProposals& proposals, const PipelineOptions& options) {
   SegmentationResult result;

@@ -1,6 +1,6 @@
 #include "symscene/pipeline/detections.hpp"
 
-#include "pipeline/workspace.hpp"
+#include "workspace.hpp"
 
 namespace symscene {
 

@@ -1,9 +1,8 @@
 #include "symscene/pipeline/pipeline.hpp"
 
-#include "pipeline/object_proposals.hpp"
-#include "pipeline/workspace.hpp"
+#include "proposals/object_proposals.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/pipeline/proposals.hpp"
+#include "workspace.hpp"
 
 namespace symscene {
 namespace {
@@ -60,26 +59,6 @@ void complete_objects(const DistanceField& field, const CompletionOptions& optio
 
 }  // namespace
 
-void ContinuationOptions::validate() const {
-  require_option(most >= 0 && most <= 1000, "most", "0 to 1000 proposals", most);
-  require_option(min_score >= 0.0, "min_score", "a probability of at least 0", min_score);
-  require_option(min_continuation >= 0.0, "min_continuation", "a share of at least 0",
-                 min_continuation);
-  require_option(whole_belief >= 0.0 && whole_belief <= 1.0, "whole_belief",
-                 "a probability in [0, 1]", whole_belief);
-  require_option(reach >= 0.0, "reach", "a length of at least 0 m", reach);
-}
-
-void ObjectSymmetryBounds::validate() const {
-  visit_fields(*this, [](const char* name, double value, const char* unit, const char*) {
-    if (*unit == '\0') {
-      require_option(value >= 0.0 && value <= 1.0, name, "a number in [0, 1]", value);
-    } else {
-      require_option(value >= 0.0, name, "a number of at least 0", value);
-    }
-  });
-}
-
 void PipelineOptions::validate() const {
   require_option(voxel_size >= 1e-4 && voxel_size <= 1.0, "voxel_size",
                  "a length from 0.0001 to 1 m", voxel_size);
@@ -105,6 +84,20 @@ void PipelineOptions::validate() const {
   completion.validate();
 }
 
+ProposalOptions PipelineOptions::proposal_options() const {
+  return {surface_parts,
+          rotational_segmentation.bounds,
+          reflectional_segmentation.bounds,
+          rotational_detection,
+          reflectional_detection,
+          continuation,
+          merge};
+}
+
+WholeObjectOptions PipelineOptions::whole_object_options() const {
+  return {rotational_stream, rotational_detection, reflectional_detection, object_symmetry};
+}
+
 SceneProposals propose_objects(const Scene& scene, const PipelineOptions& options,
                                const StageTimer::OnBegin& on_begin) {
   options.validate();
@@ -120,8 +113,8 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
     return without_objects(space, proposals.rotational, options);
   });
   reflectional_stream(rest, space.field, options, timer, proposals);
-  proposals.objects =
-      timer.time("proposals", [&] { return object_proposals(space, proposals, options); });
+  proposals.objects = timer.time(
+      "proposals", [&] { return object_proposals(space, proposals, options.proposal_options()); });
   proposals.funnel.push_back({"distinct proposals", proposals.objects.size()});
   proposals.cloud = std::move(space.cloud);
   proposals.field = std::move(space.field);

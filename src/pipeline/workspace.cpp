@@ -1,14 +1,14 @@
-#include "pipeline/workspace.hpp"
+#include "workspace.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/log.hpp"
+#include "core/parallel.hpp"
+#include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/core/parallel.hpp"
-#include "symscene/core/voxel_sampling.hpp"
 
 namespace symscene {
 namespace {

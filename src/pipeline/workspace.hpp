@@ -1,20 +1,9 @@
 #pragma once
 
-#include <optional>
-
+#include "segmentation/workspace.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 namespace symscene {
-
-/// The 5 mm cloud with its space and its surface: what both streams read.
-struct Workspace {
-  PointCloud cloud;
-  DistanceField field;
-  std::optional<Eigen::Vector3d> up;
-  std::vector<WeightedEdge> edges;
-  NeighborLists neighbors;  ///< of region growing: all within a voxel's diagonal
-  std::vector<PointIndices> segments;
-};
 
 /// Samples the scene's cloud, maps the space around it and its surface. Warns of frames that do not
 /// belong together. Throws InputError as segment_scene() does.

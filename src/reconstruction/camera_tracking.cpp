@@ -5,10 +5,10 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/dispatch.hpp"
+#include "core/parallel.hpp"
 #include "core/twist.hpp"
-#include "symscene/core/dispatch.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.hpp"
 #include "field.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

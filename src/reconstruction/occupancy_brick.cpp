@@ -1,8 +1,8 @@
-#include "reconstruction/occupancy_brick.hpp"
+#include "occupancy_brick.hpp"
 
 #include <algorithm>
 
-#include "symscene/core/dispatch.hpp"
+#include "core/dispatch.hpp"
 
 namespace symscene {
 namespace {

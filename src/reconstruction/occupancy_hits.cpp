@@ -1,11 +1,11 @@
-#include "reconstruction/occupancy_hits.hpp"
+#include "occupancy_hits.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "reconstruction/occupancy_brick.hpp"
-#include "symscene/core/dispatch.hpp"
-#include "symscene/core/parallel.hpp"
+#include "core/dispatch.hpp"
+#include "core/parallel.hpp"
+#include "occupancy_brick.hpp"
 
 namespace symscene {
 namespace {

@@ -1,11 +1,11 @@
-#include "reconstruction/occupancy_view.hpp"
+#include "occupancy_view.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "symscene/core/dispatch.hpp"
-#include "symscene/core/parallel.hpp"
+#include "core/dispatch.hpp"
+#include "core/parallel.hpp"
 
 namespace symscene {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "reconstruction/occupancy_brick.hpp"
-#include "reconstruction/range_pyramid.hpp"
+#include "occupancy_brick.hpp"
+#include "range_pyramid.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
 
 namespace symscene {

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "reconstruction/occupancy_brick.hpp"
-#include "reconstruction/occupancy_hits.hpp"
-#include "reconstruction/occupancy_view.hpp"
+#include "core/parallel.hpp"
+#include "occupancy_brick.hpp"
+#include "occupancy_hits.hpp"
+#include "occupancy_view.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

@@ -1,9 +1,9 @@
-#include "reconstruction/range_pyramid.hpp"
+#include "range_pyramid.hpp"
 
 #include <algorithm>
 #include <bit>
 
-#include "symscene/core/dispatch.hpp"
+#include "core/dispatch.hpp"
 
 namespace symscene {
 namespace {

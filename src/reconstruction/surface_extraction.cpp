@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "cell_triangles.hpp"
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

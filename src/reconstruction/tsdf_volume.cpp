@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "symscene/core/dispatch.hpp"
+#include "core/dispatch.hpp"
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

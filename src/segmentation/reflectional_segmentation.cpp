@@ -4,8 +4,8 @@
 #include <numeric>
 #include <variant>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

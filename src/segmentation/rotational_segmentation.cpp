@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

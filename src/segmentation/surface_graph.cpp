@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

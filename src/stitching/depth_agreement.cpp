@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "stitching/surface_lookup.hpp"
+#include "surface_lookup.hpp"
 #include "symscene/stitching/pair_pose.hpp"
 
 namespace symscene {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stitching/image_features.hpp"
+#include "image_features.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

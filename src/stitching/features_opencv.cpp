@@ -1,5 +1,5 @@
 #include "core/twist.hpp"
-#include "stitching/image_features.hpp"
+#include "image_features.hpp"
 #include "symscene/core/error.hpp"
 
 #ifdef SYMSCENE_HAS_OPENCV

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stitching/image_features.hpp"
-#include "stitching/reprojection.hpp"
+#include "image_features.hpp"
+#include "reprojection.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

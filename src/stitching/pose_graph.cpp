@@ -1,4 +1,4 @@
-#include "symscene/stitching/pose_graph.hpp"
+#include "pose_graph.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "stitching/reprojection.hpp"
+#include "reprojection.hpp"
 
 #include <limits>
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "symscene/core/parallel.hpp"
-#include "symscene/stitching/pose_graph.hpp"
+#include "core/parallel.hpp"
+#include "pose_graph.hpp"
 
 namespace symscene {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <Eigen/Cholesky>
 
-#include "stitching/view_matching.hpp"
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
+#include "view_matching.hpp"
 
 namespace symscene {
 namespace {

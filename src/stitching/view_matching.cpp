@@ -1,8 +1,8 @@
-#include "stitching/view_matching.hpp"
+#include "view_matching.hpp"
 
 #include <cmath>
 
-#include "stitching/surface_lookup.hpp"
+#include "surface_lookup.hpp"
 
 namespace symscene {
 namespace {

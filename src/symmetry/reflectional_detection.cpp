@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

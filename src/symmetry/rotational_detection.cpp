@@ -4,9 +4,9 @@
 #include <bitset>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/neighbors.hpp"
-#include "symscene/core/parallel.hpp"
 
 namespace symscene {
 namespace {

@@ -1,4 +1,4 @@
-#include "symscene/symmetry/sphere_fit.hpp"
+#include "sphere_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

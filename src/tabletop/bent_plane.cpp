@@ -1,4 +1,4 @@
-#include "tabletop/bent_plane.hpp"
+#include "bent_plane.hpp"
 
 #include <cmath>
 

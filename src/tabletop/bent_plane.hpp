@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tabletop/plane_patch.hpp"
+#include "plane_patch.hpp"
 
 namespace symscene {
 

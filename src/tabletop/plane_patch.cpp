@@ -1,4 +1,4 @@
-#include "tabletop/plane_patch.hpp"
+#include "plane_patch.hpp"
 
 #include <algorithm>
 #include <cmath>

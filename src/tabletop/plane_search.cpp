@@ -1,12 +1,12 @@
-#include "tabletop/plane_search.hpp"
+#include "plane_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
 
-#include "symscene/core/dispatch.hpp"
-#include "symscene/core/random.hpp"
+#include "core/dispatch.hpp"
+#include "core/random.hpp"
 
 namespace symscene {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plane_patch.hpp"
+#include "plane_search.hpp"
 #include "symscene/core/error.hpp"
-#include "tabletop/plane_patch.hpp"
-#include "tabletop/plane_search.hpp"
 
 namespace symscene {
 namespace {

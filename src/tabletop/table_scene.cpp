@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "bent_plane.hpp"
+#include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/neighbors.hpp"
-#include "symscene/core/voxel_sampling.hpp"
-#include "tabletop/bent_plane.hpp"
 
 namespace symscene {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/base64.hpp"
+#include "base64.hpp"
 
 #include <algorithm>
 #include <string_view>

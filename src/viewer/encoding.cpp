@@ -1,12 +1,12 @@
-#include "viewer/encoding.hpp"
+#include "encoding.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
+#include "base64.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/point_cloud.hpp"
-#include "viewer/base64.hpp"
 
 namespace symscene {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <string_view>
 
+#include "page_template.hpp"
+#include "payload.hpp"
 #include "symscene/core/error.hpp"
-#include "viewer/page_template.hpp"
-#include "viewer/payload.hpp"
 
 namespace symscene {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "core/mesh_thinning.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/mesh_thinning.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {

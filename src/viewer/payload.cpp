@@ -1,10 +1,10 @@
-#include "viewer/payload.hpp"
+#include "payload.hpp"
 
+#include "base64.hpp"
+#include "encoding.hpp"
+#include "scan_payload.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/viewer/page_surface.hpp"
-#include "viewer/base64.hpp"
-#include "viewer/encoding.hpp"
-#include "viewer/scan_payload.hpp"
 
 namespace symscene {
 namespace {

@@ -1,10 +1,10 @@
-#include "viewer/scan_payload.hpp"
+#include "scan_payload.hpp"
 
 #include <vector>
 
+#include "base64.hpp"
+#include "encoding.hpp"
 #include "symscene/core/point_cloud.hpp"
-#include "viewer/base64.hpp"
-#include "viewer/encoding.hpp"
 
 namespace symscene {
 namespace {

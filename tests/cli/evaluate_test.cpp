@@ -83,7 +83,7 @@ TEST_F(EvaluateCommand, FindsTheSameWithOneThread) {
 TEST_F(EvaluateCommand, ComparesWithAnEarlierReport) {
   write(file("tight.json"), R"({"reflectional_segmentation": {"bounds": {"min_size": 100000}}})");
   const Outcome outcome =
-      run("evaluate data -o tight --fast --peers none --config tight.json --compare "
+      run("evaluate data -o tight --fast --baselines none --config tight.json --compare "
           "report/report.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("difference"), std::string::npos);
@@ -97,7 +97,7 @@ TEST_F(EvaluateCommand, RefusesWhatIsNoDatasetInOneSentence) {
   expect_refusal("evaluate nowhere -o new", "nowhere");
   expect_refusal("evaluate small.json -o new", "small.json");
   expect_refusal("evaluate data -o data/report", "outside the input");
-  expect_refusal("evaluate data -o new --peers guesswork", "guesswork");
+  expect_refusal("evaluate data -o new --baselines guesswork", "guesswork");
 }
 
 TEST_F(EvaluateCommand, RefusesTruthThatIsMissingOrContradictsItself) {
@@ -117,7 +117,7 @@ TEST_F(EvaluateCommand, RefusesTruthThatIsMissingOrContradictsItself) {
 TEST_F(EvaluateCommand, NeverWritesOverOtherPeoplesFiles) {
   fs::create_directories(file("mine"));
   write(file("mine/thesis.txt"), "years of work");
-  EXPECT_EQ(run("evaluate data -o mine --fast --peers none").code, 1);
+  EXPECT_EQ(run("evaluate data -o mine --fast --baselines none").code, 1);
   EXPECT_EQ(contents(file("mine/thesis.txt")), "years of work");
 }
 

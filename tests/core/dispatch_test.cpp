@@ -1,4 +1,4 @@
-#include "symscene/core/dispatch.hpp"
+#include "core/dispatch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
+#include "core/log.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
 #include "symscene/core/stage_timer.hpp"
 
 namespace symscene {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "core/surface_sampling.hpp"
+#include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/surface_sampling.hpp"
-#include "symscene/core/voxel_sampling.hpp"
 
 namespace symscene {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "symscene/simulation/shapes.hpp"
+#include "simulation/shapes.hpp"
 
 namespace symscene {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <set>
 
+#include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/octomap.hpp"
 #include "symscene/io/ply.hpp"
 #include "symscene/io/truth.hpp"
-#include "symscene/simulation/shapes.hpp"
 #include "threads.hpp"
 
 namespace symscene {

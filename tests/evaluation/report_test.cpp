@@ -26,7 +26,7 @@ Sweep two_settings(const std::string& method) {
   sweep.parameters = {"k"};
   sweep.settings = {{0.5}, {1.0}};
   sweep.counts = {masks({1, 4, 2}), masks({1, 1, 2})};
-  sweep.measures = {Measure::masks_90};
+  sweep.metrics = {Measure::masks_90};
   return sweep;
 }
 

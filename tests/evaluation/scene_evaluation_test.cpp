@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/parallel.hpp"
 #include "symscene/evaluation/report.hpp"
 #include "symscene/simulation/simulation.hpp"
 
@@ -34,7 +34,7 @@ SceneTruth truth_of(std::initializer_list<PointIndices> masks) {
 }
 
 /// Takes the whole cloud for one object, or for none.
-PeerMasks everything(const PointCloud& cloud) {
+BaselineMasks everything(const PointCloud& cloud) {
   PointIndices all;
   for (Index i = 0; i < cloud.size(); ++i) all.push_back(i);
   return {"everything", "share", {0.0, 1.0}, {{}, {all}}};
@@ -67,10 +67,10 @@ std::string timeless(SceneEvaluation scene) {
   return report_json(evaluation, {"two", "today", "0", "nothing"});
 }
 
-TEST(EvaluateScene, SweepsEveryVariantAndPeerWhateverTheThreads) {
+TEST(EvaluateScene, SweepsEveryVariantAndBaselineWhateverTheThreads) {
   const SimulatedScene scene = two_objects();
   EvaluationOptions options;
-  options.peers = {everything};
+  options.baselines = {everything};
   const SceneEvaluation evaluation = evaluate_scene(scene.scene, scene.truth, options);
   ASSERT_EQ(evaluation.segmentation.size(), 4U);
   EXPECT_EQ(evaluation.segmentation[0].method, scored_method);
@@ -105,15 +105,15 @@ TEST(CountResult, CountsNoSymmetriesWhereTruthHasMasksAlone) {
 
 TEST(EvaluateScene, TakesASceneOfNothing) {
   EvaluationOptions options;
-  options.peers = {everything};
+  options.baselines = {everything};
   const SceneEvaluation evaluation = evaluate_scene(Scene{}, SceneTruth{}, options);
   EXPECT_EQ(evaluation.returned, 0U);
   EXPECT_EQ(evaluation.segmentation.size(), 4U);
 }
 
-TEST(EvaluateScene, RefusesAPeerThatContradictsItself) {
+TEST(EvaluateScene, RefusesABaselineThatContradictsItself) {
   EvaluationOptions options;
-  options.peers = {[](const PointCloud&) { return PeerMasks{"odd", "k", {1.0}, {}}; }};
+  options.baselines = {[](const PointCloud&) { return BaselineMasks{"odd", "k", {1.0}, {}}; }};
   EXPECT_THROW(evaluate_scene(Scene{}, SceneTruth{}, options), InputError);
   options.boundary_radius = 0.0;
   EXPECT_THROW(evaluate_scene(Scene{}, SceneTruth{}, options), InputError);

@@ -22,7 +22,7 @@ Sweep five_settings() {
   sweep.settings = all_settings({{1, 2, 3, 4, 5}});
   sweep.counts = {masks({2, 2, 10}), masks({4, 5, 10}), masks({4, 8, 10}), masks({6, 10, 10}),
                   masks({6, 20, 10})};
-  sweep.measures = {Measure::masks_90};
+  sweep.metrics = {Measure::masks_90};
   return sweep;
 }
 

@@ -1,4 +1,4 @@
-#include "symscene/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 
 #include "io/io_support.hpp"
 

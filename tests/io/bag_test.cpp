@@ -1,8 +1,8 @@
 // ROS 1 bags, written by rosbag itself where it is installed.
-#include "symscene/io/bag.hpp"
+#include "io/bag.hpp"
 
+#include "core/log.hpp"
 #include "io/sequence_support.hpp"
-#include "symscene/core/log.hpp"
 
 #ifdef SYMSCENE_HAS_ROSBAG
 #include <rosbag/bag.h>

@@ -1,4 +1,4 @@
-#include "symscene/io/octomap_log_odds.hpp"
+#include "io/octomap_log_odds.hpp"
 
 #include <limits>
 

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "core/log.hpp"
 #include "io/io_support.hpp"
-#include "symscene/core/log.hpp"
 #include "symscene/io/ply.hpp"
 
 namespace symscene {

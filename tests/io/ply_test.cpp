@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "io/atomic_file.hpp"
 #include "io/io_support.hpp"
-#include "symscene/io/atomic_file.hpp"
 
 namespace symscene {
 namespace {

@@ -1,7 +1,7 @@
 #include "symscene/io/scene.hpp"
 
+#include "core/log.hpp"
 #include "io/io_support.hpp"
-#include "symscene/core/log.hpp"
 #include "symscene/io/pcd.hpp"
 #include "symscene/io/truth.hpp"
 

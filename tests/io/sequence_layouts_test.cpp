@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "core/log.hpp"
 #include "io/sequence_support.hpp"
-#include "symscene/core/log.hpp"
 #include "symscene/io/trajectory.hpp"
 
 namespace symscene {

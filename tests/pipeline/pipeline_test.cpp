@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/log.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
-#include "symscene/evaluation/mask_measures.hpp"
+#include "symscene/evaluation/mask_metrics.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
-#include "symscene/pipeline/object_symmetry.hpp"
 #include "symscene/simulation/simulation.hpp"
+#include "symscene/symmetry/object_symmetry.hpp"
 #include "threads.hpp"
 
 namespace symscene {

@@ -1,4 +1,4 @@
-#include "../../src/reconstruction/cell_triangles.hpp"
+#include "reconstruction/cell_triangles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/log.hpp"
+#include "simulation/household_object.hpp"
+#include "simulation/shapes.hpp"
+#include "simulation/true_surface.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/log.hpp"
 #include "symscene/io/mesh.hpp"
-#include "symscene/simulation/household_object.hpp"
-#include "symscene/simulation/shapes.hpp"
-#include "symscene/simulation/true_surface.hpp"
 #include "threads.hpp"
 
 namespace symscene {

@@ -1,12 +1,12 @@
-#include "symscene/simulation/shapes.hpp"
+#include "simulation/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "core/vertex_normals.hpp"
+#include "simulation/household_object.hpp"
 #include "symscene/core/neighbors.hpp"
-#include "symscene/core/vertex_normals.hpp"
-#include "symscene/simulation/household_object.hpp"
 
 namespace symscene {
 namespace {

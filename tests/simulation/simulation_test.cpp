@@ -4,9 +4,9 @@
 
 #include <cstring>
 
+#include "simulation/depth_renderer.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/core/neighbors.hpp"
-#include "symscene/simulation/depth_renderer.hpp"
-#include "symscene/simulation/shapes.hpp"
 #include "threads.hpp"
 
 namespace symscene {

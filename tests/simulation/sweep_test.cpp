@@ -4,9 +4,9 @@
 
 #include <set>
 
+#include "simulation/shapes.hpp"
+#include "simulation/true_surface.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/simulation/shapes.hpp"
-#include "symscene/simulation/true_surface.hpp"
 #include "symscene/simulation/truth_transfer.hpp"
 #include "threads.hpp"
 

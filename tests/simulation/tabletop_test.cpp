@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "simulation/footprint.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/simulation/footprint.hpp"
-#include "symscene/simulation/shapes.hpp"
 
 namespace symscene {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <random>
 
+#include "core/surface_sampling.hpp"
+#include "simulation/shapes.hpp"
+#include "simulation/true_surface.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/surface_sampling.hpp"
-#include "symscene/simulation/shapes.hpp"
 #include "symscene/simulation/sweep.hpp"
-#include "symscene/simulation/true_surface.hpp"
 #include "threads.hpp"
 
 namespace symscene {

@@ -1,4 +1,4 @@
-#include "symscene/stitching/pose_graph.hpp"
+#include "stitching/pose_graph.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "symscene/core/random.hpp"
-#include "symscene/simulation/depth_renderer.hpp"
+#include "core/random.hpp"
+#include "simulation/depth_renderer.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/simulation/sensor_noise.hpp"
-#include "symscene/simulation/shapes.hpp"
 #include "symscene/stitching/stitching.hpp"
 
 /// A table full of things with a print on them, as a noisy camera sees it from known places.

@@ -8,13 +8,13 @@
 #include <functional>
 #include <limits>
 
+#include "core/random.hpp"
+#include "core/surface_sampling.hpp"
+#include "core/voxel_sampling.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/random.hpp"
-#include "symscene/core/surface_sampling.hpp"
-#include "symscene/core/voxel_sampling.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/table_plane.hpp"
-#include "symscene/simulation/shapes.hpp"
 #include "symscene/simulation/simulation.hpp"
 
 namespace symscene {

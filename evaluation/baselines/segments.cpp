@@ -1,0 +1,45 @@
+#include "segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+
+std::vector<PointIndices> segments_of_labels(std::span<const Index> labels, int min_size) {
+  std::vector<std::pair<Index, Index>> points;  // by label
+  points.reserve(labels.size());
+  for (Index i = 0; i < labels.size(); ++i) {
+    if (labels[i] != no_segment) points.emplace_back(labels[i], i);
+  }
+  std::sort(points.begin(), points.end());
+  std::vector<PointIndices> segments;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    while (end < points.size() && points[end].first == points[begin].first) ++end;
+    if (end - begin < static_cast<std::size_t>(min_size)) continue;
+    PointIndices& segment = segments.emplace_back();
+    for (std::size_t k = begin; k < end; ++k) segment.push_back(points[k].second);
+  }
+  std::sort(segments.begin(), segments.end(), [](const PointIndices& a, const PointIndices& b) {
+    return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
+  });
+  return segments;
+}
+
+std::vector<double> parameter_grid(double low, double high, double step) {
+  std::vector<double> values;
+  const auto steps = std::lround((high - low) / step);
+  for (long i = 0; i <= steps; ++i) values.push_back(low + static_cast<double>(i) * step);
+  return values;
+}
+
+void require_oriented(const PointCloud& cloud) {
+  if (cloud.normals.rows() != cloud.positions.rows())
+    throw InputError("point cloud", "a normal for every point", "none");
+  if (!cloud.positions.allFinite() || !cloud.normals.allFinite())
+    throw InputError("point cloud", "finite coordinates and normals", "a NaN or infinite one");
+}
+
+}  // namespace symscene

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "symscene/evaluation/trajectory_metrics.hpp"
+#include "symscene/reconstruction/reconstruction.hpp"
+#include "symscene/simulation/sweep.hpp"
+#include "symscene/simulation/truth_transfer.hpp"
+#include "symscene/tabletop/scene_building.hpp"
+
+namespace symscene {
+
+/// What a scene is made of a sweep with.
+struct SweptSceneOptions {
+  ReconstructionOptions reconstruction;
+  SceneBuildingOptions scene;
+  TruthTransferOptions truth;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("reconstruction", self.reconstruction);
+    visit("scene", self.scene);
+    visit("truth", self.truth);
+  }
+  void validate() const;
+};
+
+/// The scene that tracking makes of a simulated sweep, what is true of it, and how far the
+/// reconstruction is from the truth.
+struct SweptScene {
+  Scene scene;           ///< in the frame of the first camera that was fused
+  SceneTruth truth;      ///< of what the scene's cloud shows, in the same frame
+  TriangleMesh surface;  ///< all that was reconstructed, in the same frame
+  Eigen::Isometry3d T_scene_world = Eigen::Isometry3d::Identity();  ///< of the sweep's world
+  std::size_t frames = 0;
+  std::size_t fused = 0;          ///< of the frames; others were lost
+  TrajectoryError trajectory;     ///< of the fused frames; zero where they are fewer than two
+  std::vector<StageTime> stages;  ///< wall time
+};
+
+/// Renders a sweep over a tabletop, reconstructs it without being told a pose, finds the table and
+/// carries the truth over to what was reconstructed. Where nothing is fused or no table is found
+/// the scene and its truth are empty. The same bits for any number of threads.
+/// Throws InputError where an option is out of its range.
+SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
+                             const SweptSceneOptions& options = {});
+
+}  // namespace symscene

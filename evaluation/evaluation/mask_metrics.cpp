@@ -1,0 +1,99 @@
+#include "symscene/evaluation/mask_metrics.hpp"
+
+#include <algorithm>
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/neighbors.hpp"
+
+namespace symscene {
+namespace {
+
+/// For each point of the labelled cloud the first true object that holds it.
+std::vector<Index> labels_of(const PointCloud& labeled, const SceneTruth& truth) {
+  std::vector<Index> labels(labeled.size(), CellList::none);
+  for (std::size_t k = truth.objects.size(); k-- > 0;) {
+    for (const Index i : truth.objects[k].points) {
+      if (i >= labels.size()) {
+        throw InputError("truth of " + truth.objects[k].name,
+                         "indices below " + std::to_string(labels.size()), std::to_string(i));
+      }
+      labels[i] = static_cast<Index>(k);
+    }
+  }
+  return labels;
+}
+
+}  // namespace
+
+std::vector<PointIndices> transfer_masks(const PointCloud& labeled, const SceneTruth& truth,
+                                         const PointCloud& target, float radius) {
+  std::vector<PointIndices> masks(truth.objects.size());
+  const std::vector<Index> labels = labels_of(labeled, truth);
+  const CellList cells(labeled.positions, radius);
+  for (Index i = 0; i < target.size(); ++i) {
+    const Index nearest = cells.nearest(target.position(i), radius).first;
+    if (nearest == CellList::none || labels[nearest] == CellList::none) continue;
+    masks[labels[nearest]].push_back(i);
+  }
+  return masks;
+}
+
+OverlapMatrix overlap_matrix(const std::vector<PointIndices>& truth,
+                             const std::vector<PointIndices>& found) {
+  OverlapMatrix overlaps(static_cast<Eigen::Index>(truth.size()),
+                         static_cast<Eigen::Index>(found.size()));
+  for (Index t = 0; t < truth.size(); ++t) {
+    for (Index f = 0; f < found.size(); ++f) {
+      overlaps(t, f) = intersection_over_union(truth[t], found[f]);
+    }
+  }
+  return overlaps;
+}
+
+std::vector<MaskPair> match_masks(const OverlapMatrix& overlaps, double min_overlap) {
+  std::vector<MaskPair> candidates;
+  for (Eigen::Index t = 0; t < overlaps.rows(); ++t) {
+    for (Eigen::Index f = 0; f < overlaps.cols(); ++f) {
+      if (overlaps(t, f) > min_overlap) {
+        candidates.push_back({static_cast<Index>(t), static_cast<Index>(f), overlaps(t, f)});
+      }
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const MaskPair& a, const MaskPair& b) { return a.overlap > b.overlap; });
+  std::vector<bool> truth_taken(static_cast<std::size_t>(overlaps.rows()), false);
+  std::vector<bool> found_taken(static_cast<std::size_t>(overlaps.cols()), false);
+  std::vector<MaskPair> pairs;
+  for (const MaskPair& pair : candidates) {
+    if (truth_taken[pair.truth] || found_taken[pair.found]) continue;
+    truth_taken[pair.truth] = true;
+    found_taken[pair.found] = true;
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+Score mask_score(const OverlapMatrix& overlaps, double min_overlap) {
+  Score score;
+  score.found = static_cast<std::size_t>(overlaps.cols());
+  score.truth = static_cast<std::size_t>(overlaps.rows());
+  for (const double best : best_overlaps(overlaps)) score.correct += best > min_overlap ? 1 : 0;
+  return score;
+}
+
+std::vector<double> best_overlaps(const OverlapMatrix& overlaps) {
+  std::vector<double> best;
+  for (Eigen::Index t = 0; t < overlaps.rows(); ++t) {
+    best.push_back(overlaps.cols() == 0 ? 0.0 : overlaps.row(t).maxCoeff());
+  }
+  return best;
+}
+
+double mean_best_overlap(const OverlapMatrix& overlaps) {
+  if (overlaps.rows() == 0) return 1.0;
+  double sum = 0.0;
+  for (const double best : best_overlaps(overlaps)) sum += best;
+  return sum / static_cast<double>(overlaps.rows());
+}
+
+}  // namespace symscene

@@ -1,0 +1,105 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "symscene/evaluation/report.hpp"
+
+namespace symscene {
+namespace {
+
+/// A field of RFC 4180: in quotes where it needs them.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+void add_lines(const std::string& subset, const Sweep& sweep, const std::string& setting,
+               const SettingCounts& counts, std::string& csv) {
+  for (const Measure measure : sweep.metrics) {
+    if (!sweep.has(measure)) continue;
+    const Score& score = counts.score(measure);
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{:.6f},{:.6f},{:.6f}\n", field(sweep.method),
+                    field(subset), measure_name(measure), field(setting), score.correct,
+                    score.found, score.truth, score.precision(), score.recall(), score.f_measure());
+  }
+}
+
+void add_sweeps(const std::string& subset, const std::vector<Sweep>& sweeps, std::string& csv) {
+  for (const Sweep& sweep : sweeps) {
+    if (sweep.at_default) add_lines(subset, sweep, "default", *sweep.at_default, csv);
+    for (std::size_t k = 0; k < sweep.settings.size(); ++k)
+      add_lines(subset, sweep, setting_text(sweep, k), sweep.counts[k], csv);
+  }
+}
+
+double total_seconds(const std::vector<StageTime>& times) {
+  double sum = 0.0;
+  for (const StageTime& time : times) sum += time.seconds;
+  return sum;
+}
+
+/// The stages that any scene ran, in the order of their first mention.
+std::vector<std::string> stage_names(const Evaluation& evaluation) {
+  std::vector<std::string> names;
+  for (const SceneEvaluation& scene : evaluation.scenes) {
+    for (const StageTime& time : scene.timings) {
+      if (std::find(names.begin(), names.end(), time.stage) == names.end())
+        names.push_back(time.stage);
+    }
+  }
+  return names;
+}
+
+double seconds_of(const SceneEvaluation& scene, const std::string& stage) {
+  double sum = 0.0;
+  for (const StageTime& time : scene.timings) sum += time.stage == stage ? time.seconds : 0.0;
+  return sum;
+}
+
+}  // namespace
+
+std::string curves_csv(const Evaluation& evaluation) {
+  std::string csv = "method,subset,measure,setting,correct,found,truth,precision,recall,f\n";
+  add_sweeps("", evaluation.segmentation, csv);
+  add_sweeps("", evaluation.detection, csv);
+  for (const auto& [subset, sweeps] : evaluation.subsets) add_sweeps(subset, sweeps, csv);
+  return csv;
+}
+
+std::string objects_csv(const Evaluation& evaluation) {
+  std::string csv =
+      "scene,subset,object,kind,points,best_iou,best_cut_iou,outcome,reason,symmetries,"
+      "symmetries_met\n";
+  for (const SceneEvaluation& scene : evaluation.scenes) {
+    for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+      const ObjectOutcome& outcome = scene.objects[k];
+      csv += fmt::format("{},{},{},{},{},{:.6f},{:.6f},{},{},{},{}\n", field(scene.name),
+                         field(scene.subset), k, field(outcome.kind), outcome.points,
+                         outcome.best_overlap, outcome.best_cut_overlap, fate_name(outcome.fate),
+                         field(outcome.reason), outcome.symmetries, outcome.symmetries_met);
+    }
+  }
+  return csv;
+}
+
+std::string scenes_csv(const Evaluation& evaluation) {
+  const std::vector<std::string> stages = stage_names(evaluation);
+  std::string csv = "scene,subset,objects,unseen,found,returned,mean_iou,seconds";
+  for (const std::string& stage : stages) csv += "," + field(stage);
+  csv += "\n";
+  for (const SceneEvaluation& scene : evaluation.scenes) {
+    LossCounts counts;
+    for (const ObjectOutcome& outcome : scene.objects) counts.add(outcome);
+    csv += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
+                       counts.objects, scene.unseen, counts.count(Fate::found), scene.returned,
+                       counts.mean_overlap(), total_seconds(scene.timings));
+    for (const std::string& stage : stages) csv += fmt::format(",{:.6f}", seconds_of(scene, stage));
+    csv += "\n";
+  }
+  return csv;
+}
+
+}  // namespace symscene

@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "report_text.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/evaluation/report.hpp"
+
+namespace symscene {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const SegmentMetrics& metrics) {
+  return {{"overlap_precision", metrics.overlap_precision},
+          {"overlap_recall", metrics.overlap_recall},
+          {"overlap_f", metrics.overlap_f},
+          {"boundary_precision", metrics.boundary_precision},
+          {"boundary_recall", metrics.boundary_recall},
+          {"boundary_f", metrics.boundary_f},
+          {"f_75", metrics.found_75}};
+}
+
+bool has_masks(const Sweep& sweep) { return sweep.has(Measure::masks_90); }
+
+Json to_json(const Sweep& sweep, const SettingCounts& counts) {
+  Json json = Json::object();
+  for (const Measure measure : sweep.metrics) {
+    if (!sweep.has(measure)) continue;
+    const Score& score = counts.score(measure);
+    json[measure_name(measure)] = {{"correct", score.correct},
+                                   {"found", score.found},
+                                   {"truth", score.truth},
+                                   {"f", score.f_measure()}};
+  }
+  if (has_masks(sweep)) {
+    json["mean_iou"] = counts.mean_overlap();
+    json["segments"] = to_json(counts.segments.mean(counts.scenes));
+  }
+  return json;
+}
+
+Json to_json(const Sweep& sweep) {
+  Json json = {{"method", sweep.method}, {"parameters", sweep.parameters}};
+  if (sweep.at_default) json["default"] = to_json(sweep, *sweep.at_default);
+  Json best = Json::object();
+  for (const Measure measure : sweep.metrics) {
+    if (!sweep.has(measure)) continue;
+    if (const auto k = best_setting(sweep, measure)) {
+      best[measure_name(measure)] = {{"setting", sweep.settings[*k]},
+                                     {"f", sweep.counts[*k].score(measure).f_measure()}};
+    }
+  }
+  json["best"] = std::move(best);
+  json["settings"] = Json::array();
+  for (std::size_t k = 0; k < sweep.settings.size(); ++k) {
+    Json setting = to_json(sweep, sweep.counts[k]);
+    setting["setting"] = sweep.settings[k];
+    json["settings"].push_back(std::move(setting));
+  }
+  json["seconds"] = sweep.seconds;
+  return json;
+}
+
+Json to_json(const std::vector<Sweep>& sweeps) {
+  Json json = Json::array();
+  for (const Sweep& sweep : sweeps) json.push_back(to_json(sweep));
+  return json;
+}
+
+Json headline_json(const std::vector<Sweep>& sweeps) {
+  Json json = Json::array();
+  for (const HeadlineRow& row : headline(sweeps)) {
+    Json numbers = Json::object();
+    for (const Measure measure : all_metrics) {
+      const auto& f = row.f[static_cast<std::size_t>(measure)];
+      if (f) numbers[measure_name(measure)] = *f;
+    }
+    numbers["mean_iou"] = row.mean_overlap;
+    numbers["overlap_f"] = row.segments.overlap_f;
+    numbers["boundary_f"] = row.segments.boundary_f;
+    numbers["f_75"] = row.segments.found_75;
+    json.push_back({{"method", row.method},
+                    {"setting", row.setting.starts_with("best") ? "best" : row.setting},
+                    {"numbers", std::move(numbers)}});
+  }
+  return json;
+}
+
+Json to_json(const LossCounts& counts) {
+  Json json = {{"objects", counts.objects}};
+  for (const Fate fate : all_fates) {
+    Json reasons = Json::object();
+    for (const auto& [reason, count] : counts.reasons[static_cast<std::size_t>(fate)])
+      reasons[reason] = count;
+    json[fate_name(fate)] = {{"objects", counts.count(fate)}, {"reasons", std::move(reasons)}};
+  }
+  json["symmetries"] = counts.symmetries;
+  json["symmetries_met"] = counts.symmetries_met;
+  return json;
+}
+
+Json losses_json(const Evaluation& evaluation) {
+  Json json = {{"all", to_json(evaluation.losses)}, {"kinds", Json::object()}};
+  for (const auto& [kind, counts] : evaluation.kinds) json["kinds"][kind] = to_json(counts);
+  return json;
+}
+
+Json to_json(const SceneEvaluation& scene) {
+  Json times = Json::object();
+  for (const StageTime& time : scene.timings)
+    times[time.stage] = times.value(time.stage, 0.0) + time.seconds;
+  Json json = {{"name", scene.name},
+               {"subset", scene.subset},
+               {"unseen", scene.unseen},
+               {"returned", scene.returned}};
+  json["objects"] = Json::array();
+  for (const ObjectOutcome& outcome : scene.objects) {
+    json["objects"].push_back({{"kind", outcome.kind},
+                               {"points", outcome.points},
+                               {"best_iou", outcome.best_overlap},
+                               {"best_cut_iou", outcome.best_cut_overlap},
+                               {"outcome", fate_name(outcome.fate)},
+                               {"reason", outcome.reason}});
+  }
+  json["timings"] = std::move(times);
+  return json;
+}
+
+Json runtimes_json(const Evaluation& evaluation) {
+  Json json = Json::array();
+  for (const RuntimeClass& its : runtimes(evaluation)) {
+    json.push_back({{"name", its.name},
+                    {"scenes", its.scenes},
+                    {"rotational", its.rotational},
+                    {"reflectional", its.reflectional},
+                    {"other", its.other},
+                    {"total", its.total()}});
+  }
+  return json;
+}
+
+/// The headline of a report by method and setting.
+std::map<std::string, std::map<std::string, double>> headline_numbers(const std::string& text,
+                                                                      const std::string& name) {
+  std::map<std::string, std::map<std::string, double>> rows;
+  try {
+    const Json report = Json::parse(text);
+    for (const Json& row : report.at("headline")) {
+      const std::string key =
+          row.at("method").get<std::string>() + " " + row.at("setting").get<std::string>();
+      rows[key] = row.at("numbers").get<std::map<std::string, double>>();
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(name, "the report.json of an evaluation", "a file that is none");
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string report_json(const Evaluation& evaluation, const ReportInfo& info) {
+  Json json = {{"version", 1},
+               {"symscene", info.version},
+               {"dataset", info.dataset},
+               {"date", info.date},
+               {"made_with", info.made_with},
+               {"headline", headline_json(evaluation.segmentation)},
+               {"losses", losses_json(evaluation)},
+               {"runtimes", runtimes_json(evaluation)},
+               {"segmentation", to_json(evaluation.segmentation)},
+               {"detection", to_json(evaluation.detection)},
+               {"subsets", Json::object()},
+               {"scenes", Json::array()}};
+  for (const auto& [subset, sweeps] : evaluation.subsets) json["subsets"][subset] = to_json(sweeps);
+  for (const SceneEvaluation& scene : evaluation.scenes) json["scenes"].push_back(to_json(scene));
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string report_difference(const std::string& report, const std::string& earlier,
+                              const std::string& name) {
+  const auto then = headline_numbers(earlier, name);
+  const auto now = headline_numbers(report, "report");
+  TextTable table{{"method", "measure", "then", "now", "difference"}};
+  for (const auto& [method, numbers] : now) {
+    if (!then.contains(method)) continue;
+    for (const auto& [measure, value] : numbers) {
+      const auto old = then.at(method).find(measure);
+      if (old == then.at(method).end()) continue;
+      table.push_back({method, measure, percent(old->second), percent(value),
+                       fmt::format("{:+.1f}", 100.0 * (value - old->second))});
+    }
+  }
+  return aligned(table, 2);
+}
+
+}  // namespace symscene

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include "curve_plot.hpp"
+#include "markup.hpp"
+#include "report_tables.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; --back: #fff; --text: #1c2024; --faint: #667079; --line: #d8dde1;
+  --band: #f4f6f8; --c0: #1d5fc4; --c1: #7aa7e8; --c2: #c2680a; --c3: #13795b; --c4: #a12a8f;
+  --c5: #b3261e; --c6: #6b5b00; --c7: #4c5a67; }
+@media (prefers-color-scheme: dark) { :root { --back: #14181c; --text: #e6eaee; --faint: #98a4af;
+  --line: #333b43; --band: #1c2228; --c0: #6ea8ff; --c1: #3f6fb5; --c2: #ffae57; --c3: #4fd1a5;
+  --c4: #ee8ade; --c5: #ff8a80; --c6: #dcc94c; --c7: #b0bec9; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 84rem; background: var(--back);
+  color: var(--text); font: 15px/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.7rem; margin: 0; }
+h2 { font-size: 1.2rem; margin: 2.5rem 0 .5rem; }
+p { max-width: 48rem; margin: .4rem 0 .8rem; color: var(--faint); }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { padding: .3rem .55rem; text-align: right; white-space: nowrap; vertical-align: top; }
+th { font-weight: 600; border-bottom: 2px solid var(--line); }
+td { border-bottom: 1px solid var(--line); }
+tbody tr:nth-child(even) { background: var(--band); }
+.l1 :is(th, td):nth-child(-n+1), .l2 :is(th, td):nth-child(-n+2),
+.last :is(th, td):last-child { text-align: left; }
+.last td:last-child { white-space: normal; min-width: 24rem; }
+.total tbody tr:last-child td { font-weight: 600; border-top: 2px solid var(--line); }
+.figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr));
+  gap: 2rem 1.5rem; }
+.small { grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); }
+figure { margin: 0; }
+figcaption { font-weight: 600; margin-bottom: .3rem; }
+svg { width: 100%; height: auto; display: block; }
+svg text { font: 11px system-ui, sans-serif; fill: var(--faint); }
+.grid { stroke: var(--line); fill: none; }
+.equal { stroke: var(--faint); fill: none; stroke-dasharray: 1 4; opacity: .8; }
+.curve { fill: none; stroke: var(--c); stroke-width: 2; stroke-linejoin: round; }
+.dots { fill: none; stroke: var(--c); stroke-width: 4; stroke-linecap: round; opacity: .35; }
+.ring { fill: none; stroke: var(--c); stroke-width: 2; }
+.star { fill: var(--c); stroke: var(--back); stroke-width: 1; }
+.legend { list-style: none; margin: .4rem 0 0; padding: 0; font-size: .9rem; }
+.legend li { padding-left: 1.4rem; position: relative; }
+.legend small { display: block; color: var(--faint); }
+.swatch { position: absolute; left: 0; top: .45rem; width: .9rem; height: .5rem;
+  border-radius: .2rem; background: var(--c); }
+.c0 { --c: var(--c0); } .c1 { --c: var(--c1); } .c2 { --c: var(--c2); } .c3 { --c: var(--c3); }
+.c4 { --c: var(--c4); } .c5 { --c: var(--c5); } .c6 { --c: var(--c6); } .c7 { --c: var(--c7); }
+)";
+
+constexpr std::size_t color_count = 8;
+constexpr std::size_t most_worst_scenes = 15;
+
+std::string row_html(const std::vector<std::string>& row, const char* cell) {
+  std::string html = "<tr>";
+  for (const std::string& text : row)
+    html += fmt::format("<{0}>{1}</{0}>", cell, escape_markup(text));
+  return html + "</tr>\n";
+}
+
+std::string table_html(const TextTable& table, const char* classes) {
+  std::string html = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<thead>", classes);
+  html += row_html(table.front(), "th") + "</thead>\n<tbody>\n";
+  for (std::size_t k = 1; k < table.size(); ++k) html += row_html(table[k], "td");
+  return html + "</tbody>\n</table></div>\n";
+}
+
+std::string section(const char* title, const char* text) {
+  return fmt::format("<h2>{}</h2>\n<p>{}</p>\n", title, text);
+}
+
+/// The methods that a measure means something for, each with its own colour.
+std::string figure(const std::string& caption, const std::vector<const Sweep*>& candidates,
+                   Measure measure) {
+  std::vector<const Sweep*> shown;
+  std::vector<std::size_t> colors;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (!candidates[k]->has(measure)) continue;
+    shown.push_back(candidates[k]);
+    colors.push_back(k % color_count);
+  }
+  return shown.empty() ? "" : curve_figure(caption, shown, colors, measure);
+}
+
+std::string figures(const Evaluation& evaluation) {
+  std::vector<const Sweep*> sweeps;
+  for (const Sweep& sweep : evaluation.segmentation) sweeps.push_back(&sweep);
+  std::string html = "<div class=\"figures\">\n";
+  html += figure("Masks, IoU > 0.9", sweeps, Measure::masks_90);
+  html += figure("Masks, IoU > 0.75", sweeps, Measure::masks_75);
+  html += figure("Masks, IoU > 0.5", sweeps, Measure::masks_50);
+  html += "</div>\n";
+  html += section("Symmetries",
+                  "Rotation axes and reflection planes within 10° and 10 cm, and within 10° and "
+                  "1 cm, of true ones, before segmentation (table 3.1) and of the segments that "
+                  "are returned. What follows from a rotation, and what the truth marks weak, is "
+                  "neither right nor wrong.");
+  for (const Sweep& sweep : evaluation.detection) sweeps.push_back(&sweep);
+  html += "<div class=\"figures small\">\n";
+  html += figure("Axes, 10° and 10 cm", sweeps, Measure::axes);
+  html += figure("Planes, 10° and 10 cm", sweeps, Measure::planes);
+  html += figure("Axes, 10° and 1 cm", sweeps, Measure::axes_near);
+  html += figure("Planes, 10° and 1 cm", sweeps, Measure::planes_near);
+  return html + "</div>\n";
+}
+
+std::string losses(const Evaluation& evaluation) {
+  std::string html =
+      section("What becomes of the objects",
+              "Of each true object at the default options: found (IoU &gt; 0.9); not proposed by "
+              "any symmetry that was detected; proposed but cut wrongly; cut well and rejected, "
+              "by a bound or by the competition.");
+  html += table_html(loss_table(evaluation), "l1 total");
+  const TextTable reasons = reason_table(evaluation);
+  if (reasons.size() > 1) html += "<br/>\n" + table_html(reasons, "l2");
+  return html;
+}
+
+std::string subsets(const Evaluation& evaluation) {
+  std::string html;
+  for (const auto& [subset, sweeps] : evaluation.subsets) {
+    html += fmt::format("<h2>Subset {}</h2>\n", escape_markup(subset));
+    html += table_html(headline_table(sweeps), "l2");
+  }
+  return html;
+}
+
+std::string scenes(const Evaluation& evaluation) {
+  const TextTable worst = worst_scene_table(evaluation, most_worst_scenes);
+  if (worst.size() == 1) return section("Worst scenes", "None: every object was found.");
+  return section("Worst scenes",
+                 "At the default options, by the F of their masks at IoU &gt; 0.9.") +
+         table_html(worst, "l1 last");
+}
+
+std::string head(const ReportInfo& info) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
+      "<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<title>{} – evaluation</title>\n<style>{}</style>\n</head>\n<body>\n",
+      escape_markup(info.dataset), style);
+}
+
+std::string opening(const Evaluation& evaluation, const ReportInfo& info) {
+  return fmt::format("<h1>Evaluation on {}</h1>\n<p>{}. {}, symscene {}. {}</p>\n",
+                     escape_markup(info.dataset), what_was_evaluated(evaluation),
+                     escape_markup(info.date), escape_markup(info.version),
+                     escape_markup(info.made_with));
+}
+
+}  // namespace
+
+std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
+  std::string html = head(info) + opening(evaluation, info);
+  html += section("Headline",
+                  "F in percent: masks by the IoU that they have to exceed, symmetries within 10° "
+                  "and 10 cm or 1 cm. “Default” is the command as it stands; “best” takes each F "
+                  "at its best setting, all else at the best one for masks at 0.9.");
+  html += table_html(headline_table(evaluation.segmentation), "l2") + "<br/>\n";
+  html += table_html(default_table(evaluation.segmentation), "l1 last");
+  html += section(
+      "Masks",
+      "Precision and recall over the settings of each method: least probabilities of SymScene, the "
+      "bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
+      "their envelopes, stars the best F, rings the default; dashed curves join equal "
+      "F of 20, 40, 60 and 80.");
+  html += figures(evaluation);
+  html += losses(evaluation);
+  html += section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.");
+  html += table_html(kind_table(evaluation), "l1");
+  html +=
+      section("Runtime",
+              "Means over scenes, by their number of objects; without completion. Wall times "
+              "of this run, whatever else the machine did; a baseline's is that of its whole sweep "
+              "by the number of settings.");
+  html += table_html(runtime_table(evaluation), "l1") + "<br/>\n";
+  html += table_html(method_time_table(evaluation), "l1");
+  html += subsets(evaluation) + scenes(evaluation);
+  return html + "</body>\n</html>\n";
+}
+
+}  // namespace symscene

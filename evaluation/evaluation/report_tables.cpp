@@ -1,0 +1,201 @@
+#include "report_tables.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace symscene {
+namespace {
+
+std::string seconds(double value) { return fmt::format("{:.3f}", value); }
+
+std::string percent_or_dash(const std::optional<double>& share) {
+  return share ? percent(*share) : "–";
+}
+
+HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string setting) {
+  HeadlineRow row{sweep.method,
+                  std::move(setting),
+                  {},
+                  counts.mean_overlap(),
+                  counts.segments.mean(counts.scenes),
+                  counts.score(Measure::masks_90).found};
+  for (const Measure measure : sweep.metrics) {
+    if (sweep.has(measure))
+      row.f[static_cast<std::size_t>(measure)] = counts.score(measure).f_measure();
+  }
+  return row;
+}
+
+std::vector<std::string> loss_row(const std::string& name, const LossCounts& counts) {
+  std::vector<std::string> row{name, fmt::format("{}", counts.objects)};
+  for (const Fate fate : all_fates)
+    row.push_back(count_and_share(counts.count(fate), counts.objects));
+  return row;
+}
+
+/// The objects of a scene that were lost, by kind and fate.
+std::string losses_of(const SceneEvaluation& scene) {
+  std::string text;
+  for (const ObjectOutcome& outcome : scene.objects) {
+    if (outcome.fate == Fate::found) continue;
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{}: {} ({})", outcome.kind, fate_name(outcome.fate), outcome.reason);
+  }
+  return text;
+}
+
+std::size_t count_found(const SceneEvaluation& scene) {
+  return static_cast<std::size_t>(
+      std::count_if(scene.objects.begin(), scene.objects.end(),
+                    [](const ObjectOutcome& outcome) { return outcome.fate == Fate::found; }));
+}
+
+double f_of(const SceneEvaluation& scene) {
+  return Score{count_found(scene), scene.returned, scene.objects.size()}.f_measure();
+}
+
+}  // namespace
+
+std::string what_was_evaluated(const Evaluation& evaluation) {
+  std::size_t unseen = 0;
+  for (const SceneEvaluation& scene : evaluation.scenes) unseen += scene.unseen;
+  std::string text =
+      fmt::format("{} scenes, {} objects", evaluation.scenes.size(), evaluation.losses.objects);
+  if (unseen > 0) text += fmt::format(" and {} of which too little is seen to count", unseen);
+  return text;
+}
+
+std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
+  std::vector<HeadlineRow> rows;
+  for (const Sweep& sweep : sweeps) {
+    if (sweep.at_default) rows.push_back(row_at(sweep, *sweep.at_default, "default"));
+    const auto best = best_setting(sweep, Measure::masks_90);
+    if (!best) continue;
+    rows.push_back(
+        row_at(sweep, sweep.counts[*best], fmt::format("best of {}", sweep.settings.size())));
+    for (const Measure measure : sweep.metrics) {
+      if (!sweep.has(measure)) continue;
+      const std::size_t its_best = best_setting(sweep, measure).value_or(0);
+      rows.back().f[static_cast<std::size_t>(measure)] =
+          sweep.counts[its_best].score(measure).f_measure();
+    }
+  }
+  return rows;
+}
+
+TextTable headline_table(const std::vector<Sweep>& sweeps) {
+  TextTable table{{"method", "setting", "masks .9", ".75", ".5", "axes", "planes", "axes 1cm",
+                   "planes 1cm", "mean IoU", "overlap F", "boundary F", "F≥75", "masks"}};
+  for (const HeadlineRow& row : headline(sweeps)) {
+    std::vector<std::string> cells{row.method, row.setting};
+    for (const auto& f : row.f) cells.push_back(percent_or_dash(f));
+    for (const double share :
+         {row.mean_overlap, row.segments.overlap_f, row.segments.boundary_f, row.segments.found_75})
+      cells.push_back(percent(share));
+    cells.push_back(fmt::format("{}", row.returned));
+    table.push_back(std::move(cells));
+  }
+  return table;
+}
+
+TextTable default_table(const std::vector<Sweep>& sweeps) {
+  TextTable table{
+      {"masks at 0.9", "precision", "recall", "F", "best F", "difference", "best setting"}};
+  for (const Sweep& sweep : sweeps) {
+    const auto best = best_setting(sweep, Measure::masks_90);
+    if (!sweep.at_default || !best) continue;
+    const Score at_default = sweep.at_default->score(Measure::masks_90);
+    const double given = at_default.f_measure();
+    const double greatest = sweep.counts[*best].score(Measure::masks_90).f_measure();
+    table.push_back({sweep.method, percent(at_default.precision()), percent(at_default.recall()),
+                     percent(given), percent(greatest),
+                     fmt::format("{:+.1f}", 100.0 * (given - greatest)),
+                     setting_text(sweep, *best)});
+  }
+  return table;
+}
+
+TextTable loss_table(const Evaluation& evaluation) {
+  TextTable table{{"kind", "objects"}};
+  for (const Fate fate : all_fates) table.front().push_back(fate_name(fate));
+  for (const auto& [name, counts] : evaluation.kinds) table.push_back(loss_row(name, counts));
+  table.push_back(loss_row("all", evaluation.losses));
+  return table;
+}
+
+TextTable reason_table(const Evaluation& evaluation) {
+  TextTable table{{"lost because", "reason", "objects"}};
+  for (const Fate fate : all_fates) {
+    for (const auto& [reason, count] : evaluation.losses.reasons[static_cast<std::size_t>(fate)])
+      table.push_back({fate_name(fate), reason, count_and_share(count, evaluation.losses.objects)});
+  }
+  return table;
+}
+
+TextTable kind_table(const Evaluation& evaluation) {
+  TextTable table{{"kind", "objects", "found .9", "found .75", "mean IoU", "symmetries", "met"}};
+  for (const auto& [name, counts] : evaluation.kinds) {
+    table.push_back({name, fmt::format("{}", counts.objects),
+                     count_and_share(counts.count(Fate::found), counts.objects),
+                     count_and_share(counts.over_75, counts.objects),
+                     percent(counts.mean_overlap()), fmt::format("{}", counts.symmetries),
+                     count_and_share(counts.symmetries_met, counts.symmetries)});
+  }
+  return table;
+}
+
+TextTable runtime_table(const Evaluation& evaluation) {
+  TextTable table{
+      {"seconds a scene", "scenes", "rotational stage", "reflectional stage", "other", "total"}};
+  for (const RuntimeClass& its : runtimes(evaluation)) {
+    if (its.scenes == 0) continue;
+    table.push_back({its.name, fmt::format("{}", its.scenes), seconds(its.rotational),
+                     seconds(its.reflectional), seconds(its.other), seconds(its.total())});
+  }
+  return table;
+}
+
+TextTable method_time_table(const Evaluation& evaluation) {
+  TextTable table{{"method", "seconds a scene"}};
+  for (const Sweep& sweep : evaluation.segmentation) {
+    if (sweep.seconds > 0.0)
+      table.push_back(
+          {sweep.method, seconds(sweep.seconds / static_cast<double>(evaluation.scenes.size()))});
+  }
+  return table;
+}
+
+TextTable worst_scene_table(const Evaluation& evaluation, std::size_t most) {
+  std::vector<const SceneEvaluation*> scenes;
+  for (const SceneEvaluation& scene : evaluation.scenes) scenes.push_back(&scene);
+  std::stable_sort(
+      scenes.begin(), scenes.end(),
+      [](const SceneEvaluation* a, const SceneEvaluation* b) { return f_of(*a) < f_of(*b); });
+  TextTable table{{"scene", "objects", "found", "returned", "F", "lost"}};
+  for (const SceneEvaluation* scene : scenes) {
+    if (table.size() > most || f_of(*scene) >= 1.0) break;
+    table.push_back({scene->name, fmt::format("{}", scene->objects.size()),
+                     fmt::format("{}", count_found(*scene)), fmt::format("{}", scene->returned),
+                     percent(f_of(*scene)), losses_of(*scene)});
+  }
+  return table;
+}
+
+std::string headline_text(const std::vector<Sweep>& sweeps) {
+  return aligned(headline_table(sweeps), 2);
+}
+
+std::string default_text(const std::vector<Sweep>& sweeps) {
+  return aligned(default_table(sweeps), 1);
+}
+
+std::string loss_text(const Evaluation& evaluation) {
+  return aligned(loss_table(evaluation), 1) + "\n" + aligned(reason_table(evaluation), 2);
+}
+
+std::string runtime_text(const Evaluation& evaluation) {
+  return aligned(runtime_table(evaluation), 1) + "\n" + aligned(method_time_table(evaluation), 1);
+}
+
+}  // namespace symscene

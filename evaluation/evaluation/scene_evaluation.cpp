@@ -1,0 +1,294 @@
+#include "symscene/evaluation/scene_evaluation.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/parallel.hpp"
+#include "setting_counts.hpp"
+#include "symmetry/mask_symmetry.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/pipeline/detections.hpp"
+
+namespace symscene {
+namespace {
+
+const std::vector<Measure> mask_metrics = {Measure::masks_90, Measure::masks_75, Measure::masks_50};
+
+/// Without the rotational stream there are no axes to be right or wrong.
+std::vector<Measure> pipeline_metrics(bool rotational) {
+  if (rotational) return {all_metrics.begin(), all_metrics.end()};
+  std::vector<Measure> metrics = mask_metrics;
+  metrics.insert(metrics.end(), {Measure::planes, Measure::planes_near});
+  return metrics;
+}
+
+/// The bounds of table 4.2, in this order.
+const std::vector<std::string> segmentation_parameters = {"refl_symmetry", "refl_occlusion",
+                                                          "rot_symmetry", "rot_occlusion"};
+
+std::vector<std::vector<double>> segmentation_grid(bool rotational) {
+  const auto of_planes =
+      std::vector{evenly_spaced(0.1, 0.6, 0.1), evenly_spaced(0.005, 0.045, 0.01)};
+  if (!rotational) return all_settings(of_planes);
+  return all_settings({of_planes[0], of_planes[1], evenly_spaced(0.01, 0.03, 0.01),
+                       evenly_spaced(0.01, 0.015, 0.005)});
+}
+
+PipelineOptions at_setting(PipelineOptions options, const std::vector<double>& setting) {
+  options.selection.by_score = false;
+  options.reflectional_segmentation.bounds.max_symmetry = setting[0];
+  options.reflectional_segmentation.bounds.max_occlusion = setting[1];
+  if (setting.size() < 4) return options;
+  options.rotational_segmentation.bounds.max_symmetry = setting[2];
+  options.rotational_segmentation.bounds.max_occlusion = setting[3];
+  return options;
+}
+
+PipelineOptions within_bounds(PipelineOptions options) {
+  options.selection.by_score = false;
+  return options;
+}
+
+/// Table 4.2 over the proposals of one variant of the pipeline.
+Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
+                         const CountingContext& context, const PipelineOptions& options) {
+  Sweep sweep;
+  sweep.method = method;
+  sweep.parameters = segmentation_parameters;
+  if (!options.rotational_stream) sweep.parameters.resize(2);
+  sweep.settings = segmentation_grid(options.rotational_stream);
+  sweep.metrics = pipeline_metrics(options.rotational_stream);
+  sweep.counts.resize(sweep.settings.size());
+  parallel_for_each(sweep.settings.size(), [&](std::size_t k) {
+    const SegmentationResult result =
+        choose_objects(proposals, at_setting(options, sweep.settings[k]));
+    sweep.counts[k] = context.count(result.objects);
+  });
+  return sweep;
+}
+
+/// The least probabilities of objects and of their symmetries, over everything that is proposed.
+/// What is known of an object's symmetries is the same at every setting, and measured once.
+Sweep score_sweep(const SceneProposals& proposals, const CountingContext& context,
+                  const PipelineOptions& options) {
+  Sweep sweep;
+  sweep.method = scored_method;
+  sweep.parameters = {"min_score", "min_symmetry_probability"};
+  const std::vector<double> scores = evenly_spaced(0.05, 0.95, 0.05);
+  const std::vector<double> probabilities = evenly_spaced(0.1, 0.7, 0.1);
+  sweep.settings = all_settings({scores, probabilities});
+  sweep.metrics = pipeline_metrics(options.rotational_stream);
+  std::vector<std::vector<SceneObject>> chosen(scores.size());
+  std::map<PointIndices, MeasuredSymmetries> symmetries;
+  std::vector<std::pair<const SceneObject*, MeasuredSymmetries*>> unmeasured;
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    SelectionOptions selection = options.selection;
+    selection.min_score = scores[k];
+    std::vector<Rejection> rejected;
+    chosen[k] = probable_objects(proposals, selection, rejected);
+    for (const SceneObject& object : chosen[k]) {
+      const auto [own, is_new] = symmetries.try_emplace(object.points);
+      if (is_new) unmeasured.emplace_back(&object, &own->second);
+    }
+  }
+  parallel_for_each(unmeasured.size(), [&](std::size_t k) {
+    *unmeasured[k].second = measure_symmetries(proposals.observed(), options.whole_object_options(),
+                                               *unmeasured[k].first);
+  });
+  sweep.counts.resize(sweep.settings.size());
+  parallel_for_each(scores.size(), [&](std::size_t k) {
+    SettingCounts* const own = &sweep.counts[k * probabilities.size()];
+    for (std::size_t p = 0; p < probabilities.size(); ++p) {
+      ObjectSymmetryBounds bounds = options.object_symmetry;
+      bounds.min_axis_probability = bounds.min_plane_probability = probabilities[p];
+      for (SceneObject& object : chosen[k])
+        list_symmetries(symmetries.at(object.points), bounds, object);
+      own[p] = p == 0 ? context.count(chosen[k]) : context.recount(own[0], chosen[k]);
+    }
+  });
+  return sweep;
+}
+
+Sweep baseline_sweep(const BaselineMethod& baseline, const PointCloud& cloud,
+                     const CountingContext& context, StageTimer& timer) {
+  const BaselineMasks found = timer.time("baselines", [&] { return baseline(cloud); });
+  if (found.values.size() != found.masks.size()) {
+    throw InputError(found.method, "masks for each of its values",
+                     fmt::format("{} for {}", found.masks.size(), found.values.size()));
+  }
+  Sweep sweep;
+  sweep.method = found.method;
+  sweep.parameters = {found.parameter};
+  sweep.settings = all_settings({found.values});
+  sweep.metrics = mask_metrics;
+  sweep.counts.resize(found.masks.size());
+  parallel_for_each(found.masks.size(), [&](std::size_t k) {
+    sweep.counts[k] = context.count(found.masks[k], {}, {});
+  });
+  const auto runs = static_cast<double>(std::max<std::size_t>(found.values.size(), 1));
+  sweep.seconds = timer.stages().back().seconds / runs;
+  return sweep;
+}
+
+std::vector<RotationAxis> axes_within(const SceneDetections& detections, double max_symmetry,
+                                      double max_perpendicularity) {
+  std::vector<RotationAxis> axes;
+  for (const RotationalCandidate& candidate : detections.axes) {
+    if (candidate.scores.symmetry < max_symmetry &&
+        candidate.scores.perpendicularity < max_perpendicularity)
+      axes.push_back(candidate.axis);
+  }
+  return axes;
+}
+
+std::vector<ReflectionPlane> planes_within(const SceneDetections& detections, double min_symmetry,
+                                           double min_inlier) {
+  std::vector<ReflectionPlane> planes;
+  for (const ReflectionalCandidate& candidate : detections.planes) {
+    if (candidate.scores.symmetry > min_symmetry && candidate.scores.inlier > min_inlier)
+      planes.push_back(candidate.plane);
+  }
+  return planes;
+}
+
+/// Table 3.1, first the axes, then the planes.
+std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const SceneTruth& truth,
+                                    const PipelineOptions& options) {
+  const auto count_axes = [&](double symmetry, double perpendicularity) {
+    return count_symmetries(truth, axes_within(detections, symmetry, perpendicularity), {});
+  };
+  const auto count_planes = [&](double symmetry, double inlier) {
+    return count_symmetries(truth, {}, planes_within(detections, symmetry, inlier));
+  };
+  Sweep axes;
+  axes.method = axis_detection_method;
+  axes.parameters = {"symmetry", "perpendicularity"};
+  axes.metrics = {Measure::axes, Measure::axes_near};
+  axes.settings = all_settings({evenly_spaced(0.004, 0.03, 0.002), evenly_spaced(0.6, 0.7, 0.1)});
+  for (const auto& setting : axes.settings)
+    axes.counts.push_back(count_axes(setting[0], setting[1]));
+  axes.at_default = count_axes(options.rotational_detection.max_symmetry_score,
+                               options.rotational_detection.max_perpendicularity);
+  Sweep planes;
+  planes.method = plane_detection_method;
+  planes.parameters = {"symmetry", "inlier"};
+  planes.metrics = {Measure::planes, Measure::planes_near};
+  planes.settings = all_settings({evenly_spaced(0.7, 0.95, 0.05), evenly_spaced(0.2, 0.8, 0.2)});
+  for (const auto& setting : planes.settings)
+    planes.counts.push_back(count_planes(setting[0], setting[1]));
+  planes.at_default = count_planes(options.reflectional_detection.min_symmetry_score,
+                                   options.reflectional_detection.min_inlier_score);
+  return {axes, planes};
+}
+
+/// The options with table 3.1's loosest bounds, and the given ones' if those are looser.
+PipelineOptions relaxed(PipelineOptions options) {
+  RotationalDetectionOptions& axes = options.rotational_detection;
+  axes.max_symmetry_score = std::max(axes.max_symmetry_score, 0.03);
+  axes.max_perpendicularity = std::max(axes.max_perpendicularity, 0.7);
+  ReflectionalDetectionOptions& planes = options.reflectional_detection;
+  planes.min_symmetry_score = std::min(planes.min_symmetry_score, 0.7);
+  planes.min_inlier_score = std::min(planes.min_inlier_score, 0.2);
+  return options;
+}
+
+/// A scene of nothing, such as that of a sweep that lost its way, proposes nothing.
+SceneProposals proposals_of(const Scene& scene, const PipelineOptions& options,
+                            const StageTimer::OnBegin& on_begin) {
+  return scene.cloud.empty() ? SceneProposals{} : propose_objects(scene, options, on_begin);
+}
+
+SceneDetections detections_of(const Scene& scene, const PipelineOptions& options,
+                              const StageTimer::OnBegin& on_begin) {
+  return scene.cloud.empty() ? SceneDetections{} : detect_symmetries(scene, options, on_begin);
+}
+
+/// The pipeline as it is given: the sweep, the outcome of every object and the times.
+void evaluate_given(const Scene& scene, const SceneTruth& truth, const EvaluationOptions& options,
+                    StageTimer& timer, const StageTimer::OnBegin& on_begin,
+                    SceneEvaluation& evaluation) {
+  const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
+  const SegmentationResult result =
+      timer.time("choice", [&] { return choose_objects(proposals, options.pipeline); });
+  evaluation.timings = proposals.timings;
+  evaluation.timings.push_back(timer.stages().back());
+  evaluation.returned = result.objects.size();
+  if (on_begin) on_begin("sweep");
+  const CountingContext context(scene, truth, proposals.cloud, options);
+  Sweep scored = score_sweep(proposals, context, options.pipeline);
+  const bool full = options.pipeline.rotational_stream;
+  Sweep bounded = segmentation_sweep(full ? full_method : reflectional_method, proposals, context,
+                                     options.pipeline);
+  bounded.at_default =
+      context.count(choose_objects(proposals, within_bounds(options.pipeline)).objects);
+  Sweep& given = options.pipeline.selection.by_score ? scored : bounded;
+  given.at_default = context.count(result.objects);
+  for (const StageTime& time : evaluation.timings) given.seconds += time.seconds;
+  evaluation.segmentation.push_back(std::move(scored));
+  evaluation.segmentation.push_back(std::move(bounded));
+  evaluation.objects = object_outcomes(truth, context.masks(), proposals, result);
+  for (const BaselineMethod& baseline : options.baselines)
+    evaluation.segmentation.push_back(baseline_sweep(baseline, proposals.cloud, context, timer));
+}
+
+void evaluate_reflectional_only(const Scene& scene, const SceneTruth& truth,
+                                EvaluationOptions options, const StageTimer::OnBegin& on_begin,
+                                SceneEvaluation& evaluation) {
+  options.pipeline.rotational_stream = false;
+  const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
+  const CountingContext context(scene, truth, proposals.cloud, options);
+  Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, options.pipeline);
+  sweep.at_default =
+      context.count(choose_objects(proposals, within_bounds(options.pipeline)).objects);
+  evaluation.segmentation.insert(evaluation.segmentation.begin() + 2, std::move(sweep));
+}
+
+}  // namespace
+
+void EvaluationOptions::validate() const {
+  pipeline.validate();
+  require_option(boundary_radius > 0.0 && boundary_radius < 1.0, "boundary_radius",
+                 "a length in (0, 1) m", boundary_radius);
+  require_option(mask_radius > 0.0 && mask_radius < 1.0, "mask_radius", "a length in (0, 1) m",
+                 mask_radius);
+}
+
+void require_usable_truth(const Scene& scene, const SceneTruth& truth) {
+  std::vector<Index> owner(scene.cloud.size(), unlabeled);
+  for (std::size_t k = 0; k < truth.objects.size(); ++k) {
+    const TrueObject& object = truth.objects[k];
+    const std::string where = fmt::format("truth of object {} ({})", k, object.name);
+    if (object.points.empty()) throw InputError(where, "points of the cloud", "none");
+    for (const Index i : object.points) {
+      if (i >= owner.size()) {
+        throw InputError(where, fmt::format("indices below {}", owner.size()),
+                         fmt::format("{}", i));
+      }
+      if (owner[i] != unlabeled) {
+        throw InputError(where, "points that no other object has",
+                         fmt::format("point {} of object {} too", i, owner[i]));
+      }
+      owner[i] = static_cast<Index>(k);
+    }
+  }
+}
+
+SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
+                               const EvaluationOptions& options,
+                               const StageTimer::OnBegin& on_begin) {
+  options.validate();
+  require_usable_truth(scene, truth);
+  SceneEvaluation evaluation;
+  StageTimer timer(on_begin);
+  evaluate_given(scene, truth, options, timer, on_begin, evaluation);
+  if (options.reflectional_only && options.pipeline.rotational_stream)
+    evaluate_reflectional_only(scene, truth, options, on_begin, evaluation);
+  evaluation.detection = detection_sweeps(detections_of(scene, relaxed(options.pipeline), on_begin),
+                                          truth, options.pipeline);
+  return evaluation;
+}
+
+}  // namespace symscene

@@ -1,0 +1,70 @@
+#include "setting_counts.hpp"
+
+#include <algorithm>
+
+namespace symscene {
+namespace {
+
+/// Truth of masks alone says nothing of symmetries, for or against.
+bool knows_symmetries(const SceneTruth& truth) {
+  return truth.objects.empty() ||
+         std::any_of(truth.objects.begin(), truth.objects.end(), [](const TrueObject& object) {
+           return object.sphere || !object.rotational.empty() || !object.reflectional.empty();
+         });
+}
+
+}  // namespace
+
+SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
+                               const std::vector<ReflectionPlane>& planes) {
+  const SymmetryTolerance wide{radians(10.0), 0.1};
+  const SymmetryTolerance near{radians(10.0), 0.01};
+  SettingCounts counts;
+  counts.scenes = 1;
+  if (!knows_symmetries(truth)) return counts;
+  counts.score(Measure::axes) = match_axes(truth, axes, wide).score();
+  counts.score(Measure::axes_near) = match_axes(truth, axes, near).score();
+  counts.score(Measure::planes) = match_planes(truth, planes, wide).score();
+  counts.score(Measure::planes_near) = match_planes(truth, planes, near).score();
+  return counts;
+}
+
+CountingContext::CountingContext(const Scene& scene, const SceneTruth& truth,
+                                 const PointCloud& cloud, const EvaluationOptions& options)
+    : truth_(truth),
+      masks_(transfer_masks(scene.cloud, truth, cloud, static_cast<float>(options.mask_radius))),
+      neighbors_(radius_neighbors(cloud.positions, static_cast<float>(options.boundary_radius))) {}
+
+SettingCounts CountingContext::count(const std::vector<PointIndices>& found,
+                                     const std::vector<RotationAxis>& axes,
+                                     const std::vector<ReflectionPlane>& planes) const {
+  SettingCounts counts = count_symmetries(truth_, axes, planes);
+  const OverlapMatrix overlaps = overlap_matrix(masks_, found);
+  for (std::size_t k = 0; k < mask_overlaps.size(); ++k)
+    counts.scores[k] = mask_score(overlaps, mask_overlaps[k]);
+  for (const double best : best_overlaps(overlaps)) counts.overlap_sum += best;
+  counts.segments = segment_metrics(masks_, found, neighbors_);
+  return counts;
+}
+
+SettingCounts CountingContext::count(const std::vector<SceneObject>& objects) const {
+  std::vector<PointIndices> found;
+  for (const SceneObject& object : objects) found.push_back(object.points);
+  return count(found, all_axes(objects), all_planes(objects));
+}
+
+SettingCounts CountingContext::recount(SettingCounts counts,
+                                       const std::vector<SceneObject>& objects) const {
+  const SettingCounts own = count_symmetries(truth_, all_axes(objects), all_planes(objects));
+  for (const Measure measure :
+       {Measure::axes, Measure::axes_near, Measure::planes, Measure::planes_near})
+    counts.score(measure) = own.score(measure);
+  return counts;
+}
+
+SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
+                           const SegmentationResult& result, const EvaluationOptions& options) {
+  return CountingContext(scene, truth, result.cloud, options).count(result.objects);
+}
+
+}  // namespace symscene

@@ -1,0 +1,108 @@
+#include "symscene/evaluation/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+
+std::string measure_name(Measure measure) {
+  static constexpr std::array names = {"masks_90", "masks_75",  "masks_50",   "axes",
+                                       "planes",   "axes_near", "planes_near"};
+  static_assert(names.size() == all_metrics.size());
+  return names[static_cast<std::size_t>(measure)];
+}
+
+double SettingCounts::mean_overlap() const {
+  const std::size_t objects = score(Measure::masks_90).truth;
+  return objects == 0 ? 1.0 : overlap_sum / static_cast<double>(objects);
+}
+
+SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
+  for (std::size_t m = 0; m < scores.size(); ++m) scores[m] += other.scores[m];
+  overlap_sum += other.overlap_sum;
+  segments += other.segments;
+  scenes += other.scenes;
+  return *this;
+}
+
+bool Sweep::has(Measure measure) const {
+  if (std::find(metrics.begin(), metrics.end(), measure) == metrics.end()) return false;
+  const auto says = [&](const SettingCounts& setting) {
+    return setting.score(measure).found + setting.score(measure).truth > 0;
+  };
+  return std::any_of(counts.begin(), counts.end(), says) || (at_default && says(*at_default));
+}
+
+Sweep& Sweep::operator+=(const Sweep& other) {
+  if (counts.empty() && !at_default) return *this = other;
+  if (other.method != method || other.settings != settings) {
+    throw InputError("sweep of " + other.method, "the settings of " + method + " in every scene",
+                     std::to_string(other.settings.size()) + " that differ");
+  }
+  for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += other.counts[k];
+  if (at_default && other.at_default) *at_default += *other.at_default;
+  seconds += other.seconds;
+  return *this;
+}
+
+std::optional<std::size_t> best_setting(const Sweep& sweep, Measure measure) {
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < sweep.counts.size(); ++k) {
+    const double f = sweep.counts[k].score(measure).f_measure();
+    if (!best || f > sweep.counts[*best].score(measure).f_measure()) best = k;
+  }
+  return best;
+}
+
+std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measure) {
+  std::vector<CurvePoint> points;
+  for (const SettingCounts& counts : sweep.counts)
+    points.push_back({counts.score(measure).recall(), counts.score(measure).precision()});
+  std::sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
+    return a.recall != b.recall ? a.recall > b.recall : a.precision > b.precision;
+  });
+  std::vector<CurvePoint> envelope;
+  for (const CurvePoint& point : points) {
+    if (envelope.empty() || point.precision > envelope.back().precision) envelope.push_back(point);
+  }
+  std::reverse(envelope.begin(), envelope.end());
+  return envelope;
+}
+
+std::string setting_text(const Sweep& sweep, std::size_t setting) {
+  std::string text;
+  for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
+    text += fmt::format("{}{}={:.4g}", p == 0 ? "" : " ", sweep.parameters[p],
+                        sweep.settings.at(setting).at(p));
+  return text;
+}
+
+std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values) {
+  std::vector<std::vector<double>> settings(1);
+  for (const std::vector<double>& parameter : values) {
+    std::vector<std::vector<double>> longer;
+    for (const std::vector<double>& setting : settings) {
+      for (const double value : parameter) {
+        longer.push_back(setting);
+        longer.back().push_back(value);
+      }
+    }
+    settings = std::move(longer);
+  }
+  return settings;
+}
+
+std::vector<double> evenly_spaced(double min, double max, double step) {
+  require_option(step > 0.0 && min <= max, "step", "a step above 0 from min up to max", step);
+  std::vector<double> values;
+  const auto count = static_cast<int>(std::floor((max - min) / step + 1e-6));
+  // Rounded to what the tables print, so that 0.1 in steps of 0.1 holds 0.3 itself.
+  for (int k = 0; k <= count; ++k) values.push_back(std::round((min + k * step) * 1e9) / 1e9);
+  return values;
+}
+
+}  // namespace symscene

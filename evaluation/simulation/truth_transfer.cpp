@@ -1,0 +1,128 @@
+#include "symscene/simulation/truth_transfer.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/SVD>
+
+#include "core/parallel.hpp"
+#include "shapes.hpp"
+#include "simulation/thinned_size.hpp"
+#include "symscene/core/error.hpp"
+#include "true_surface.hpp"
+
+namespace symscene {
+namespace {
+
+Plane transformed(const Plane& plane, const Eigen::Isometry3d& T) {
+  const Eigen::Vector3d normal = T.linear() * plane.normal;
+  return {normal, plane.offset - normal.dot(T.translation())};
+}
+
+/// For every point the object that it shows, or nothing.
+std::vector<Index> nearest_objects(const Points& points_truth, const SceneTruth& truth,
+                                   const TrueSurface& surface, double tolerance) {
+  std::vector<Index> objects(static_cast<std::size_t>(points_truth.rows()));
+  constexpr std::size_t block = 1024;
+  parallel_for_blocks(objects.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d p =
+          points_truth.row(static_cast<Eigen::Index>(i)).transpose().cast<double>();
+      objects[i] = TrueSurface::Nearest::nothing;
+      const double limit = std::min(tolerance, std::abs(truth.table.signed_distance(p)));
+      if (p.allFinite()) objects[i] = surface.nearest(p, limit).mesh;
+    }
+  });
+  return objects;
+}
+
+Points moved(const Points& points, const Eigen::Isometry3d& T) {
+  return ((points.cast<double>() * T.linear().transpose()).rowwise() + T.translation().transpose())
+      .cast<float>();
+}
+
+}  // namespace
+
+void TruthTransferOptions::validate() const {
+  require_option(tolerance > 0, "tolerance", "a positive number", tolerance);
+  require_option(min_object_points >= 1, "min_object_points", "at least 1", min_object_points);
+}
+
+SceneTruth transformed(SceneTruth truth, const Eigen::Isometry3d& T_to_truth) {
+  const Eigen::Isometry3d& T = T_to_truth;
+  truth.table = transformed(truth.table, T);
+  for (TrueObject& object : truth.objects) {
+    object.centroid = T * object.centroid;
+    if (object.T_world_mesh) object.T_world_mesh = T * *object.T_world_mesh;
+    for (TrueAxis& own : object.rotational)
+      own.axis = {T * own.axis.point, T.linear() * own.axis.direction};
+    for (TruePlane& own : object.reflectional)
+      own.plane = {T * own.plane.point, T.linear() * own.plane.normal};
+  }
+  return truth;
+}
+
+Eigen::Isometry3d align_poses(std::span<const Eigen::Isometry3d> poses_target,
+                              std::span<const Eigen::Isometry3d> poses_source) {
+  if (poses_target.size() != poses_source.size()) {
+    throw InputError("poses to align", fmt::format("{}", poses_target.size()),
+                     fmt::format("{}", poses_source.size()));
+  }
+  if (poses_target.empty()) return Eigen::Isometry3d::Identity();
+  Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < poses_target.size(); ++i)
+    rotations += poses_target[i].linear() * poses_source[i].linear().transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotations, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
+  const Eigen::Vector3d signs(1.0, 1.0, turn.determinant());
+  Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
+  T_target_source.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < poses_target.size(); ++i)
+    shift +=
+        poses_target[i].translation() - T_target_source.linear() * poses_source[i].translation();
+  T_target_source.translation() = shift / static_cast<double>(poses_target.size());
+  return T_target_source;
+}
+
+std::vector<TriangleMesh> placed_meshes(const SceneTruth& truth,
+                                        std::span<const TriangleMesh> meshes) {
+  if (meshes.size() != truth.objects.size()) {
+    throw InputError("the truth", fmt::format("{} meshes, one an object", truth.objects.size()),
+                     fmt::format("{}", meshes.size()));
+  }
+  std::vector<TriangleMesh> placed;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const TrueObject& object = truth.objects[k];
+    if (!object.T_world_mesh) throw InputError("the truth", "a pose of " + object.name, "none");
+    placed.push_back(transformed(meshes[k], *object.T_world_mesh));
+  }
+  return placed;
+}
+
+SceneTruth transfer_truth(const SceneTruth& truth, std::span<const TriangleMesh> meshes,
+                          const PointCloud& cloud, const Eigen::Isometry3d& T_cloud_truth,
+                          const TruthTransferOptions& options) {
+  options.validate();
+  const TrueSurface surface(placed_meshes(truth, meshes));
+  const std::vector<Index> objects = nearest_objects(
+      moved(cloud.positions, T_cloud_truth.inverse()), truth, surface, options.tolerance);
+  std::vector<PointIndices> masks(truth.objects.size());
+  for (Index i = 0; i < objects.size(); ++i) {
+    if (objects[i] < masks.size()) masks[objects[i]].push_back(i);
+  }
+  SceneTruth result = transformed(truth, T_cloud_truth);
+  std::vector<TrueObject> seen;
+  for (std::size_t k = 0; k < masks.size(); ++k) {
+    if (thinned_size(cloud.positions, masks[k]) <
+        static_cast<std::size_t>(options.min_object_points)) {
+      continue;
+    }
+    seen.push_back(std::move(result.objects[k]));
+    seen.back().points = std::move(masks[k]);
+  }
+  result.objects = std::move(seen);
+  return result;
+}
+
+}  // namespace symscene

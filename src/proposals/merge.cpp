@@ -1,0 +1,80 @@
+#include "symscene/proposals/merge.hpp"
+
+#include <algorithm>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+void add_symmetries(const Hypothesis& from, const Eigen::Vector3d& here,
+                    const MergeOptions& options, SceneObject& object) {
+  const auto is_known = [&](const auto& symmetry, const auto& known) {
+    const SymmetryDifference apart = difference(symmetry, known, here);
+    return apart.angle < options.same_angle && apart.distance < options.same_distance;
+  };
+  for (const ScoredAxis& axis : from.rotational) {
+    const bool known =
+        std::any_of(object.rotational.begin(), object.rotational.end(),
+                    [&](const ScoredAxis& other) { return is_known(axis.axis, other.axis); });
+    if (!known) object.rotational.push_back(axis);
+  }
+  for (const ScoredPlane& plane : from.reflectional) {
+    const bool known =
+        std::any_of(object.reflectional.begin(), object.reflectional.end(),
+                    [&](const ScoredPlane& other) { return is_known(plane.plane, other.plane); });
+    if (!known) object.reflectional.push_back(plane);
+  }
+}
+
+}  // namespace
+
+void MergeOptions::validate() const {
+  require_option(same_object >= 0.0 && same_object <= 1.0, "same_object", "an IoU in [0, 1]",
+                 same_object);
+  require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);
+  require_option(same_distance >= 0.0, "same_distance", "a distance of at least 0 m",
+                 same_distance);
+}
+
+void append_rated(const std::vector<Hypothesis>& cuts, const HypothesisBounds& bounds,
+                  std::vector<RatedHypothesis>& rated) {
+  for (const Hypothesis& cut : cuts) rated.push_back({cut, confidence(cut.scores, bounds)});
+}
+
+bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object) {
+  const auto [smaller, larger] = std::minmax({a.size(), b.size()});
+  return static_cast<double>(smaller) > same_object * static_cast<double>(larger) &&
+         intersection_over_union(a, b) > same_object;
+}
+
+std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypotheses,
+                                          const PointCloud& cloud, const MergeOptions& options) {
+  std::stable_sort(
+      hypotheses.begin(), hypotheses.end(),
+      [](const RatedHypothesis& a, const RatedHypothesis& b) { return a.score > b.score; });
+  std::vector<SceneObject> objects;
+  for (RatedHypothesis& rated : hypotheses) {
+    PointIndices& points = rated.hypothesis.points;
+    auto same = std::find_if(objects.begin(), objects.end(), [&](const SceneObject& object) {
+      return is_same_set(object.points, points, options.same_object);
+    });
+    const Eigen::Vector3d here = centroid(cloud.positions, points);
+    if (same == objects.end()) {
+      SceneObject object;
+      object.points = std::move(points);
+      object.score = rated.score;
+      object.centroid = here;
+      same = objects.insert(objects.end(), std::move(object));
+    }
+    add_symmetries(rated.hypothesis, here, options, *same);
+  }
+  const auto by_score = [](const auto& a, const auto& b) { return a.score < b.score; };
+  for (SceneObject& object : objects) {
+    std::stable_sort(object.rotational.begin(), object.rotational.end(), by_score);
+    std::stable_sort(object.reflectional.begin(), object.reflectional.end(), by_score);
+  }
+  return objects;
+}
+
+}  // namespace symscene

@@ -1,0 +1,86 @@
+#include "symmetry/axis_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "sphere_fit.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr double across_cosine = 0.17, along_cosine = 0.9;
+
+/// Points about an axis.
+struct Profile {
+  std::vector<double> heights, radii;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+Profile profile_of(const PointCloud& points, const RotationAxis& axis) {
+  Profile profile;
+  for (Index i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d p = points.position(i).cast<double>();
+    const double height = axis.direction.dot(p - axis.point);
+    profile.heights.push_back(height);
+    profile.radii.push_back(axis.distance(p));
+    profile.low = std::min(profile.low, height);
+    profile.high = std::max(profile.high, height);
+  }
+  return profile;
+}
+
+/// Over rings as wide as the cloud's points are apart. Flat ends are wide in radius there, so that
+/// only what faces away from the axis counts.
+double mean_residual(const PointCloud& points, const RotationAxis& axis, const Profile& profile) {
+  constexpr double ring = 0.005;  // [m]
+  const auto rings = static_cast<std::size_t>((profile.high - profile.low) / ring) + 1;
+  std::vector<double> sums(rings), counts(rings);
+  const auto ring_of = [&](std::size_t i) {
+    return std::min(rings - 1, static_cast<std::size_t>((profile.heights[i] - profile.low) / ring));
+  };
+  const auto faces_away = [&](std::size_t i) {
+    return std::abs(points.normal(static_cast<Index>(i)).cast<double>().dot(axis.direction)) < 0.5;
+  };
+  for (std::size_t i = 0; i < profile.radii.size(); ++i) {
+    if (!faces_away(i)) continue;
+    sums[ring_of(i)] += profile.radii[i];
+    counts[ring_of(i)] += 1.0;
+  }
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < profile.radii.size(); ++i) {
+    if (!faces_away(i)) continue;
+    sum += std::abs(profile.radii[i] - sums[ring_of(i)] / counts[ring_of(i)]);
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+}  // namespace
+
+AxisFeatures measure_axis(const PointCloud& points, const RotationAxis& axis,
+                          const RotationalScores& scores, const std::optional<Plane>& table) {
+  AxisFeatures m;
+  m.symmetry = scores.symmetry;
+  m.perpendicularity = scores.perpendicularity;
+  m.coverage = scores.coverage;
+  m.occlusion = scores.occlusion;
+  const Profile profile = profile_of(points, axis);
+  m.residual = mean_residual(points, axis, profile);
+  m.height = profile.high - profile.low;
+  m.radius = *std::max_element(profile.radii.begin(), profile.radii.end());
+  m.off_centre = m.radius > 0.0 ? axis.distance(centroid(points.positions)) / m.radius : 0.0;
+  const Eigen::ArrayXd cosines =
+      (points.normals * axis.direction.cast<float>()).cwiseAbs().cast<double>().array();
+  const auto count = static_cast<double>(points.size());
+  m.across = static_cast<double>((cosines < across_cosine).count()) / count;
+  m.along = static_cast<double>((cosines > along_cosine).count()) / count;
+  m.roundness = distance_off_sphere(points.positions);
+  m.upright = table ? std::abs(table->normal.dot(axis.direction)) : -1.0;
+  m.size = std::log(count);
+  return m;
+}
+
+}  // namespace symscene

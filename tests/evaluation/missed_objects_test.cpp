@@ -1,0 +1,152 @@
+#include "symscene/evaluation/missed_objects.hpp"
+#include "symscene/pipeline/pipeline.hpp"
+
+#include <gtest/gtest.h>
+
+namespace symscene {
+namespace {
+
+PointIndices range(Index begin, Index end) {
+  PointIndices indices;
+  for (Index i = begin; i < end; ++i) indices.push_back(i);
+  return indices;
+}
+
+const ReflectionPlane mirror{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
+const ReflectionPlane elsewhere{Eigen::Vector3d(0.3, 0, 0), Eigen::Vector3d::UnitX()};
+
+/// An object of the points 0 to 99 of 300, with one plane of symmetry.
+class Losses : public ::testing::Test {
+ protected:
+  Losses() {
+    truth_.objects.emplace_back();
+    truth_.objects.front().name = "box";
+    truth_.objects.front().reflectional.push_back({mirror, true});
+    proposals_.cloud.positions = Points::Zero(300, 3);
+    for (Eigen::Index i = 0; i < 300; ++i)
+      proposals_.cloud.positions(i, 0) = 0.001F * static_cast<float>(i);
+    options_.reflectional_segmentation.bounds.min_size = 20;
+    options_.selection.by_score = false;
+  }
+
+  void propose(const ReflectionPlane& plane, PointIndices support) {
+    proposals_.planes.push_back({plane, {}, std::move(support)});
+  }
+  void cut(PointIndices points, HypothesisScores scores = {0.1, 0.001, 0.1}) {
+    proposals_.reflectional.push_back({std::move(points), scores, {}, {{mirror, 0.1}}});
+  }
+  /// What became of the object with the pipeline's own choice.
+  ObjectOutcome outcome() const { return outcome(choose_objects(proposals_, options_)); }
+  ObjectOutcome outcome(const SegmentationResult& result) const {
+    return object_outcomes(truth_, {range(0, 100)}, proposals_, result).at(0);
+  }
+  void expect(Fate fate, const std::string& reason) const {
+    const ObjectOutcome seen = outcome();
+    EXPECT_EQ(fate_name(seen.fate), fate_name(fate));
+    EXPECT_EQ(seen.reason, reason);
+  }
+
+  SceneTruth truth_;
+  SceneProposals proposals_;
+  PipelineOptions options_;
+};
+
+TEST_F(Losses, AGoodMaskIsFound) {
+  propose(mirror, range(10, 60));
+  cut(range(0, 95));
+  expect(Fate::found, "");
+  EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.95);
+  EXPECT_EQ(outcome().kind, "box");
+  EXPECT_EQ(outcome().points, 100U);
+  EXPECT_EQ(outcome().symmetries, 1U);
+  EXPECT_EQ(outcome().symmetries_met, 1U);
+}
+
+TEST_F(Losses, WithoutACandidateInItNothingWasProposed) {
+  propose(mirror, range(80, 160));
+  expect(Fate::not_proposed, "no segment");
+}
+
+TEST_F(Losses, ACandidateInItThatIsNoSymmetryOfItProposesNothing) {
+  propose(elsewhere, range(0, 50));
+  expect(Fate::not_proposed, "no symmetry");
+}
+
+TEST_F(Losses, WhatAPartOfTheSurfaceComesNearIsProposedWithoutASymmetry) {
+  cut(range(0, 60));
+  expect(Fate::cut_wrongly, "too little");
+  proposals_.reflectional.clear();
+  cut(range(0, 50));
+  expect(Fate::not_proposed, "no segment");  // half of it is not enough
+}
+
+TEST_F(Losses, AnObjectWithoutKnownSymmetriesIsProposedByWhateverLiesInIt) {
+  truth_.objects.front().reflectional.clear();
+  propose(elsewhere, range(0, 50));
+  cut(range(0, 50));
+  expect(Fate::cut_wrongly, "too little");
+}
+
+TEST_F(Losses, ACutOfHalfOfItIsTooLittleAndOneOfTwiceItTooMuch) {
+  propose(mirror, range(0, 50));
+  cut(range(0, 50));
+  expect(Fate::cut_wrongly, "too little");
+  proposals_.reflectional.clear();
+  cut(range(0, 180));
+  expect(Fate::cut_wrongly, "too much");
+  proposals_.reflectional.clear();
+  expect(Fate::cut_wrongly, "too little");
+}
+
+TEST_F(Losses, ABoundThatRefusesAGoodCutIsNamed) {
+  propose(mirror, range(0, 50));
+  cut(range(0, 100), {0.1, 0.9, 0.1});
+  expect(Fate::rejected, "occlusion");
+  cut(range(0, 99), {0.9, 0.001, 0.1});
+  expect(Fate::rejected, "occlusion");  // which comes after symmetry
+  EXPECT_DOUBLE_EQ(outcome().best_cut_overlap, 1.0);
+  EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.0);
+  options_.reflectional_segmentation.bounds.min_size = 200;
+  expect(Fate::rejected, "size");
+}
+
+TEST_F(Losses, ACutThatLostItsSupportIsNamed) {
+  propose(mirror, range(0, 50));
+  proposals_.rejected.push_back({"reflectional", "support", 0.3, 0.5, 100, range(0, 100)});
+  expect(Fate::rejected, "support");
+}
+
+TEST_F(Losses, AGoodCutMayLoseAgainstARival) {
+  propose(mirror, range(0, 50));
+  cut(range(0, 100), {0.2, 0.003, 0.1});
+  cut(range(0, 190), {0.01, 0.0001, 0.01});
+  expect(Fate::rejected, "overlap");
+}
+
+TEST_F(Losses, AGoodCutMayBeTakenForTwo) {
+  propose(mirror, range(0, 50));
+  cut(range(0, 100));
+  cut(range(0, 50), {0.05, 0.001, 0.1});
+  cut(range(50, 100), {0.05, 0.001, 0.1});
+  expect(Fate::rejected, "composite");
+}
+
+TEST_F(Losses, AGoodProposalMayBeTooImprobable) {
+  propose(mirror, range(0, 50));
+  options_.selection.by_score = true;
+  ObjectProposal proposal;
+  proposal.object.points = range(0, 100);
+  proposal.object.score = 0.5 * options_.selection.min_score;
+  proposals_.objects.push_back(proposal);
+  expect(Fate::rejected, "score");
+}
+
+TEST_F(Losses, AGoodCutMayBecomePartOfAnObjectWithAWorseMask) {
+  propose(mirror, range(0, 50));
+  cut(range(0, 109), {0.2, 0.003, 0.1});
+  cut(range(0, 113), {0.01, 0.0001, 0.01});
+  expect(Fate::rejected, "merge");
+}
+
+}  // namespace
+}  // namespace symscene

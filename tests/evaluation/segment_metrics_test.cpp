@@ -1,0 +1,146 @@
+#include "symscene/evaluation/segment_metrics.hpp"
+
+#include <gtest/gtest.h>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+/// Ten points in a row, 5 mm apart, each a neighbour of the next.
+NeighborLists row_of_ten() {
+  Points points = Points::Zero(10, 3);
+  for (Eigen::Index i = 0; i < 10; ++i) points(i, 0) = 0.005F * static_cast<float>(i);
+  return radius_neighbors(points, 0.006F);
+}
+
+PointIndices range(Index begin, Index end) {
+  PointIndices indices;
+  for (Index i = begin; i < end; ++i) indices.push_back(i);
+  return indices;
+}
+
+OverlapMatrix matrix(Eigen::Index rows, Eigen::Index columns, std::initializer_list<double> v) {
+  OverlapMatrix gains(rows, columns);
+  auto next = v.begin();
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index j = 0; j < columns; ++j) gains(i, j) = *next++;
+  }
+  return gains;
+}
+
+TEST(AssignMasks, FindsTheGreatestSumWhereTheGreatestPairIsATrap) {
+  const auto pairs = assign_masks(matrix(2, 2, {0.9, 0.8, 0.8, 0.1}));
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].found, 1U);
+  EXPECT_EQ(pairs[1].found, 0U);
+}
+
+TEST(AssignMasks, TakesMatricesOfAnyShape) {
+  const auto wide = assign_masks(matrix(1, 3, {0.1, 0.7, 0.3}));
+  ASSERT_EQ(wide.size(), 1U);
+  EXPECT_EQ(wide[0].found, 1U);
+  const auto tall = assign_masks(matrix(3, 2, {0.5, 0.6, 0.0, 0.9, 0.8, 0.0}));
+  ASSERT_EQ(tall.size(), 2U);
+  EXPECT_EQ(tall[0].truth, 1U);
+  EXPECT_EQ(tall[0].found, 1U);
+  EXPECT_EQ(tall[1].truth, 2U);
+  EXPECT_EQ(tall[1].found, 0U);
+  EXPECT_TRUE(assign_masks(OverlapMatrix(0, 4)).empty());
+  EXPECT_TRUE(assign_masks(matrix(1, 1, {0.0})).empty());
+}
+
+/// The best sum by trying every order of the columns.
+double best_sum(const OverlapMatrix& gains) {
+  std::vector<Eigen::Index> order;
+  for (Eigen::Index j = 0; j < gains.cols(); ++j) order.push_back(j);
+  double best = 0.0;
+  do {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < gains.rows(); ++i)
+      sum += gains(i, order[static_cast<std::size_t>(i)]);
+    best = std::max(best, sum);
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+TEST(AssignMasks, IsAsGoodAsTryingEverything) {
+  std::srand(7);
+  for (int trial = 0; trial < 30; ++trial) {
+    const OverlapMatrix gains = (OverlapMatrix::Random(4, 5).array() + 1.0).matrix();
+    double sum = 0.0;
+    for (const MaskPair& pair : assign_masks(gains)) sum += pair.overlap;
+    EXPECT_NEAR(sum, best_sum(gains), 1e-12);
+  }
+}
+
+TEST(LabelPoints, GivesAPointToTheFirstMaskThatHoldsIt) {
+  EXPECT_EQ(label_points({{1, 2}, {0, 1}}, 4), (std::vector<Index>{1, 0, 0, unlabeled}));
+  EXPECT_THROW(label_points({{4}}, 4), InputError);
+}
+
+TEST(SegmentMetrics, ABoundaryThatIsOnePointOffIsTheSame) {
+  const SegmentMetrics m =
+      segment_metrics({range(0, 5), range(5, 10)}, {range(0, 6), range(6, 10)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(m.overlap_precision, 0.9);
+  EXPECT_DOUBLE_EQ(m.overlap_recall, 0.9);
+  EXPECT_DOUBLE_EQ(m.overlap_f, 0.9);
+  EXPECT_DOUBLE_EQ(m.boundary_precision, 1.0);
+  EXPECT_DOUBLE_EQ(m.boundary_recall, 1.0);
+  EXPECT_DOUBLE_EQ(m.found_75, 1.0);
+}
+
+TEST(SegmentMetrics, ABoundaryThatIsTwoPointsOffIsAnother) {
+  const SegmentMetrics m =
+      segment_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(m.overlap_precision, 0.8);
+  EXPECT_DOUBLE_EQ(m.boundary_f, 0.0);
+  EXPECT_DOUBLE_EQ(m.found_75, 1.0);  // 10/12, and 6/8 is just enough
+}
+
+TEST(SegmentMetrics, WhatIsLeftOverCostsPrecisionAndWhatIsMissedRecall) {
+  // One true object of five points at an edge of the cloud; found whole, with a stray mask.
+  const SegmentMetrics stray =
+      segment_metrics({range(0, 5)}, {range(0, 5), range(7, 9)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(stray.overlap_precision, 5.0 / 7.0);
+  EXPECT_DOUBLE_EQ(stray.overlap_recall, 1.0);
+  EXPECT_DOUBLE_EQ(stray.boundary_precision, 1.0 / 3.0);  // 4; 7 and 8 belong to no object
+  EXPECT_DOUBLE_EQ(stray.boundary_recall, 1.0);
+  const SegmentMetrics missed =
+      segment_metrics({range(0, 5), range(7, 9)}, {range(0, 5)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(missed.overlap_recall, 5.0 / 7.0);
+  EXPECT_DOUBLE_EQ(missed.boundary_recall, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(missed.found_75, 0.5);
+}
+
+TEST(SegmentMetrics, TheMeanOfBoundariesIsOverScenesThatHaveOne) {
+  const SegmentMetrics touching =
+      segment_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
+  // One object is all of the cloud: it has no boundary, and a stray mask would have one.
+  const SegmentMetrics alone =
+      segment_metrics({range(0, 10)}, {range(0, 8), range(8, 10)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(touching.with_boundary, 1.0);
+  EXPECT_DOUBLE_EQ(alone.with_boundary, 0.0);
+  SegmentMetrics sum;
+  sum += segment_metrics({range(0, 5), range(5, 10)}, {range(0, 5), range(5, 10)}, row_of_ten());
+  sum += touching;
+  sum += alone;
+  EXPECT_DOUBLE_EQ(sum.mean(3).boundary_f, 0.5);
+  EXPECT_DOUBLE_EQ(sum.mean(3).overlap_f, (1.0 + 0.8 + 0.8) / 3.0);
+  SegmentMetrics none;
+  none += alone;
+  EXPECT_DOUBLE_EQ(none.mean(1).boundary_f, 0.0);
+}
+
+TEST(SegmentMetrics, NothingFoundIsPreciseAndRecallsNothing) {
+  const SegmentMetrics m = segment_metrics({range(0, 5)}, {}, row_of_ten());
+  EXPECT_DOUBLE_EQ(m.overlap_precision, 1.0);
+  EXPECT_DOUBLE_EQ(m.overlap_recall, 0.0);
+  EXPECT_DOUBLE_EQ(m.overlap_f, 0.0);
+  const SegmentMetrics nothing = segment_metrics({}, {}, row_of_ten());
+  EXPECT_DOUBLE_EQ(nothing.overlap_f, 1.0);
+  EXPECT_DOUBLE_EQ(nothing.boundary_f, 1.0);
+}
+
+}  // namespace
+}  // namespace symscene

@@ -1,0 +1,80 @@
+#include "symmetry/axis_features.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "surfaces.hpp"
+#include "symmetry/sphere_fit.hpp"
+#include "symmetry/symmetry_score.hpp"
+
+namespace symscene {
+namespace {
+
+const Plane table{Eigen::Vector3d::UnitZ(), 0.0};
+
+AxisFeatures measure(const PointCloud& cloud, const RotationAxis& axis,
+                     const std::optional<Plane>& below = table) {
+  const RotationalScores scores =
+      rotational_scores(cloud, axis, testing::nothing_known(cloud), RotationalDetectionOptions{});
+  return measure_axis(cloud, axis, scores, below);
+}
+
+PointCloud ball() {
+  const std::array parts{Ellipsoid{{0.0, 0.0, 0.1}, {0.05, 0.05, 0.05}}};
+  return testing::as_cloud(make_mirrored_body(parts, 0.001, 0.005));
+}
+
+TEST(AxisFeatures, OfAVaseAndItsAxis) {
+  const AxisFeatures features = measure(testing::vase(), {});
+  EXPECT_LT(features.symmetry, 0.01);
+  EXPECT_LT(features.residual, 0.001);  // its sides lean, within a ring too
+  EXPECT_NEAR(features.height, 0.2, 0.003);
+  EXPECT_NEAR(features.radius, 0.07, 0.003);
+  EXPECT_LT(features.off_centre, 0.02);
+  EXPECT_NEAR(features.coverage, 1.0, 0.05);
+  EXPECT_NEAR(features.upright, 1.0, 1e-9);
+  EXPECT_GT(features.along, 0.03);  // its bottom and its top
+}
+
+TEST(AxisFeatures, OfAnAxisBesideTheVase) {
+  const AxisFeatures beside = measure(testing::vase(), {{0.02, 0.0, 0.0}, {0.0, 0.0, 1.0}});
+  EXPECT_GT(beside.residual, 0.008);
+  EXPECT_GT(beside.off_centre, 0.15);
+  EXPECT_EQ(measure(testing::vase(), {}, std::nullopt).upright, -1.0);
+}
+
+TEST(AxisFeatures, OfABall) {
+  const AxisFeatures features = measure(ball(), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+  EXPECT_LT(features.roundness, 0.01);
+  EXPECT_NEAR(features.upright, 0.0, 1e-9);
+  EXPECT_GT(measure(testing::vase(), {}).roundness, 0.05);
+}
+
+TEST(AxisFeatures, OfPointsOffASphere) {
+  Points one(1, 3);
+  one << 1.0F, 2.0F, 3.0F;
+  EXPECT_EQ(distance_off_sphere(one), 1.0);
+  Points flat = ball().positions;
+  flat.col(2).setConstant(0.3F);
+  EXPECT_GT(distance_off_sphere(flat), 0.1);
+  EXPECT_EQ(distance_off_sphere(Points(0, 3)), 1.0);
+  EXPECT_LT(distance_off_sphere(ball().positions), 0.01);
+}
+
+TEST(AxisScore, IsAProbabilityWhateverIsMeasured) {
+  for (const double value : {-1e300, 0.0, 0.5, 1e300, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    AxisFeatures features;
+    AxisFeatures::visit_fields(features, [&](const char*, double& field) { field = value; });
+    EXPECT_GT(axis_probability(features), 0.0);
+    EXPECT_LT(axis_probability(features), 1.0);
+  }
+}
+
+TEST(AxisScore, OfABodyOfRevolutionIsHigh) {
+  EXPECT_GT(axis_probability(measure(testing::vase(), {})), 0.8);
+}
+
+}  // namespace
+}  // namespace symscene

@@ -1,0 +1,100 @@
+#include "symmetry/plane_features.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "surfaces.hpp"
+#include "symmetry/symmetry_score.hpp"
+
+namespace symscene {
+namespace {
+
+const ReflectionPlane upright{{0.0, 0.0, 0.1}, Eigen::Vector3d::UnitX()};
+const Plane table{Eigen::Vector3d::UnitZ(), 0.0};
+
+PlaneFeatures measure(const PointCloud& cloud, const DistanceField& field,
+                      const ReflectionPlane& plane) {
+  const ObjectSymmetryBounds bounds;
+  const PlaneMeter meter(cloud, field, table, bounds);
+  PlaneFeatures features = meter.measure_images(plane);
+  meter.measure_shape(plane, features);
+  return features;
+}
+
+TEST(PlaneFeatures, OfABoxAndItsMirror) {
+  const PointCloud box = testing::box({0.1, 0.16, 0.2});
+  const PlaneFeatures mirror = measure(box, testing::all_seen(box), upright);
+  EXPECT_GT(mirror.matched, 0.97);
+  EXPECT_LT(mirror.contradicted(), 0.02);
+  EXPECT_LT(mirror.misfit(), 0.02);
+  EXPECT_GT(mirror.exact, 0.9);
+  EXPECT_LT(mirror.residual, 0.0005);
+  EXPECT_NEAR(mirror.extent, 0.1, 0.006);
+  EXPECT_NEAR(mirror.length, 0.2, 0.006);
+  EXPECT_NEAR(mirror.thickness, 0.1, 0.006);
+  EXPECT_NEAR(mirror.balance, 0.5, 0.05);
+  EXPECT_NEAR(mirror.upright, 0.0, 1e-6);
+  // Two faces of 0.16 m by 0.2 m among 0.136 m² face along the normal; the others lie across it.
+  EXPECT_NEAR(mirror.facing, 0.47, 0.05);
+  EXPECT_NEAR(mirror.facing + mirror.across, 1.0, 0.03);
+  EXPECT_LT(mirror.tilted, mirror.matched - 0.2);
+}
+
+TEST(PlaneFeatures, OfAPlaneThatIsNoMirror) {
+  const PointCloud box = testing::box({0.1, 0.16, 0.2});
+  const DistanceField seen = testing::all_seen(box);
+  const ReflectionPlane oblique{{0.0, 0.0, 0.1}, Eigen::Vector3d(1.0, 1.0, 0.0).normalized()};
+  const PlaneFeatures diagonal = measure(box, seen, oblique);
+  EXPECT_GT(diagonal.misfit(), 0.4);
+  EXPECT_GT(diagonal.empty, 0.1);
+  EXPECT_GT(diagonal.buried, 0.1);
+  const PlaneFeatures shifted = measure(box, seen, {{0.02, 0.0, 0.1}, Eigen::Vector3d::UnitX()});
+  EXPECT_LT(shifted.steep_matched, 0.1);  // its faces miss each other
+  EXPECT_GT(shifted.matched, 0.2);        // what lies across the normal slides along itself
+}
+
+TEST(PlaneFeatures, OfABallAreRound) {
+  const std::array parts{Ellipsoid{{0.0, 0.0, 0.1}, {0.05, 0.05, 0.05}}};
+  const PointCloud ball = testing::as_cloud(make_mirrored_body(parts, 0.001, 0.005));
+  EXPECT_LT(measure(ball, testing::nothing_known(ball), upright).roundness, 0.01);
+  const PointCloud box = testing::box({0.1, 0.16, 0.2});
+  EXPECT_GT(measure(box, testing::nothing_known(box), upright).roundness, 0.05);
+}
+
+TEST(PlaneFeatures, WhatIsHiddenSpeaksNeitherWay) {
+  const PointCloud box = testing::box({0.1, 0.16, 0.2});
+  const PointCloud half = testing::seen_from(box, {5.0F, 1.0F, 5.0F});
+  const PlaneFeatures features = measure(half, testing::nothing_known(box), upright);
+  EXPECT_LT(features.contradicted(), 0.05);
+  EXPECT_LT(features.matched, 0.8);
+}
+
+TEST(PlaneScore, IsAProbabilityWhateverIsMeasured) {
+  for (const double value : {-1e300, 0.0, 0.5, 1e300, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    PlaneFeatures features;
+    PlaneFeatures::visit_fields(features, [&](const char*, double& field) { field = value; });
+    EXPECT_GT(plane_probability(features), 0.0);
+    EXPECT_LT(plane_probability(features), 1.0);
+  }
+}
+
+TEST(PlaneScore, OfAMirrorIsHigh) {
+  const PointCloud box = testing::box({0.1, 0.16, 0.2});
+  const DistanceField seen = testing::all_seen(box);
+  const auto probability = [&](const Eigen::Vector3d& normal) {
+    PlaneFeatures features = measure(box, seen, {{0.0, 0.0, 0.1}, normal.normalized()});
+    features.object_score = 0.9;
+    features.along_axis = -1.0;
+    features.off_square = -1.0;
+    features.nearest = 0.5 * std::numbers::pi;
+    features.best_matched = features.matched;
+    return plane_probability(features);
+  };
+  EXPECT_GT(probability({1.0, 0.0, 0.0}), 0.8);
+  EXPECT_GT(probability({0.0, 1.0, 0.0}), 0.8);
+}
+
+}  // namespace
+}  // namespace symscene

@@ -1,0 +1,181 @@
+#include "symscene/tabletop/scene_building.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "symscene/core/error.hpp"
+#include "symscene/occupancy/occupancy_grid.hpp"
+#include "symscene/reconstruction/reconstruction.hpp"
+#include "symscene/simulation/sweep.hpp"
+#include "threads.hpp"
+
+namespace symscene {
+namespace {
+
+/// A simulated table, reconstructed from a few small exact frames with their poses.
+struct Reconstructed {
+  Tabletop tabletop;
+  TriangleMesh surface;
+  OccupancyVolume occupancy;
+  Trajectory cameras;
+};
+
+Reconstructed reconstruct(int objects) {
+  SweepOptions sweep;
+  sweep.tabletop.objects = std::max(objects, 1);
+  sweep.tabletop.seed = 3;
+  sweep.camera.frames = 10;
+  sweep.camera.width = 160;
+  sweep.camera.height = 120;
+  sweep.camera.focal_length = 131.0;
+  sweep.sensor.enabled = false;
+  Reconstructed made{arrange_tabletop(sweep.tabletop), {}, OccupancyVolume(), {}};
+  if (objects == 0) made.tabletop.objects.clear();
+  Reconstruction reconstruction(sweep.camera.intrinsics());
+  capture_sweep(made.tabletop, sweep, [&](const DepthFrame& frame, const Eigen::Isometry3d& pose) {
+    reconstruction.add(frame, pose);
+    made.occupancy.integrate(frame, sweep.camera.intrinsics(), pose);
+    made.cameras.push_back({frame.time, pose});
+  });
+  made.surface = reconstruction.surface();
+  return made;
+}
+
+const Reconstructed& table_of_three() {
+  static const Reconstructed made = reconstruct(3);
+  return made;
+}
+
+BuiltScene build(const Reconstructed& made, const std::optional<Plane>& plane = {}) {
+  return build_scene(made.surface, made.occupancy, plane, upward(made.cameras));
+}
+
+void expect_objects(const BuiltScene& built, const Tabletop& tabletop) {
+  ASSERT_GT(built.scene.cloud.size(), 500U);
+  for (const PlacedObject& object : tabletop.objects) {
+    const TriangleMesh mesh = world_mesh(object);
+    const Eigen::RowVector3f low = mesh.vertices.colwise().minCoeff().array() - 0.01F;
+    const Eigen::RowVector3f high = mesh.vertices.colwise().maxCoeff().array() + 0.01F;
+    int on_it = 0;
+    for (Index i = 0; i < built.scene.cloud.size(); ++i) {
+      const Eigen::RowVector3f p = built.scene.cloud.positions.row(i);
+      on_it += (p.array() > low.array()).all() && (p.array() < high.array()).all() ? 1 : 0;
+    }
+    EXPECT_GT(on_it, 30);
+  }
+  for (Index i = 0; i < built.scene.cloud.size(); ++i) {
+    EXPECT_GT(tabletop.plane().signed_distance(built.scene.cloud.position(i).cast<double>()), 0.0);
+  }
+}
+
+TEST(SceneBuilding, FindsTheTableAndWhatStandsOnIt) {
+  const BuiltScene built = build(table_of_three());
+  ASSERT_TRUE(built.scene.table);
+  EXPECT_LT(angle_between(built.scene.table->normal, Eigen::Vector3d::UnitZ()), radians(0.5));
+  EXPECT_NEAR(built.scene.table->offset, 0.0, 0.002);
+  expect_objects(built, table_of_three().tabletop);
+}
+
+TEST(SceneBuilding, TakesATableThatIsGiven) {
+  const Plane given{Eigen::Vector3d::UnitZ(), -0.001};
+  const BuiltScene built = build(table_of_three(), given);
+  ASSERT_TRUE(built.scene.table);
+  EXPECT_EQ(built.scene.table->normal, given.normal);
+  EXPECT_EQ(built.scene.table->offset, given.offset);
+  expect_objects(built, table_of_three().tabletop);
+}
+
+TEST(SceneBuilding, CutsTheOccupancyOutAroundTheObjects) {
+  const SceneBuildingOptions options;
+  const BuiltScene built = build(table_of_three());
+  ASSERT_TRUE(built.scene.occupancy);
+  ASSERT_FALSE(built.scene.occupancy->leaves.empty());
+  EXPECT_FALSE(built.log_odds.leaves.empty());
+  // The box is turned as the table is: its corners are farther out than its sides.
+  const float half = 0.5F * (built.scene.cloud.positions.colwise().maxCoeff() -
+                             built.scene.cloud.positions.colwise().minCoeff())
+                                .norm();
+  const float margin = 1.5F * (static_cast<float>(options.margin) + half);
+  const Eigen::RowVector3f low = built.scene.cloud.positions.colwise().minCoeff().array() - margin;
+  const Eigen::RowVector3f high = built.scene.cloud.positions.colwise().maxCoeff().array() + margin;
+  const Box around{low.transpose().array() - 0.3F, high.transpose().array() + 0.3F};
+  const OccupancyGrid grid = rasterize(*built.scene.occupancy, around);
+  std::size_t known = 0, outside = 0, below = 0, i = 0;
+  for (int z = 0; z < grid.frame.size.z(); ++z) {
+    for (int y = 0; y < grid.frame.size.y(); ++y) {
+      for (int x = 0; x < grid.frame.size.x(); ++x, ++i) {
+        if (grid.states[i] == VoxelState::never_seen) continue;
+        ++known;
+        const Eigen::Vector3f p =
+            grid.frame.origin +
+            grid.frame.resolution * Eigen::Vector3f(static_cast<float>(x) + 0.5F,
+                                                    static_cast<float>(y) + 0.5F,
+                                                    static_cast<float>(z) + 0.5F);
+        outside += (p.transpose().array() < low.array()).any() ||
+                           (p.transpose().array() > high.array()).any()
+                       ? 1
+                       : 0;
+        below += static_cast<double>(p.z()) < -options.table_thickness - 0.01 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(known, 10000U);
+  EXPECT_EQ(outside, 0U);
+  EXPECT_EQ(below, 0U);
+}
+
+TEST(SceneBuilding, OfATableWithoutObjectsOrOfNoTableIsEmpty) {
+  const Reconstructed bare = reconstruct(0);
+  const BuiltScene built = build(bare);
+  EXPECT_TRUE(built.scene.cloud.empty());
+  EXPECT_TRUE(built.log_odds.leaves.empty());
+  // A table that is given where nothing is.
+  const BuiltScene aside = build(bare, Plane{Eigen::Vector3d::UnitX(), -50.0});
+  EXPECT_TRUE(aside.scene.cloud.empty());
+  EXPECT_TRUE(aside.log_odds.leaves.empty());
+  // A corner of a surface is no table.
+  TriangleMesh scrap;
+  scrap.vertices = bare.surface.vertices.topRows(20);
+  scrap.normals = bare.surface.normals.topRows(20);
+  const BuiltScene nothing = build_scene(scrap, bare.occupancy, {}, {});
+  EXPECT_FALSE(nothing.scene.table);
+  EXPECT_TRUE(nothing.table.planes.supports.empty());
+  EXPECT_TRUE(nothing.scene.cloud.empty());
+}
+
+TEST(SceneBuilding, RefusesAnEmptySurfaceAndBadOptions) {
+  EXPECT_THROW(build_scene({}, OccupancyVolume(), {}, {}), InputError);
+  for (const double bad : {-0.1, std::numeric_limits<double>::quiet_NaN()}) {
+    SceneBuildingOptions options;
+    options.margin = bad;
+    EXPECT_THROW(options.validate(), InputError);
+    options = {};
+    options.table_thickness = bad;
+    EXPECT_THROW(options.validate(), InputError);
+  }
+}
+
+TEST(SceneBuilding, KnowsUpFromHowCamerasWereHeld) {
+  const auto up = upward(table_of_three().cameras);
+  ASSERT_TRUE(up);
+  EXPECT_LT(angle_between(*up, Eigen::Vector3d::UnitZ()), radians(60.0));
+  EXPECT_NEAR(up->norm(), 1.0, 1e-12);
+  EXPECT_FALSE(upward({}));
+  StampedPose upright, upside_down;
+  upside_down.T_world_camera.linear() =
+      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()).matrix();
+  EXPECT_FALSE(upward({upright, upside_down}));
+  EXPECT_TRUE(upward({upright})->isApprox(-Eigen::Vector3d::UnitY()));
+}
+
+TEST(SceneBuilding, IsTheSameForAnyNumberOfThreads) {
+  const auto run = [] { return build(table_of_three()); };
+  const BuiltScene one = testing::with_threads(1, run), two = testing::with_threads(2, run);
+  EXPECT_EQ(one.scene.cloud.positions, two.scene.cloud.positions);
+  EXPECT_EQ(one.scene.table->normal, two.scene.table->normal);
+  EXPECT_EQ(one.log_odds.leaves.size(), two.log_odds.leaves.size());
+}
+
+}  // namespace
+}  // namespace symscene
