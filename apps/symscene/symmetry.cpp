@@ -23,13 +23,13 @@ nlohmann::ordered_json coordinates(const Eigen::Vector3d& v) { return {v.x(), v.
 nlohmann::ordered_json to_json(const ScoredAxis& found) {
   return {{"point", coordinates(found.axis.point)},
           {"direction", coordinates(found.axis.direction)},
-          {"score", found.score}};
+          {"score", found.residual}};
 }
 
 nlohmann::ordered_json to_json(const ScoredPlane& found) {
   return {{"point", coordinates(found.plane.point)},
           {"normal", coordinates(found.plane.normal)},
-          {"score", found.score}};
+          {"score", found.residual}};
 }
 
 template <class Symmetries>

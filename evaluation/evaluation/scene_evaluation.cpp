@@ -137,7 +137,7 @@ std::vector<RotationAxis> axes_within(const SceneDetections& detections, double 
                                       double max_perpendicularity) {
   std::vector<RotationAxis> axes;
   for (const RotationalCandidate& candidate : detections.axes) {
-    if (candidate.scores.symmetry < max_symmetry &&
+    if (candidate.scores.symmetry_residual < max_symmetry &&
         candidate.scores.perpendicularity < max_perpendicularity)
       axes.push_back(candidate.axis);
   }
@@ -148,7 +148,8 @@ std::vector<ReflectionPlane> planes_within(const SceneDetections& detections, do
                                            double min_inlier) {
   std::vector<ReflectionPlane> planes;
   for (const ReflectionalCandidate& candidate : detections.planes) {
-    if (candidate.scores.symmetry > min_symmetry && candidate.scores.inlier > min_inlier)
+    if (candidate.scores.symmetry_score > min_symmetry &&
+        candidate.scores.inlier_score > min_inlier)
       planes.push_back(candidate.plane);
   }
   return planes;
@@ -170,7 +171,7 @@ std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const Sce
   axes.settings = all_settings({evenly_spaced(0.004, 0.03, 0.002), evenly_spaced(0.6, 0.7, 0.1)});
   for (const auto& setting : axes.settings)
     axes.counts.push_back(count_axes(setting[0], setting[1]));
-  axes.at_default = count_axes(options.rotational_detection.max_symmetry_score,
+  axes.at_default = count_axes(options.rotational_detection.max_symmetry_residual,
                                options.rotational_detection.max_perpendicularity);
   Sweep planes;
   planes.method = plane_detection_method;
@@ -187,7 +188,7 @@ std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const Sce
 /// The options with table 3.1's loosest bounds, and the given ones' if those are looser.
 PipelineOptions relaxed(PipelineOptions options) {
   RotationalDetectionOptions& axes = options.rotational_detection;
-  axes.max_symmetry_score = std::max(axes.max_symmetry_score, 0.03);
+  axes.max_symmetry_residual = std::max(axes.max_symmetry_residual, 0.03);
   axes.max_perpendicularity = std::max(axes.max_perpendicularity, 0.7);
   ReflectionalDetectionOptions& planes = options.reflectional_detection;
   planes.min_symmetry_score = std::min(planes.min_symmetry_score, 0.7);

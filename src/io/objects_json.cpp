@@ -20,13 +20,13 @@ Json format_object(const SceneObject& object, std::size_t id) {
   for (const ScoredAxis& axis : object.rotational) {
     json["rotational"].push_back({{"point", to_json(axis.axis.point, what)},
                                   {"direction", to_json(axis.axis.direction, what)},
-                                  {"score", to_json(axis.score, what)}});
+                                  {"score", to_json(axis.residual, what)}});
   }
   json["reflectional"] = Json::array();
   for (const ScoredPlane& plane : object.reflectional) {
     json["reflectional"].push_back({{"point", to_json(plane.plane.point, what)},
                                     {"normal", to_json(plane.plane.normal, what)},
-                                    {"score", to_json(plane.score, what)}});
+                                    {"score", to_json(plane.residual, what)}});
   }
   json["centroid"] = to_json(object.centroid, what);
   json["mesh"] = mesh_name(id);

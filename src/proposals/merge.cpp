@@ -69,10 +69,10 @@ std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypothese
     }
     add_symmetries(rated.hypothesis, here, options, *same);
   }
-  const auto by_score = [](const auto& a, const auto& b) { return a.score < b.score; };
+  const auto by_residual = [](const auto& a, const auto& b) { return a.residual < b.residual; };
   for (SceneObject& object : objects) {
-    std::stable_sort(object.rotational.begin(), object.rotational.end(), by_score);
-    std::stable_sort(object.reflectional.begin(), object.reflectional.end(), by_score);
+    std::stable_sort(object.rotational.begin(), object.rotational.end(), by_residual);
+    std::stable_sort(object.reflectional.begin(), object.reflectional.end(), by_residual);
   }
   return objects;
 }

@@ -25,8 +25,8 @@ class SymmetryMeter {
     for (const ScoredAxis& own : object.rotational) {
       const RotationalScores scores =
           rotational_scores(points, own.axis, space_.field, options_.rotational_detection);
-      features.axis_misfit = std::min(features.axis_misfit, scores.symmetry);
-      features.axis_occlusion = std::min(features.axis_occlusion, scores.occlusion);
+      features.axis_misfit = std::min(features.axis_misfit, scores.symmetry_residual);
+      features.axis_occlusion = std::min(features.axis_occlusion, scores.occlusion_residual);
     }
     if (object.reflectional.empty()) return;
     const CellList cells(points.positions, cell_size);
@@ -35,8 +35,8 @@ class SymmetryMeter {
     for (const ScoredPlane& own : object.reflectional) {
       const ReflectionalScores scores = reflectional_scores(
           points, cells, sample, own.plane, space_.field, options_.reflectional_detection);
-      features.plane_inlier = std::max(features.plane_inlier, scores.inlier);
-      features.plane_occlusion = std::min(features.plane_occlusion, scores.occlusion);
+      features.plane_inlier = std::max(features.plane_inlier, scores.inlier_score);
+      features.plane_occlusion = std::min(features.plane_occlusion, scores.occlusion_residual);
     }
   }
 

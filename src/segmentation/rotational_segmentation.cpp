@@ -46,8 +46,9 @@ class RotationalCutter {
     hypothesis.points = object_nodes(is_object);
     const RotationalScores scores =
         rotational_scores(select(cloud_, hypothesis.points), axis, field_, detection_);
-    hypothesis.scores = {scores.symmetry, scores.occlusion, smoothness(is_object, scaled_edges_)};
-    hypothesis.rotational = {{axis, scores.symmetry}};
+    hypothesis.scores = {scores.symmetry_residual, scores.occlusion_residual,
+                         smoothness(is_object, scaled_edges_)};
+    hypothesis.rotational = {{axis, scores.symmetry_residual}};
     return hypothesis;
   }
 

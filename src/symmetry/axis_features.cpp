@@ -63,10 +63,10 @@ double mean_residual(const PointCloud& points, const RotationAxis& axis, const P
 AxisFeatures measure_axis(const PointCloud& points, const RotationAxis& axis,
                           const RotationalScores& scores, const std::optional<Plane>& table) {
   AxisFeatures m;
-  m.symmetry = scores.symmetry;
+  m.symmetry = scores.symmetry_residual;
   m.perpendicularity = scores.perpendicularity;
   m.coverage = scores.coverage;
-  m.occlusion = scores.occlusion;
+  m.occlusion = scores.occlusion_residual;
   const Profile profile = profile_of(points, axis);
   m.residual = mean_residual(points, axis, profile);
   m.height = profile.high - profile.low;

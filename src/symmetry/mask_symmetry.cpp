@@ -62,13 +62,13 @@ void compare_with_better(std::vector<MeasuredPlane>& planes) {
 WholeObjectOptions for_whole_objects(WholeObjectOptions options) {
   const ObjectSymmetryBounds& bounds = options.bounds;
   RotationalDetectionOptions& axes = options.rotational_detection;
-  axes.max_symmetry_score = bounds.max_axis_misfit;
-  axes.max_occlusion_score = bounds.max_axis_occlusion;
+  axes.max_symmetry_residual = bounds.max_axis_misfit;
+  axes.max_occlusion_residual = bounds.max_axis_occlusion;
   axes.min_coverage = bounds.min_axis_coverage;
   ReflectionalDetectionOptions& planes = options.reflectional_detection;
   planes.min_symmetry_score = 0.5;
   planes.min_inlier_score = bounds.min_plane_matched;
-  planes.max_occlusion_score = 0.15;
+  planes.max_occlusion_residual = 0.15;
   for (CorrespondenceOptions* matching : {&planes.fit.matching, &planes.scoring})
     matching->min_plane_distance = bounds.min_plane_distance;
   return options;
@@ -96,7 +96,8 @@ class WholeObject {
     for (const RotationAxis& axis : proposed_axes()) {
       const RotationalScores scores =
           rotational_scores(points_, axis, scene_.field, options_.rotational_detection);
-      if (!fits(scores) || (best && scores.symmetry >= best_scores.symmetry)) continue;
+      if (!fits(scores) || (best && scores.symmetry_residual >= best_scores.symmetry_residual))
+        continue;
       best = MeasuredAxis{axis, {}, 0.0};
       best_scores = scores;
     }
@@ -155,8 +156,8 @@ class WholeObject {
 
   bool fits(const RotationalScores& scores) const {
     const ObjectSymmetryBounds& bounds = options_.bounds;
-    return scores.symmetry < bounds.max_axis_misfit &&
-           scores.occlusion < bounds.max_axis_occlusion &&
+    return scores.symmetry_residual < bounds.max_axis_misfit &&
+           scores.occlusion_residual < bounds.max_axis_occlusion &&
            scores.perpendicularity < options_.rotational_detection.max_perpendicularity &&
            scores.coverage > bounds.min_axis_coverage;
   }

@@ -134,7 +134,7 @@ ObjectSymmetries detect_object_symmetries(const PointCloud& cloud,
   for (const RotationalCandidate& candidate : axes.candidates) {
     symmetries.rotational.push_back(
         {{normalization.restored(candidate.axis.point), candidate.axis.direction},
-         candidate.scores.symmetry});
+         candidate.scores.symmetry_residual});
   }
   for (const ReflectionalCandidate& candidate : planes.candidates) {
     const bool implied =
@@ -144,10 +144,11 @@ ObjectSymmetries detect_object_symmetries(const PointCloud& cloud,
     if (implied) continue;
     symmetries.reflectional.push_back(
         {{normalization.restored(candidate.plane.point), candidate.plane.normal},
-         1.0 - candidate.scores.inlier});
+         1.0 - candidate.scores.inlier_score});
   }
-  std::stable_sort(symmetries.reflectional.begin(), symmetries.reflectional.end(),
-                   [](const ScoredPlane& a, const ScoredPlane& b) { return a.score < b.score; });
+  std::stable_sort(
+      symmetries.reflectional.begin(), symmetries.reflectional.end(),
+      [](const ScoredPlane& a, const ScoredPlane& b) { return a.residual < b.residual; });
   return symmetries;
 }
 

@@ -110,9 +110,9 @@ class OffsetVotes {
 enum class Outcome { symmetry, inlier, occlusion, accepted };
 
 Outcome judge(const ReflectionalScores& scores, const ReflectionalDetectionOptions& options) {
-  if (scores.symmetry <= options.min_symmetry_score) return Outcome::symmetry;
-  if (scores.inlier <= options.min_inlier_score) return Outcome::inlier;
-  if (scores.occlusion >= options.max_occlusion_score) return Outcome::occlusion;
+  if (scores.symmetry_score <= options.min_symmetry_score) return Outcome::symmetry;
+  if (scores.inlier_score <= options.min_inlier_score) return Outcome::inlier;
+  if (scores.occlusion_residual >= options.max_occlusion_residual) return Outcome::occlusion;
   return Outcome::accepted;
 }
 
@@ -138,8 +138,8 @@ std::vector<Trial> distinct_trials(const std::vector<Trial>& trials, const Eigen
 
 void sort_by_occlusion(std::vector<Trial>& trials) {
   std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
-    return std::tuple(a.scores.occlusion, -a.scores.inlier) <
-           std::tuple(b.scores.occlusion, -b.scores.inlier);
+    return std::tuple(a.scores.occlusion_residual, -a.scores.inlier_score) <
+           std::tuple(b.scores.occlusion_residual, -b.scores.inlier_score);
   });
 }
 
@@ -226,8 +226,8 @@ std::vector<ReflectionalCandidate> merge_equal_planes(std::vector<ReflectionalCa
                                                       const ReflectionalDetectionOptions& options) {
   constexpr double one_object = 0.3;  // segments farther apart belong to two objects in a row
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-    return std::tuple(a.scores.occlusion, b.support.size()) <
-           std::tuple(b.scores.occlusion, a.support.size());
+    return std::tuple(a.scores.occlusion_residual, b.support.size()) <
+           std::tuple(b.scores.occlusion_residual, a.support.size());
   });
   std::vector<ReflectionalCandidate> distinct;
   std::vector<Eigen::Vector3d> centroids;
@@ -264,8 +264,8 @@ void ReflectionalDetectionOptions::validate() const {
                  "a score in [0, 1]", min_symmetry_score);
   require_option(min_inlier_score >= 0.0 && min_inlier_score <= 1.0, "min_inlier_score",
                  "a score in [0, 1]", min_inlier_score);
-  require_option(max_occlusion_score >= 0.0 && max_occlusion_score <= 1.0, "max_occlusion_score",
-                 "a score in [0, 1]", max_occlusion_score);
+  require_option(max_occlusion_residual >= 0.0 && max_occlusion_residual <= 1.0,
+                 "max_occlusion_residual", "a score in [0, 1]", max_occlusion_residual);
   require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);
   require_option(same_distance >= 0.0, "same_distance", "a distance of at least 0 m",
                  same_distance);

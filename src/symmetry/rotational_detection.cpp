@@ -17,10 +17,10 @@ constexpr float rim_radius = 0.01F;
 enum class Outcome { symmetry, perpendicularity, coverage, occlusion, accepted };
 
 Outcome judge(const RotationalScores& scores, const RotationalDetectionOptions& options) {
-  if (scores.symmetry >= options.max_symmetry_score) return Outcome::symmetry;
+  if (scores.symmetry_residual >= options.max_symmetry_residual) return Outcome::symmetry;
   if (scores.perpendicularity >= options.max_perpendicularity) return Outcome::perpendicularity;
   if (scores.coverage <= options.min_coverage) return Outcome::coverage;
-  if (scores.occlusion >= options.max_occlusion_score) return Outcome::occlusion;
+  if (scores.occlusion_residual >= options.max_occlusion_residual) return Outcome::occlusion;
   return Outcome::accepted;
 }
 
@@ -41,9 +41,9 @@ SegmentResult detect_in_segment(const PointCloud& cloud, const PointIndices& seg
     if (!is_usable(fit.status)) continue;
     const RotationalScores scores = rotational_scores(interior, fit.axis, field, options);
     const Outcome outcome = judge(scores, options);
-    const bool better =
-        outcome > best.outcome ||
-        (outcome == Outcome::accepted && scores.occlusion < best.candidate.scores.occlusion);
+    const bool better = outcome > best.outcome ||
+                        (outcome == Outcome::accepted &&
+                         scores.occlusion_residual < best.candidate.scores.occlusion_residual);
     if (better) best = {outcome, {fit.axis, scores, {}}};
   }
   best.candidate.support = segment;
@@ -76,12 +76,12 @@ void RotationalDetectionOptions::validate() const {
   require_score_ranges(*this);
   require_option(max_angle <= std::numbers::pi / 2, "max_angle", "an angle of at most pi/2 rad",
                  max_angle);
-  require_option(max_symmetry_score >= 0.0 && max_symmetry_score <= 1.0, "max_symmetry_score",
-                 "a score in [0, 1]", max_symmetry_score);
+  require_option(max_symmetry_residual >= 0.0 && max_symmetry_residual <= 1.0,
+                 "max_symmetry_residual", "a score in [0, 1]", max_symmetry_residual);
   require_option(max_perpendicularity >= 0.0 && max_perpendicularity <= 1.0, "max_perpendicularity",
                  "a score in [0, 1]", max_perpendicularity);
-  require_option(max_occlusion_score >= 0.0 && max_occlusion_score <= 1.0, "max_occlusion_score",
-                 "a score in [0, 1]", max_occlusion_score);
+  require_option(max_occlusion_residual >= 0.0 && max_occlusion_residual <= 1.0,
+                 "max_occlusion_residual", "a score in [0, 1]", max_occlusion_residual);
   require_option(min_coverage >= 0.0 && min_coverage <= 1.0, "min_coverage",
                  "a share of a turn in [0, 1]", min_coverage);
   require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);
@@ -142,14 +142,14 @@ RotationalScores rotational_scores(const PointCloud& cloud, const RotationAxis& 
   for (Index i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f p = cloud.position(i);
     const Eigen::Vector3f n = cloud.normal(i);
-    scores.symmetry += double{angle_range(scorer.plane_angle(p, n))};
+    scores.symmetry_residual += double{angle_range(scorer.plane_angle(p, n))};
     scores.perpendicularity += 1.0 - double{scorer.axis_angle(n)} / (std::numbers::pi / 2);
-    scores.occlusion += double{occlusion_range(scorer.free_distance(p, field))};
+    scores.occlusion_residual += double{occlusion_range(scorer.free_distance(p, field))};
   }
   const auto count = static_cast<double>(cloud.size());
-  scores.symmetry /= count;
+  scores.symmetry_residual /= count;
   scores.perpendicularity /= count;
-  scores.occlusion /= count;
+  scores.occlusion_residual /= count;
   scores.coverage = angular_coverage(cloud.positions, axis);
   return scores;
 }

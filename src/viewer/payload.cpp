@@ -33,13 +33,13 @@ std::string indices(const PointIndices& points, Index count) {
 json to_json(const ScoredAxis& scored) {
   return {{"point", encode(scored.axis.point)},
           {"direction", encode(scored.axis.direction)},
-          {"score", scored.score}};
+          {"score", scored.residual}};
 }
 
 json to_json(const ScoredPlane& scored) {
   return {{"point", encode(scored.plane.point)},
           {"normal", encode(scored.plane.normal)},
-          {"score", scored.score}};
+          {"score", scored.residual}};
 }
 
 json to_json(const FunnelStep& step) { return {{"step", step.step}, {"count", step.count}}; }

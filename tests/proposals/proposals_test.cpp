@@ -87,8 +87,8 @@ TEST(Choice, FindsThePlanesOfABoxAtRightAngles) {
                         line_angle(normal, Eigen::Vector3d::UnitY()),
                         line_angle(normal, Eigen::Vector3d::UnitZ())}),
               radians(2.0));
-    EXPECT_GE(box.reflectional[i].score, last);
-    last = box.reflectional[i].score;
+    EXPECT_GE(box.reflectional[i].residual, last);
+    last = box.reflectional[i].residual;
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(line_angle(normal, box.reflectional[j].plane.normal), radians(82.0));
   }
@@ -175,11 +175,11 @@ TEST(Choice, IsTheSameForAnyNumberOfThreads) {
     ASSERT_EQ(a.objects[k].rotational.size(), b.objects[k].rotational.size());
     ASSERT_EQ(a.objects[k].reflectional.size(), b.objects[k].reflectional.size());
     for (std::size_t s = 0; s < a.objects[k].rotational.size(); ++s)
-      EXPECT_EQ(a.objects[k].rotational[s].score, b.objects[k].rotational[s].score);
+      EXPECT_EQ(a.objects[k].rotational[s].residual, b.objects[k].rotational[s].residual);
     for (std::size_t s = 0; s < a.objects[k].reflectional.size(); ++s) {
       EXPECT_EQ(a.objects[k].reflectional[s].plane.normal,
                 b.objects[k].reflectional[s].plane.normal);
-      EXPECT_EQ(a.objects[k].reflectional[s].score, b.objects[k].reflectional[s].score);
+      EXPECT_EQ(a.objects[k].reflectional[s].residual, b.objects[k].reflectional[s].residual);
     }
   }
 }

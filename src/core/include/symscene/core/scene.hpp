@@ -23,21 +23,21 @@ struct Scene {
   std::vector<std::string> warnings = {};  ///< what its reader warns of, a sentence each
 };
 
-/// A symmetry of an object, with its score (0 is a perfect fit).
+/// A symmetry of an object with its residual: 0 is a perfect fit.
 struct ScoredAxis {
   RotationAxis axis;
-  double score = 0.0;
+  double residual = 0.0;
 };
 struct ScoredPlane {
   ReflectionPlane plane;
-  double score = 0.0;
+  double residual = 0.0;
 };
 
 /// An object of the result.
 struct SceneObject {
   PointIndices points;                 ///< into the result's cloud, ascending
   double score = 0.0;                  ///< confidence in [0, 1]
-  std::vector<ScoredAxis> rotational;  ///< by rising misfit
+  std::vector<ScoredAxis> rotational;  ///< by rising residual
   std::vector<ScoredPlane> reflectional;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< centre of mass under the symmetries [m]
 };

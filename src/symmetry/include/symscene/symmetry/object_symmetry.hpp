@@ -17,7 +17,7 @@ struct ObjectSymmetryOptions {
 
   ObjectSymmetryOptions() {
     // One object instead of a scene of surfaces: denser starts, and most of it has to agree.
-    rotational.max_symmetry_score = 0.05;
+    rotational.max_symmetry_residual = 0.05;
     reflectional.azimuth_steps = 8;
     reflectional.max_points = 1500;
     reflectional.min_inlier_score = 0.62;

@@ -8,13 +8,11 @@
 
 namespace symscene {
 
-/// Measures of a plane on a set of points (section 3.5.3).
+/// How well a plane explains a set of points (section 3.5.3).
 struct ReflectionalScores {
-  double symmetry =
-      0.0;  ///< mean agreement of normals over the correspondences, 1 is perfect (Eq. 3.9 as used)
-  double inlier = 0.0;  ///< summed agreement over all points (Eq. 3.10), in [0, 1]
-  double occlusion =
-      0.0;  ///< mean share of free space that reflected points fall into (Eq. 4.7), 0 is perfect
+  double symmetry_score = 0.0;  ///< mean agreement of normals over correspondences (Eq. 3.9)
+  double inlier_score = 0.0;    ///< agreement summed over all points, by their number (Eq. 3.10)
+  double occlusion_residual = 0.0;  ///< mean ramp of distances into free space (Eq. 4.7), in [0, 1]
 };
 
 struct ReflectionalDetectionOptions {
@@ -31,7 +29,7 @@ struct ReflectionalDetectionOptions {
   double max_occlusion = 0.03;  ///< and from here contradict fully [m]
   double min_symmetry_score = 0.8;  ///< table 4.1 as used
   double min_inlier_score = 0.3;    ///< table 4.1 as used
-  double max_occlusion_score = 0.01;
+  double max_occlusion_residual = 0.01;
   double same_angle = radians(7.0);  ///< planes closer than this [rad]
   double same_distance = 0.01;       ///< and this, at their segment, are one [m]
 
@@ -57,7 +55,8 @@ struct ReflectionalDetectionOptions {
     visit("min_symmetry_score", self.min_symmetry_score, "",
           "least mean agreement of matched normals");
     visit("min_inlier_score", self.min_inlier_score, "", "least agreement summed over all points");
-    visit("max_occlusion_score", self.max_occlusion_score, "", "greatest mean occlusion score");
+    visit("max_occlusion_residual", self.max_occlusion_residual, "",
+          "greatest mean occlusion score");
     visit("same_angle", self.same_angle, "rad",
           "planes closer than this and same_distance are one");
     visit("same_distance", self.same_distance, "m",

@@ -9,12 +9,12 @@
 
 namespace symscene {
 
-/// Measures of an axis on a set of points (section 3.5.2). Lower is better, but for coverage.
+/// How well an axis explains a set of points (section 3.5.2).
 struct RotationalScores {
-  double symmetry = 0.0;          ///< mean ramp of the angle of Fig. 3.4 (Eq. 3.5), in [0, 1]
-  double perpendicularity = 0.0;  ///< mean of 1 − angle(normal, axis)/90° (Eq. 3.6), in [0, 1]
-  double coverage = 0.0;          ///< share of the full turn that the points span about the axis
-  double occlusion = 0.0;  ///< mean share of free space that rotated points fall into (Eq. 4.3)
+  double symmetry_residual = 0.0;   ///< mean ramp of the angle of Fig. 3.4 (Eq. 3.5), in [0, 1]
+  double perpendicularity = 0.0;    ///< mean of 1 − angle(normal, axis)/90° (Eq. 3.6), in [0, 1]
+  double coverage = 0.0;            ///< share of the full turn that the points span
+  double occlusion_residual = 0.0;  ///< mean ramp of distances into free space (Eq. 4.3), in [0, 1]
 };
 
 struct RotationalDetectionOptions {
@@ -23,10 +23,10 @@ struct RotationalDetectionOptions {
   double max_angle = radians(60.0);  ///< and from here not at all [rad]
   double min_occlusion = 0.01;  ///< distances into free space up to here are noise (Eq. 4.3) [m]
   double max_occlusion = 0.03;  ///< and from here contradict fully [m]
-  double max_symmetry_score = 0.02;   ///< table 4.1
-  double max_perpendicularity = 0.6;  ///< table 4.1
-  double min_coverage = 0.3;          ///< of a full turn
-  double max_occlusion_score = 0.012;
+  double max_symmetry_residual = 0.02;  ///< table 4.1
+  double max_perpendicularity = 0.6;    ///< table 4.1
+  double min_coverage = 0.3;            ///< of a full turn
+  double max_occlusion_residual = 0.012;
   double same_angle = radians(10.0);  ///< axes closer than this [rad]
   double same_distance = 0.01;        ///< and this, at their segment, are one [m]
 
@@ -42,12 +42,13 @@ struct RotationalDetectionOptions {
     visit("min_occlusion", self.min_occlusion, "m",
           "distances into free space up to here are noise");
     visit("max_occlusion", self.max_occlusion, "m", "and from here contradict the axis fully");
-    visit("max_symmetry_score", self.max_symmetry_score, "",
+    visit("max_symmetry_residual", self.max_symmetry_residual, "",
           "greatest mean angle score of an axis");
     visit("max_perpendicularity", self.max_perpendicularity, "",
           "greatest mean score of normals along the axis");
     visit("min_coverage", self.min_coverage, "turn", "least share of the full turn that is seen");
-    visit("max_occlusion_score", self.max_occlusion_score, "", "greatest mean occlusion score");
+    visit("max_occlusion_residual", self.max_occlusion_residual, "",
+          "greatest mean occlusion score");
     visit("same_angle", self.same_angle, "rad", "axes closer than this and same_distance are one");
     visit("same_distance", self.same_distance, "m", "axes closer than this and same_angle are one");
   }
