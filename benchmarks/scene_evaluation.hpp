@@ -11,7 +11,7 @@ namespace symscene::bench {
 /// How a result compares with the truth of its scene, or the sum over scenes.
 struct SceneScore {
   SettingCounts counts;
-  std::map<std::string, LossCounts> kinds;  ///< of which the fates are not known
+  std::map<std::string, OutcomeCounts> kinds;  ///< of which the fates are not known
   double seconds = 0.0;
 
   SceneScore& operator+=(const SceneScore& other);

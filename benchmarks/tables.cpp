@@ -31,12 +31,12 @@ std::string scene_header() {
 }
 
 std::string scene_row(const std::string& name, const SceneScore& score) {
-  const Score& masks = score.counts.score(Measure::masks_90);
+  const Score& masks = score.counts.score(Metric::masks_90);
   return fmt::format("{:<16} {:>7} {:>5} {:>8} | {} | {} | {:>5.2f} | {} | {} | {:>7.2f}\n", name,
                      masks.truth, masks.correct, masks.found, rates(masks),
-                     rates(score.counts.score(Measure::masks_75)), score.counts.mean_overlap(),
-                     rates(score.counts.score(Measure::axes_near)),
-                     rates(score.counts.score(Measure::planes_near)), score.seconds);
+                     rates(score.counts.score(Metric::masks_75)), score.counts.mean_overlap(),
+                     rates(score.counts.score(Metric::axes_near)),
+                     rates(score.counts.score(Metric::planes_near)), score.seconds);
 }
 
 std::string kind_table(const SceneScore& total) {
@@ -52,15 +52,15 @@ std::string kind_table(const SceneScore& total) {
 }
 
 std::string json_line(std::uint64_t seed, std::size_t scenes, const SceneScore& total) {
-  const auto score = [&](const char* name, Measure measure) {
-    const Score& s = total.counts.score(measure);
+  const auto score = [&](const char* name, Metric metric) {
+    const Score& s = total.counts.score(metric);
     return fmt::format(R"("{}": {{"precision": {:.4f}, "recall": {:.4f}, "f": {:.4f}}}, )", name,
                        s.precision(), s.recall(), s.f_measure());
   };
   return fmt::format(
              R"({{"seed": {}, "scenes": {}, {}{}{}{}"mean_iou": {:.4f}, "seconds": {:.3f}}})", seed,
-             scenes, score("iou_90", Measure::masks_90), score("iou_75", Measure::masks_75),
-             score("axes", Measure::axes_near), score("planes", Measure::planes_near),
+             scenes, score("iou_90", Metric::masks_90), score("iou_75", Metric::masks_75),
+             score("axes", Metric::axes_near), score("planes", Metric::planes_near),
              total.counts.mean_overlap(), total.seconds) +
          "\n";
 }

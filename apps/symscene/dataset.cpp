@@ -164,7 +164,7 @@ struct Dataset {
   SharedOptions shared;
   DatasetOptions options;
   fs::path dir;
-  std::string split_name = "report";
+  std::string split_name = "test";
   fs::path meshes;
   fs::path symmetries;
   std::optional<int> scenes;
@@ -223,6 +223,9 @@ struct Dataset {
     }
     Json found = Json::parse(read_file(file), nullptr, false);
     if (found.is_discarded()) throw InputError(file.string(), "JSON", "a mistake in it");
+    // Datasets made earlier name the splits "tune" and "report".
+    if (found.contains("split") && found["split"].is_string())
+      found["split"] = to_string(parse_split(found["split"].get<std::string>(), file.string()));
     const bool grows = make_as_long(found, options.scenes);
     const std::string difference = first_difference(wanted, found);
     if (!difference.empty())
@@ -283,14 +286,14 @@ struct Dataset {
 
 void add_dataset(CLI::App& app) {
   const auto state = std::make_shared<Dataset>();
-  Arguments arguments(app, "dataset",
-                      "Make many simulated, reconstructed scenes with the truth beside",
-                      "symscene dataset scenes --scenes 89 --seed 1\n"
-                      "  symscene dataset scenes --split tune --meshes ycb --symmetries ycb.json");
+  Arguments arguments(
+      app, "dataset", "Make many simulated, reconstructed scenes with the truth beside",
+      "symscene dataset scenes --scenes 89 --seed 1\n"
+      "  symscene dataset scenes --split training --meshes ycb --symmetries ycb.json");
   arguments.input(state->dir, "DIR", "dataset folder to make, or to go on with");
   arguments.count("--scenes", state->scenes, "how many scenes (default 89)");
-  arguments.choice("--split", state->split_name, {"tune", "report"},
-                   "what the scenes are for: the two share no seeds and no meshes (report)");
+  arguments.choice("--split", state->split_name, {"training", "test"},
+                   "what the scenes are for: the two share no seeds and no meshes (default: test)");
   arguments.folder("--meshes", state->meshes,
                    "drop the split's half of this folder's meshes among household objects");
   arguments.file("--symmetries", state->symmetries, "JSON file with the symmetries of the meshes");

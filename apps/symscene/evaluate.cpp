@@ -99,7 +99,7 @@ struct Evaluate {
     std::string text;
     if (listing.split && listing.seed) {
       text += fmt::format("The {} split, seed {}. ", to_string(*listing.split), *listing.seed);
-      if (*listing.split == Split::tune)
+      if (*listing.split == Split::training)
         text += "Probabilities were fitted to objects of this split. ";
     }
     text += shared.config.empty() ? "Default options"
@@ -113,7 +113,7 @@ struct Evaluate {
     session.say(fmt::format("{}; F in percent\n", what_was_evaluated(evaluation)));
     session.say(headline_text(evaluation.segmentation) + "\n" +
                 default_text(evaluation.segmentation) + format_subsets(evaluation));
-    session.say(loss_text(evaluation));
+    session.say(missed_object_text(evaluation));
     session.say(runtime_text(evaluation));
     if (!then.empty()) session.say(report_difference(json, then, earlier.string()));
     session.say((shared.output / "report.html").string());
@@ -142,7 +142,7 @@ struct Evaluate {
     session.finish(
         {{"output", shared.output},
          {"scenes", evaluation.scenes.size()},
-         {"objects", evaluation.losses.objects},
+         {"objects", evaluation.outcomes.objects},
          ReportMember::raw("headline", nlohmann::ordered_json::parse(json).at("headline").dump())},
         summed_times(evaluation));
   }

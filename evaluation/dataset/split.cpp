@@ -21,18 +21,17 @@ std::string family(const ObjectModel& model) { return model.name.substr(0, model
 
 }  // namespace
 
-const char* to_string(Split split) { return split == Split::tune ? "tune" : "report"; }
+const char* to_string(Split split) { return split == Split::training ? "training" : "test"; }
 
 Split parse_split(const std::string& text, const std::string& where) {
-  for (const Split split : {Split::tune, Split::report}) {
-    if (text == to_string(split)) return split;
-  }
-  throw InputError(where, "the split tune or report", text);
+  if (text == "training" || text == "tune") return Split::training;
+  if (text == "test" || text == "report") return Split::test;
+  throw InputError(where, "the split training or test", text);
 }
 
 std::uint64_t scene_seed(std::uint64_t dataset_seed, Split split, std::size_t index,
                          std::size_t attempt) {
-  const std::uint64_t own = split == Split::report ? 1U : 0U;
+  const std::uint64_t own = split == Split::test ? 1U : 0U;
   std::uint64_t mixed = dataset_seed;
   for (const std::uint64_t part : {own, std::uint64_t{index}, std::uint64_t{attempt}})
     mixed = scrambled(scrambled(mixed) ^ part);
@@ -57,10 +56,11 @@ std::vector<ObjectModel> models_of(Split split, std::vector<ObjectModel> models)
   });
   std::vector<ObjectModel> own;
   std::string current;
-  Split turn = Split::report;
+  Split turn = Split::test;
   bool first = true;
   for (ObjectModel& model : models) {
-    if (first || family(model) != current) turn = turn == Split::tune ? Split::report : Split::tune;
+    if (first || family(model) != current)
+      turn = turn == Split::training ? Split::test : Split::training;
     first = false;
     current = family(model);
     if (turn == split) own.push_back(std::move(model));

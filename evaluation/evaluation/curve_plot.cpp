@@ -70,61 +70,61 @@ std::string star(const CurvePoint& centre, std::size_t color) {
 }
 
 /// Settings that fall together are one dot.
-std::string dots(const Sweep& sweep, Measure measure, std::size_t color) {
+std::string dots(const Sweep& sweep, Metric metric, std::size_t color) {
   std::set<std::string> places;
   for (const SettingCounts& counts : sweep.counts)
-    places.insert(fmt::format("M{}h0", at(point_of(counts.score(measure)))));
+    places.insert(fmt::format("M{}h0", at(point_of(counts.score(metric)))));
   std::string path;
   for (const std::string& place : places) path += place;
   return fmt::format("<path class=\"dots c{}\" d=\"{}\"/>\n", color, path);
 }
 
-std::string envelope(const Sweep& sweep, Measure measure, std::size_t color) {
+std::string envelope(const Sweep& sweep, Metric metric, std::size_t color) {
   std::string points;
-  for (const CurvePoint& point : precision_recall_curve(sweep, measure)) {
+  for (const CurvePoint& point : precision_recall_curve(sweep, metric)) {
     if (!points.empty()) points += " ";
     points += at(point);
   }
   return fmt::format("<polyline class=\"curve c{}\" points=\"{}\"/>\n", color, points);
 }
 
-std::string series(const Sweep& sweep, Measure measure, std::size_t color) {
-  const auto best = best_setting(sweep, measure);
+std::string series(const Sweep& sweep, Metric metric, std::size_t color) {
+  const auto best = best_setting(sweep, metric);
   if (!best) return "";
-  std::string svg = dots(sweep, measure, color) + envelope(sweep, measure, color);
+  std::string svg = dots(sweep, metric, color) + envelope(sweep, metric, color);
   if (sweep.at_default) {
-    const CurvePoint given = point_of(sweep.at_default->score(measure));
+    const CurvePoint given = point_of(sweep.at_default->score(metric));
     svg += fmt::format("<circle class=\"ring c{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"/>\n", color,
                        x_of(given.recall), y_of(given.precision));
   }
-  return svg + star(point_of(sweep.counts[*best].score(measure)), color);
+  return svg + star(point_of(sweep.counts[*best].score(metric)), color);
 }
 
-std::string legend_entry(const Sweep& sweep, Measure measure, std::size_t color) {
-  const auto best = best_setting(sweep, measure);
+std::string legend_entry(const Sweep& sweep, Metric metric, std::size_t color) {
+  const auto best = best_setting(sweep, metric);
   if (!best) return "";
   std::string text = fmt::format("<li><span class=\"swatch c{}\"></span>{}: best F <b>{}</b>",
                                  color, escape_markup(sweep.method),
-                                 percent(sweep.counts[*best].score(measure).f_measure()));
+                                 percent(sweep.counts[*best].score(metric).f_measure()));
   if (sweep.at_default)
-    text += fmt::format(", default {}", percent(sweep.at_default->score(measure).f_measure()));
+    text += fmt::format(", default {}", percent(sweep.at_default->score(metric).f_measure()));
   return text + fmt::format("<small>{}</small></li>\n", escape_markup(setting_text(sweep, *best)));
 }
 
 }  // namespace
 
 std::string curve_figure(const std::string& caption, const std::vector<const Sweep*>& sweeps,
-                         const std::vector<std::size_t>& colors, Measure measure) {
+                         const std::vector<std::size_t>& colors, Metric metric) {
   std::string html = fmt::format(
       "<figure>\n<figcaption>{}</figcaption>\n<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
       "aria-label=\"{}\" xmlns=\"http://www.w3.org/2000/svg\">\n",
       escape_markup(caption), left + side + 14.0, top + side + 40.0, escape_markup(caption));
   html += grid();
   for (const double f : {0.2, 0.4, 0.6, 0.8}) html += equal_f(f);
-  for (std::size_t k = 0; k < sweeps.size(); ++k) html += series(*sweeps[k], measure, colors[k]);
+  for (std::size_t k = 0; k < sweeps.size(); ++k) html += series(*sweeps[k], metric, colors[k]);
   html += "</svg>\n<ul class=\"legend\">\n";
   for (std::size_t k = 0; k < sweeps.size(); ++k)
-    html += legend_entry(*sweeps[k], measure, colors[k]);
+    html += legend_entry(*sweeps[k], metric, colors[k]);
   return html + "</ul>\n</figure>\n";
 }
 

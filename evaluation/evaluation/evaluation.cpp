@@ -23,7 +23,7 @@ void add_time(const StageTime& time, RuntimeClass& to) {
 
 }  // namespace
 
-void LossCounts::add(const ObjectOutcome& outcome) {
+void OutcomeCounts::add(const ObjectOutcome& outcome) {
   const auto fate = static_cast<std::size_t>(outcome.fate);
   ++objects;
   ++fates[fate];
@@ -34,7 +34,7 @@ void LossCounts::add(const ObjectOutcome& outcome) {
   symmetries_met += outcome.symmetries_met;
 }
 
-LossCounts& LossCounts::operator+=(const LossCounts& other) {
+OutcomeCounts& OutcomeCounts::operator+=(const OutcomeCounts& other) {
   objects += other.objects;
   for (std::size_t fate = 0; fate < fates.size(); ++fate) {
     fates[fate] += other.fates[fate];
@@ -52,7 +52,7 @@ void Evaluation::add(SceneEvaluation scene) {
   add_sweeps(scene.detection, detection);
   if (!scene.subset.empty()) add_sweeps(scene.segmentation, subsets[scene.subset]);
   for (const ObjectOutcome& outcome : scene.objects) {
-    losses.add(outcome);
+    outcomes.add(outcome);
     kinds[outcome.kind].add(outcome);
   }
   scenes.push_back(std::move(scene));

@@ -95,10 +95,10 @@ std::string wrong_cut(const Target& target, const BestCut& cut) {
   return missing >= foreign ? "too little" : "too much";
 }
 
-void judge_loss(const Target& target, const SceneProposals& proposals,
-                const SegmentationResult& result, ObjectOutcome& outcome) {
+void judge_outcome(const Target& target, const SceneProposals& proposals,
+                   const SegmentationResult& result, ObjectOutcome& outcome) {
   const BestCut cut = best_cut(target, proposals);
-  outcome.best_cut_overlap = cut.overlap;
+  outcome.best_proposal_overlap = cut.overlap;
   if (outcome.best_overlap > found_overlap) return;
   if (cut.overlap > found_overlap) {
     outcome.fate = Fate::rejected;
@@ -106,8 +106,8 @@ void judge_loss(const Target& target, const SceneProposals& proposals,
     return;
   }
   if (cut.overlap <= proposed_overlap) outcome.reason = missing_proposal(target, proposals);
-  outcome.fate = outcome.reason.empty() ? Fate::cut_wrongly : Fate::not_proposed;
-  if (outcome.fate == Fate::cut_wrongly) outcome.reason = wrong_cut(target, cut);
+  outcome.fate = outcome.reason.empty() ? Fate::wrongly_segmented : Fate::not_proposed;
+  if (outcome.fate == Fate::wrongly_segmented) outcome.reason = wrong_cut(target, cut);
 }
 
 /// Sums the next `count` entries of a scene's list of met symmetries.
@@ -120,7 +120,7 @@ void count_met(const SymmetryMatch& match, std::size_t count, std::size_t& next,
 }  // namespace
 
 std::string fate_name(Fate fate) {
-  static constexpr std::array names = {"found", "not proposed", "cut wrongly", "rejected"};
+  static constexpr std::array names = {"found", "not proposed", "wrongly segmented", "rejected"};
   static_assert(names.size() == all_fates.size());
   return names[static_cast<std::size_t>(fate)];
 }
@@ -144,7 +144,7 @@ std::vector<ObjectOutcome> object_outcomes(const SceneTruth& truth,
     outcome.points = target.mask.size();
     for (const SceneObject& object : result.objects)
       outcome.best_overlap = std::max(outcome.best_overlap, target.overlap(object.points));
-    judge_loss(target, proposals, result, outcome);
+    judge_outcome(target, proposals, result, outcome);
     count_met(axes, axis_counts[k], next_axis, outcome);
     count_met(planes, plane_counts[k], next_plane, outcome);
     outcomes.push_back(std::move(outcome));

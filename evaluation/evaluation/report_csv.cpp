@@ -17,13 +17,13 @@ std::string field(const std::string& text) {
 
 void add_lines(const std::string& subset, const Sweep& sweep, const std::string& setting,
                const SettingCounts& counts, std::string& csv) {
-  for (const Measure measure : sweep.metrics) {
-    if (!sweep.has(measure)) continue;
-    const Score& score = counts.score(measure);
+  for (const Metric metric : sweep.metrics) {
+    if (!sweep.has(metric)) continue;
+    const Score& score = counts.score(metric);
     csv +=
         fmt::format("{},{},{},{},{},{},{},{:.6f},{:.6f},{:.6f}\n", field(sweep.method),
-                    field(subset), measure_name(measure), field(setting), score.correct,
-                    score.found, score.truth, score.precision(), score.recall(), score.f_measure());
+                    field(subset), metric_name(metric), field(setting), score.correct, score.found,
+                    score.truth, score.precision(), score.recall(), score.f_measure());
   }
 }
 
@@ -62,7 +62,7 @@ double seconds_of(const SceneEvaluation& scene, const std::string& stage) {
 }  // namespace
 
 std::string curves_csv(const Evaluation& evaluation) {
-  std::string csv = "method,subset,measure,setting,correct,found,truth,precision,recall,f\n";
+  std::string csv = "method,subset,metric,setting,correct,found,truth,precision,recall,f\n";
   add_sweeps("", evaluation.segmentation, csv);
   add_sweeps("", evaluation.detection, csv);
   for (const auto& [subset, sweeps] : evaluation.subsets) add_sweeps(subset, sweeps, csv);
@@ -71,15 +71,16 @@ std::string curves_csv(const Evaluation& evaluation) {
 
 std::string objects_csv(const Evaluation& evaluation) {
   std::string csv =
-      "scene,subset,object,kind,points,best_iou,best_cut_iou,outcome,reason,symmetries,"
+      "scene,subset,object,kind,points,best_iou,best_proposal_iou,outcome,reason,symmetries,"
       "symmetries_met\n";
   for (const SceneEvaluation& scene : evaluation.scenes) {
     for (std::size_t k = 0; k < scene.objects.size(); ++k) {
       const ObjectOutcome& outcome = scene.objects[k];
-      csv += fmt::format("{},{},{},{},{},{:.6f},{:.6f},{},{},{},{}\n", field(scene.name),
-                         field(scene.subset), k, field(outcome.kind), outcome.points,
-                         outcome.best_overlap, outcome.best_cut_overlap, fate_name(outcome.fate),
-                         field(outcome.reason), outcome.symmetries, outcome.symmetries_met);
+      csv +=
+          fmt::format("{},{},{},{},{},{:.6f},{:.6f},{},{},{},{}\n", field(scene.name),
+                      field(scene.subset), k, field(outcome.kind), outcome.points,
+                      outcome.best_overlap, outcome.best_proposal_overlap, fate_name(outcome.fate),
+                      field(outcome.reason), outcome.symmetries, outcome.symmetries_met);
     }
   }
   return csv;
@@ -91,7 +92,7 @@ std::string scenes_csv(const Evaluation& evaluation) {
   for (const std::string& stage : stages) csv += "," + field(stage);
   csv += "\n";
   for (const SceneEvaluation& scene : evaluation.scenes) {
-    LossCounts counts;
+    OutcomeCounts counts;
     for (const ObjectOutcome& outcome : scene.objects) counts.add(outcome);
     csv += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
                        counts.objects, scene.unseen, counts.count(Fate::found), scene.returned,

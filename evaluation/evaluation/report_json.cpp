@@ -10,6 +10,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// 2 since objects are counted under "missed_objects".
+constexpr int report_version = 2;
+
 Json to_json(const SegmentMetrics& metrics) {
   return {{"overlap_precision", metrics.overlap_precision},
           {"overlap_recall", metrics.overlap_recall},
@@ -20,17 +23,17 @@ Json to_json(const SegmentMetrics& metrics) {
           {"f_75", metrics.found_75}};
 }
 
-bool has_masks(const Sweep& sweep) { return sweep.has(Measure::masks_90); }
+bool has_masks(const Sweep& sweep) { return sweep.has(Metric::masks_90); }
 
 Json to_json(const Sweep& sweep, const SettingCounts& counts) {
   Json json = Json::object();
-  for (const Measure measure : sweep.metrics) {
-    if (!sweep.has(measure)) continue;
-    const Score& score = counts.score(measure);
-    json[measure_name(measure)] = {{"correct", score.correct},
-                                   {"found", score.found},
-                                   {"truth", score.truth},
-                                   {"f", score.f_measure()}};
+  for (const Metric metric : sweep.metrics) {
+    if (!sweep.has(metric)) continue;
+    const Score& score = counts.score(metric);
+    json[metric_name(metric)] = {{"correct", score.correct},
+                                 {"found", score.found},
+                                 {"truth", score.truth},
+                                 {"f", score.f_measure()}};
   }
   if (has_masks(sweep)) {
     json["mean_iou"] = counts.mean_overlap();
@@ -43,11 +46,11 @@ Json to_json(const Sweep& sweep) {
   Json json = {{"method", sweep.method}, {"parameters", sweep.parameters}};
   if (sweep.at_default) json["default"] = to_json(sweep, *sweep.at_default);
   Json best = Json::object();
-  for (const Measure measure : sweep.metrics) {
-    if (!sweep.has(measure)) continue;
-    if (const auto k = best_setting(sweep, measure)) {
-      best[measure_name(measure)] = {{"setting", sweep.settings[*k]},
-                                     {"f", sweep.counts[*k].score(measure).f_measure()}};
+  for (const Metric metric : sweep.metrics) {
+    if (!sweep.has(metric)) continue;
+    if (const auto k = best_setting(sweep, metric)) {
+      best[metric_name(metric)] = {{"setting", sweep.settings[*k]},
+                                   {"f", sweep.counts[*k].score(metric).f_measure()}};
     }
   }
   json["best"] = std::move(best);
@@ -71,9 +74,9 @@ Json headline_json(const std::vector<Sweep>& sweeps) {
   Json json = Json::array();
   for (const HeadlineRow& row : headline(sweeps)) {
     Json numbers = Json::object();
-    for (const Measure measure : all_metrics) {
-      const auto& f = row.f[static_cast<std::size_t>(measure)];
-      if (f) numbers[measure_name(measure)] = *f;
+    for (const Metric metric : all_metrics) {
+      const auto& f = row.f[static_cast<std::size_t>(metric)];
+      if (f) numbers[metric_name(metric)] = *f;
     }
     numbers["mean_iou"] = row.mean_overlap;
     numbers["overlap_f"] = row.segments.overlap_f;
@@ -86,7 +89,7 @@ Json headline_json(const std::vector<Sweep>& sweeps) {
   return json;
 }
 
-Json to_json(const LossCounts& counts) {
+Json to_json(const OutcomeCounts& counts) {
   Json json = {{"objects", counts.objects}};
   for (const Fate fate : all_fates) {
     Json reasons = Json::object();
@@ -99,8 +102,8 @@ Json to_json(const LossCounts& counts) {
   return json;
 }
 
-Json losses_json(const Evaluation& evaluation) {
-  Json json = {{"all", to_json(evaluation.losses)}, {"kinds", Json::object()}};
+Json missed_objects_json(const Evaluation& evaluation) {
+  Json json = {{"all", to_json(evaluation.outcomes)}, {"kinds", Json::object()}};
   for (const auto& [kind, counts] : evaluation.kinds) json["kinds"][kind] = to_json(counts);
   return json;
 }
@@ -118,7 +121,7 @@ Json to_json(const SceneEvaluation& scene) {
     json["objects"].push_back({{"kind", outcome.kind},
                                {"points", outcome.points},
                                {"best_iou", outcome.best_overlap},
-                               {"best_cut_iou", outcome.best_cut_overlap},
+                               {"best_proposal_iou", outcome.best_proposal_overlap},
                                {"outcome", fate_name(outcome.fate)},
                                {"reason", outcome.reason}});
   }
@@ -145,6 +148,11 @@ std::map<std::string, std::map<std::string, double>> headline_numbers(const std:
   std::map<std::string, std::map<std::string, double>> rows;
   try {
     const Json report = Json::parse(text);
+    const int version = report.at("version").get<int>();
+    if (version != report_version) {
+      throw InputError(name, fmt::format("a report of version {}", report_version),
+                       fmt::format("one of version {}, made by another release", version));
+    }
     for (const Json& row : report.at("headline")) {
       const std::string key =
           row.at("method").get<std::string>() + " " + row.at("setting").get<std::string>();
@@ -159,13 +167,13 @@ std::map<std::string, std::map<std::string, double>> headline_numbers(const std:
 }  // namespace
 
 std::string report_json(const Evaluation& evaluation, const ReportInfo& info) {
-  Json json = {{"version", 1},
+  Json json = {{"version", report_version},
                {"symscene", info.version},
                {"dataset", info.dataset},
                {"date", info.date},
                {"made_with", info.made_with},
                {"headline", headline_json(evaluation.segmentation)},
-               {"losses", losses_json(evaluation)},
+               {"missed_objects", missed_objects_json(evaluation)},
                {"runtimes", runtimes_json(evaluation)},
                {"segmentation", to_json(evaluation.segmentation)},
                {"detection", to_json(evaluation.detection)},
@@ -180,13 +188,13 @@ std::string report_difference(const std::string& report, const std::string& earl
                               const std::string& name) {
   const auto then = headline_numbers(earlier, name);
   const auto now = headline_numbers(report, "report");
-  TextTable table{{"method", "measure", "then", "now", "difference"}};
+  TextTable table{{"method", "metric", "then", "now", "difference"}};
   for (const auto& [method, numbers] : now) {
     if (!then.contains(method)) continue;
-    for (const auto& [measure, value] : numbers) {
-      const auto old = then.at(method).find(measure);
+    for (const auto& [metric, value] : numbers) {
+      const auto old = then.at(method).find(metric);
       if (old == then.at(method).end()) continue;
-      table.push_back({method, measure, percent(old->second), percent(value),
+      table.push_back({method, metric, percent(old->second), percent(value),
                        fmt::format("{:+.1f}", 100.0 * (value - old->second))});
     }
   }

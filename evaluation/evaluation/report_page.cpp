@@ -73,26 +73,26 @@ std::string section(const char* title, const char* text) {
   return fmt::format("<h2>{}</h2>\n<p>{}</p>\n", title, text);
 }
 
-/// The methods that a measure means something for, each with its own colour.
+/// The methods that a metric means something for, each with its own colour.
 std::string figure(const std::string& caption, const std::vector<const Sweep*>& candidates,
-                   Measure measure) {
+                   Metric metric) {
   std::vector<const Sweep*> shown;
   std::vector<std::size_t> colors;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    if (!candidates[k]->has(measure)) continue;
+    if (!candidates[k]->has(metric)) continue;
     shown.push_back(candidates[k]);
     colors.push_back(k % color_count);
   }
-  return shown.empty() ? "" : curve_figure(caption, shown, colors, measure);
+  return shown.empty() ? "" : curve_figure(caption, shown, colors, metric);
 }
 
 std::string figures(const Evaluation& evaluation) {
   std::vector<const Sweep*> sweeps;
   for (const Sweep& sweep : evaluation.segmentation) sweeps.push_back(&sweep);
   std::string html = "<div class=\"figures\">\n";
-  html += figure("Masks, IoU > 0.9", sweeps, Measure::masks_90);
-  html += figure("Masks, IoU > 0.75", sweeps, Measure::masks_75);
-  html += figure("Masks, IoU > 0.5", sweeps, Measure::masks_50);
+  html += figure("Masks, IoU > 0.9", sweeps, Metric::masks_90);
+  html += figure("Masks, IoU > 0.75", sweeps, Metric::masks_75);
+  html += figure("Masks, IoU > 0.5", sweeps, Metric::masks_50);
   html += "</div>\n";
   html += section("Symmetries",
                   "Rotation axes and reflection planes within 10° and 10 cm, and within 10° and "
@@ -101,20 +101,20 @@ std::string figures(const Evaluation& evaluation) {
                   "neither right nor wrong.");
   for (const Sweep& sweep : evaluation.detection) sweeps.push_back(&sweep);
   html += "<div class=\"figures small\">\n";
-  html += figure("Axes, 10° and 10 cm", sweeps, Measure::axes);
-  html += figure("Planes, 10° and 10 cm", sweeps, Measure::planes);
-  html += figure("Axes, 10° and 1 cm", sweeps, Measure::axes_near);
-  html += figure("Planes, 10° and 1 cm", sweeps, Measure::planes_near);
+  html += figure("Axes, 10° and 10 cm", sweeps, Metric::axes);
+  html += figure("Planes, 10° and 10 cm", sweeps, Metric::planes);
+  html += figure("Axes, 10° and 1 cm", sweeps, Metric::axes_near);
+  html += figure("Planes, 10° and 1 cm", sweeps, Metric::planes_near);
   return html + "</div>\n";
 }
 
-std::string losses(const Evaluation& evaluation) {
-  std::string html =
-      section("What becomes of the objects",
-              "Of each true object at the default options: found (IoU &gt; 0.9); not proposed by "
-              "any symmetry that was detected; proposed but cut wrongly; cut well and rejected, "
-              "by a bound or by the competition.");
-  html += table_html(loss_table(evaluation), "l1 total");
+std::string missed_objects(const Evaluation& evaluation) {
+  std::string html = section(
+      "What becomes of the objects",
+      "Of each true object at the default options: found (IoU &gt; 0.9); not proposed by "
+      "any symmetry that was detected; proposed but wrongly segmented; cut well and rejected, "
+      "by a bound or by the competition.");
+  html += table_html(missed_object_table(evaluation), "l1 total");
   const TextTable reasons = reason_table(evaluation);
   if (reasons.size() > 1) html += "<br/>\n" + table_html(reasons, "l2");
   return html;
@@ -170,7 +170,7 @@ std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
       "their envelopes, stars the best F, rings the default; dashed curves join equal "
       "F of 20, 40, 60 and 80.");
   html += figures(evaluation);
-  html += losses(evaluation);
+  html += missed_objects(evaluation);
   html += section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.");
   html += table_html(kind_table(evaluation), "l1");
   html +=

@@ -19,23 +19,23 @@ HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string 
                   {},
                   counts.mean_overlap(),
                   counts.segments.mean(counts.scenes),
-                  counts.score(Measure::masks_90).found};
-  for (const Measure measure : sweep.metrics) {
-    if (sweep.has(measure))
-      row.f[static_cast<std::size_t>(measure)] = counts.score(measure).f_measure();
+                  counts.score(Metric::masks_90).found};
+  for (const Metric metric : sweep.metrics) {
+    if (sweep.has(metric))
+      row.f[static_cast<std::size_t>(metric)] = counts.score(metric).f_measure();
   }
   return row;
 }
 
-std::vector<std::string> loss_row(const std::string& name, const LossCounts& counts) {
+std::vector<std::string> outcome_row(const std::string& name, const OutcomeCounts& counts) {
   std::vector<std::string> row{name, fmt::format("{}", counts.objects)};
   for (const Fate fate : all_fates)
     row.push_back(count_and_share(counts.count(fate), counts.objects));
   return row;
 }
 
-/// The objects of a scene that were lost, by kind and fate.
-std::string losses_of(const SceneEvaluation& scene) {
+/// The objects of a scene that were missed, by kind and fate.
+std::string missed_objects_of(const SceneEvaluation& scene) {
   std::string text;
   for (const ObjectOutcome& outcome : scene.objects) {
     if (outcome.fate == Fate::found) continue;
@@ -61,7 +61,7 @@ std::string what_was_evaluated(const Evaluation& evaluation) {
   std::size_t unseen = 0;
   for (const SceneEvaluation& scene : evaluation.scenes) unseen += scene.unseen;
   std::string text =
-      fmt::format("{} scenes, {} objects", evaluation.scenes.size(), evaluation.losses.objects);
+      fmt::format("{} scenes, {} objects", evaluation.scenes.size(), evaluation.outcomes.objects);
   if (unseen > 0) text += fmt::format(" and {} of which too little is seen to count", unseen);
   return text;
 }
@@ -70,15 +70,15 @@ std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
   std::vector<HeadlineRow> rows;
   for (const Sweep& sweep : sweeps) {
     if (sweep.at_default) rows.push_back(row_at(sweep, *sweep.at_default, "default"));
-    const auto best = best_setting(sweep, Measure::masks_90);
+    const auto best = best_setting(sweep, Metric::masks_90);
     if (!best) continue;
     rows.push_back(
         row_at(sweep, sweep.counts[*best], fmt::format("best of {}", sweep.settings.size())));
-    for (const Measure measure : sweep.metrics) {
-      if (!sweep.has(measure)) continue;
-      const std::size_t its_best = best_setting(sweep, measure).value_or(0);
-      rows.back().f[static_cast<std::size_t>(measure)] =
-          sweep.counts[its_best].score(measure).f_measure();
+    for (const Metric metric : sweep.metrics) {
+      if (!sweep.has(metric)) continue;
+      const std::size_t its_best = best_setting(sweep, metric).value_or(0);
+      rows.back().f[static_cast<std::size_t>(metric)] =
+          sweep.counts[its_best].score(metric).f_measure();
     }
   }
   return rows;
@@ -103,11 +103,11 @@ TextTable default_table(const std::vector<Sweep>& sweeps) {
   TextTable table{
       {"masks at 0.9", "precision", "recall", "F", "best F", "difference", "best setting"}};
   for (const Sweep& sweep : sweeps) {
-    const auto best = best_setting(sweep, Measure::masks_90);
+    const auto best = best_setting(sweep, Metric::masks_90);
     if (!sweep.at_default || !best) continue;
-    const Score at_default = sweep.at_default->score(Measure::masks_90);
+    const Score at_default = sweep.at_default->score(Metric::masks_90);
     const double given = at_default.f_measure();
-    const double greatest = sweep.counts[*best].score(Measure::masks_90).f_measure();
+    const double greatest = sweep.counts[*best].score(Metric::masks_90).f_measure();
     table.push_back({sweep.method, percent(at_default.precision()), percent(at_default.recall()),
                      percent(given), percent(greatest),
                      fmt::format("{:+.1f}", 100.0 * (given - greatest)),
@@ -116,19 +116,20 @@ TextTable default_table(const std::vector<Sweep>& sweeps) {
   return table;
 }
 
-TextTable loss_table(const Evaluation& evaluation) {
+TextTable missed_object_table(const Evaluation& evaluation) {
   TextTable table{{"kind", "objects"}};
   for (const Fate fate : all_fates) table.front().push_back(fate_name(fate));
-  for (const auto& [name, counts] : evaluation.kinds) table.push_back(loss_row(name, counts));
-  table.push_back(loss_row("all", evaluation.losses));
+  for (const auto& [name, counts] : evaluation.kinds) table.push_back(outcome_row(name, counts));
+  table.push_back(outcome_row("all", evaluation.outcomes));
   return table;
 }
 
 TextTable reason_table(const Evaluation& evaluation) {
-  TextTable table{{"lost because", "reason", "objects"}};
+  TextTable table{{"missed because", "reason", "objects"}};
   for (const Fate fate : all_fates) {
-    for (const auto& [reason, count] : evaluation.losses.reasons[static_cast<std::size_t>(fate)])
-      table.push_back({fate_name(fate), reason, count_and_share(count, evaluation.losses.objects)});
+    for (const auto& [reason, count] : evaluation.outcomes.reasons[static_cast<std::size_t>(fate)])
+      table.push_back(
+          {fate_name(fate), reason, count_and_share(count, evaluation.outcomes.objects)});
   }
   return table;
 }
@@ -172,12 +173,12 @@ TextTable worst_scene_table(const Evaluation& evaluation, std::size_t most) {
   std::stable_sort(
       scenes.begin(), scenes.end(),
       [](const SceneEvaluation* a, const SceneEvaluation* b) { return f_of(*a) < f_of(*b); });
-  TextTable table{{"scene", "objects", "found", "returned", "F", "lost"}};
+  TextTable table{{"scene", "objects", "found", "returned", "F", "missed"}};
   for (const SceneEvaluation* scene : scenes) {
     if (table.size() > most || f_of(*scene) >= 1.0) break;
     table.push_back({scene->name, fmt::format("{}", scene->objects.size()),
                      fmt::format("{}", count_found(*scene)), fmt::format("{}", scene->returned),
-                     percent(f_of(*scene)), losses_of(*scene)});
+                     percent(f_of(*scene)), missed_objects_of(*scene)});
   }
   return table;
 }
@@ -190,8 +191,8 @@ std::string default_text(const std::vector<Sweep>& sweeps) {
   return aligned(default_table(sweeps), 1);
 }
 
-std::string loss_text(const Evaluation& evaluation) {
-  return aligned(loss_table(evaluation), 1) + "\n" + aligned(reason_table(evaluation), 2);
+std::string missed_object_text(const Evaluation& evaluation) {
+  return aligned(missed_object_table(evaluation), 1) + "\n" + aligned(reason_table(evaluation), 2);
 }
 
 std::string runtime_text(const Evaluation& evaluation) {

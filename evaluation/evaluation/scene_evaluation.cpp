@@ -15,13 +15,13 @@
 namespace symscene {
 namespace {
 
-const std::vector<Measure> mask_metrics = {Measure::masks_90, Measure::masks_75, Measure::masks_50};
+const std::vector<Metric> mask_metrics = {Metric::masks_90, Metric::masks_75, Metric::masks_50};
 
 /// Without the rotational stream there are no axes to be right or wrong.
-std::vector<Measure> pipeline_metrics(bool rotational) {
+std::vector<Metric> pipeline_metrics(bool rotational) {
   if (rotational) return {all_metrics.begin(), all_metrics.end()};
-  std::vector<Measure> metrics = mask_metrics;
-  metrics.insert(metrics.end(), {Measure::planes, Measure::planes_near});
+  std::vector<Metric> metrics = mask_metrics;
+  metrics.insert(metrics.end(), {Metric::planes, Metric::planes_near});
   return metrics;
 }
 
@@ -167,7 +167,7 @@ std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const Sce
   Sweep axes;
   axes.method = axis_detection_method;
   axes.parameters = {"symmetry", "perpendicularity"};
-  axes.metrics = {Measure::axes, Measure::axes_near};
+  axes.metrics = {Metric::axes, Metric::axes_near};
   axes.settings = all_settings({evenly_spaced(0.004, 0.03, 0.002), evenly_spaced(0.6, 0.7, 0.1)});
   for (const auto& setting : axes.settings)
     axes.counts.push_back(count_axes(setting[0], setting[1]));
@@ -176,7 +176,7 @@ std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const Sce
   Sweep planes;
   planes.method = plane_detection_method;
   planes.parameters = {"symmetry", "inlier"};
-  planes.metrics = {Measure::planes, Measure::planes_near};
+  planes.metrics = {Metric::planes, Metric::planes_near};
   planes.settings = all_settings({evenly_spaced(0.7, 0.95, 0.05), evenly_spaced(0.2, 0.8, 0.2)});
   for (const auto& setting : planes.settings)
     planes.counts.push_back(count_planes(setting[0], setting[1]));

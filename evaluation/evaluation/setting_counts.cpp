@@ -22,10 +22,10 @@ SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<Rotati
   SettingCounts counts;
   counts.scenes = 1;
   if (!knows_symmetries(truth)) return counts;
-  counts.score(Measure::axes) = match_axes(truth, axes, wide).score();
-  counts.score(Measure::axes_near) = match_axes(truth, axes, near).score();
-  counts.score(Measure::planes) = match_planes(truth, planes, wide).score();
-  counts.score(Measure::planes_near) = match_planes(truth, planes, near).score();
+  counts.score(Metric::axes) = match_axes(truth, axes, wide).score();
+  counts.score(Metric::axes_near) = match_axes(truth, axes, near).score();
+  counts.score(Metric::planes) = match_planes(truth, planes, wide).score();
+  counts.score(Metric::planes_near) = match_planes(truth, planes, near).score();
   return counts;
 }
 
@@ -56,9 +56,8 @@ SettingCounts CountingContext::count(const std::vector<SceneObject>& objects) co
 SettingCounts CountingContext::recount(SettingCounts counts,
                                        const std::vector<SceneObject>& objects) const {
   const SettingCounts own = count_symmetries(truth_, all_axes(objects), all_planes(objects));
-  for (const Measure measure :
-       {Measure::axes, Measure::axes_near, Measure::planes, Measure::planes_near})
-    counts.score(measure) = own.score(measure);
+  for (const Metric metric : {Metric::axes, Metric::axes_near, Metric::planes, Metric::planes_near})
+    counts.score(metric) = own.score(metric);
   return counts;
 }
 

@@ -9,15 +9,15 @@
 
 namespace symscene {
 
-std::string measure_name(Measure measure) {
+std::string metric_name(Metric metric) {
   static constexpr std::array names = {"masks_90", "masks_75",  "masks_50",   "axes",
                                        "planes",   "axes_near", "planes_near"};
   static_assert(names.size() == all_metrics.size());
-  return names[static_cast<std::size_t>(measure)];
+  return names[static_cast<std::size_t>(metric)];
 }
 
 double SettingCounts::mean_overlap() const {
-  const std::size_t objects = score(Measure::masks_90).truth;
+  const std::size_t objects = score(Metric::masks_90).truth;
   return objects == 0 ? 1.0 : overlap_sum / static_cast<double>(objects);
 }
 
@@ -29,10 +29,10 @@ SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
   return *this;
 }
 
-bool Sweep::has(Measure measure) const {
-  if (std::find(metrics.begin(), metrics.end(), measure) == metrics.end()) return false;
+bool Sweep::has(Metric metric) const {
+  if (std::find(metrics.begin(), metrics.end(), metric) == metrics.end()) return false;
   const auto says = [&](const SettingCounts& setting) {
-    return setting.score(measure).found + setting.score(measure).truth > 0;
+    return setting.score(metric).found + setting.score(metric).truth > 0;
   };
   return std::any_of(counts.begin(), counts.end(), says) || (at_default && says(*at_default));
 }
@@ -49,19 +49,19 @@ Sweep& Sweep::operator+=(const Sweep& other) {
   return *this;
 }
 
-std::optional<std::size_t> best_setting(const Sweep& sweep, Measure measure) {
+std::optional<std::size_t> best_setting(const Sweep& sweep, Metric metric) {
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < sweep.counts.size(); ++k) {
-    const double f = sweep.counts[k].score(measure).f_measure();
-    if (!best || f > sweep.counts[*best].score(measure).f_measure()) best = k;
+    const double f = sweep.counts[k].score(metric).f_measure();
+    if (!best || f > sweep.counts[*best].score(metric).f_measure()) best = k;
   }
   return best;
 }
 
-std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measure) {
+std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric) {
   std::vector<CurvePoint> points;
   for (const SettingCounts& counts : sweep.counts)
-    points.push_back({counts.score(measure).recall(), counts.score(measure).precision()});
+    points.push_back({counts.score(metric).recall(), counts.score(metric).precision()});
   std::sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
     return a.recall != b.recall ? a.recall > b.recall : a.precision > b.precision;
   });

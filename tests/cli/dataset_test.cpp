@@ -65,11 +65,11 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   EXPECT_NE(make("one").out.find("0 made now"), std::string::npos);
 
   const auto scene = nlohmann::json::parse(files.at("scenes/0000/scene.json"));
-  EXPECT_EQ(scene.at("split"), "report");
+  EXPECT_EQ(scene.at("split"), "test");
   EXPECT_EQ(scene.at("frames").at("count"), 6);
 
   expect_refusal(make("one", "--seed 2"), "options/seed 1 in place of 2");
-  expect_refusal(make("one", "--split tune"), "split \"report\" in place of \"tune\"");
+  expect_refusal(make("one", "--split training"), "split \"test\" in place of \"training\"");
   EXPECT_EQ(files_in(workspace / "one"), files);
 
   // A scene without its truth is made again, and a dataset may grow but not shrink.
@@ -90,7 +90,7 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   ASSERT_EQ(info.code, 0) << info.err;
   const auto facts = nlohmann::json::parse(info.out.substr(info.out.rfind("\n{") + 1));
   EXPECT_EQ(facts.at("kind"), "dataset");
-  EXPECT_EQ(facts.at("split"), "report");
+  EXPECT_EQ(facts.at("split"), "test");
   EXPECT_EQ(facts.at("scenes"), 1);
   EXPECT_EQ(facts.at("missing"), nlohmann::json::array({"0001", "0002"}));
   EXPECT_GE(facts.at("objects"), 1);

@@ -61,7 +61,7 @@ class EvaluateCommand : public ::testing::Test {
 std::unique_ptr<Workspace> EvaluateCommand::workspace_;
 std::string EvaluateCommand::report_;
 
-TEST_F(EvaluateCommand, WritesTheReportAndPrintsItsHeadlineAndItsLosses) {
+TEST_F(EvaluateCommand, WritesTheReportAndPrintsItsHeadlineAndTheMissedObjects) {
   for (const char* name : {"report.html", "report.json", "curves.csv", "objects.csv", "scenes.csv"})
     EXPECT_GT(fs::file_size(file("report") / name), 50U) << name;
   const auto json = nlohmann::json::parse(contents(file("report/report.json")));

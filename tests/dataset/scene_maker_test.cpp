@@ -32,8 +32,8 @@ std::string bytes(const MadeScene& made) {
 
 TEST(SceneMaker, MakesASceneWithItsTruthWhateverTheNumberOfThreads) {
   const auto made_with = [](std::size_t threads) {
-    return testing::with_threads(threads,
-                                 [] { return make_scene(small_options(), Split::tune, {}, 1); });
+    return testing::with_threads(
+        threads, [] { return make_scene(small_options(), Split::training, {}, 1); });
   };
   const MadeScene made = made_with(1);
   ASSERT_TRUE(made.facts.good);
@@ -49,7 +49,7 @@ TEST(SceneMaker, MakesASceneWithItsTruthWhateverTheNumberOfThreads) {
 TEST(SceneMaker, MakesASceneOfASingleFrame) {
   DatasetOptions options = small_options();
   options.camera.frames = 1;
-  const MadeScene made = make_scene(options, Split::tune, {}, 1);
+  const MadeScene made = make_scene(options, Split::training, {}, 1);
   ASSERT_TRUE(made.facts.good) << made.facts.failed.at(0).reason;
   EXPECT_EQ(made.facts.frames, 1U);
   EXPECT_EQ(made.facts.fused, 1U);
@@ -70,7 +70,7 @@ TEST(SceneMaker, TriesOtherSeedsAndSaysWhyWhereTrackingIsLost) {
   options.camera.width = 80;
   options.camera.height = 60;
   options.camera.focal_length = 65.0;
-  const MadeScene made = make_scene(options, Split::report, {}, 0);
+  const MadeScene made = make_scene(options, Split::test, {}, 0);
   EXPECT_FALSE(made.facts.good);
   ASSERT_EQ(made.facts.failed.size(), 2U);
   EXPECT_NE(made.facts.failed[0].seed, made.facts.failed[1].seed);

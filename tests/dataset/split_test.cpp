@@ -25,12 +25,12 @@ std::vector<ObjectModel> models_called(const std::vector<std::string>& names) {
 TEST(Split, NoSeedOccursTwice) {
   std::set<std::uint64_t> seeds;
   std::size_t count = 0;
-  for (const Split split : {Split::tune, Split::report}) {
+  for (const Split split : {Split::training, Split::test}) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       for (std::size_t index = 0; index < 89; ++index) {
         for (std::size_t attempt = 0; attempt < 4; ++attempt, ++count) {
           seeds.insert(scene_seed(seed, split, index, attempt));
-          EXPECT_EQ(scene_seed(seed, split, index, attempt) % 2, split == Split::report ? 1U : 0U);
+          EXPECT_EQ(scene_seed(seed, split, index, attempt) % 2, split == Split::test ? 1U : 0U);
         }
       }
     }
@@ -41,26 +41,32 @@ TEST(Split, NoSeedOccursTwice) {
 
 TEST(Split, EveryNumberOfObjectsOccursEquallyOften) {
   std::map<int, int> uses;
-  for (std::size_t i = 0; i < 89; ++i) ++uses[object_count(7, Split::report, i, 1, 15)];
+  for (std::size_t i = 0; i < 89; ++i) ++uses[object_count(7, Split::test, i, 1, 15)];
   EXPECT_EQ(uses.size(), 15U);
   for (const auto& [count, times] : uses) {
     EXPECT_GE(times, 5) << count;
     EXPECT_LE(times, 6) << count;
   }
-  EXPECT_EQ(object_count(7, Split::report, 3, 4, 4), 4);
+  EXPECT_EQ(object_count(7, Split::test, 3, 4, 4), 4);
 }
 
 TEST(Split, FamiliesOfModelsGoToOneSplitAndTheOtherInTurn) {
   const auto models = models_called({"c-2", "a", "c-1", "b", "d-x", "cc"});
-  EXPECT_EQ(names_of(models_of(Split::tune, models)),
+  EXPECT_EQ(names_of(models_of(Split::training, models)),
             (std::vector<std::string>{"a", "c-1", "c-2", "d-x"}));
-  EXPECT_EQ(names_of(models_of(Split::report, models)), (std::vector<std::string>{"b", "cc"}));
-  EXPECT_TRUE(models_of(Split::report, {}).empty());
+  EXPECT_EQ(names_of(models_of(Split::test, models)), (std::vector<std::string>{"b", "cc"}));
+  EXPECT_TRUE(models_of(Split::test, {}).empty());
+}
+
+TEST(Split, IsReadByItsNameAndByTheNameInOlderDatasets) {
+  for (const Split split : {Split::training, Split::test})
+    EXPECT_EQ(parse_split(to_string(split), "there"), split);
+  EXPECT_EQ(parse_split("tune", "there"), Split::training);
+  EXPECT_EQ(parse_split("report", "there"), Split::test);
 }
 
 TEST(Split, OfAnotherNameIsRefused) {
-  EXPECT_EQ(parse_split("tune", "there"), Split::tune);
-  EXPECT_THROW(parse_split("test", "there"), InputError);
+  EXPECT_THROW(parse_split("validation", "there"), InputError);
 }
 
 }  // namespace

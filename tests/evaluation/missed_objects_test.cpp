@@ -16,9 +16,9 @@ const ReflectionPlane mirror{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
 const ReflectionPlane elsewhere{Eigen::Vector3d(0.3, 0, 0), Eigen::Vector3d::UnitX()};
 
 /// An object of the points 0 to 99 of 300, with one plane of symmetry.
-class Losses : public ::testing::Test {
+class MissedObjects : public ::testing::Test {
  protected:
-  Losses() {
+  MissedObjects() {
     truth_.objects.emplace_back();
     truth_.objects.front().name = "box";
     truth_.objects.front().reflectional.push_back({mirror, true});
@@ -51,7 +51,7 @@ class Losses : public ::testing::Test {
   PipelineOptions options_;
 };
 
-TEST_F(Losses, AGoodMaskIsFound) {
+TEST_F(MissedObjects, AGoodMaskIsFound) {
   propose(mirror, range(10, 60));
   cut(range(0, 95));
   expect(Fate::found, "");
@@ -62,68 +62,68 @@ TEST_F(Losses, AGoodMaskIsFound) {
   EXPECT_EQ(outcome().symmetries_met, 1U);
 }
 
-TEST_F(Losses, WithoutACandidateInItNothingWasProposed) {
+TEST_F(MissedObjects, WithoutACandidateInItNothingWasProposed) {
   propose(mirror, range(80, 160));
   expect(Fate::not_proposed, "no segment");
 }
 
-TEST_F(Losses, ACandidateInItThatIsNoSymmetryOfItProposesNothing) {
+TEST_F(MissedObjects, ACandidateInItThatIsNoSymmetryOfItProposesNothing) {
   propose(elsewhere, range(0, 50));
   expect(Fate::not_proposed, "no symmetry");
 }
 
-TEST_F(Losses, WhatAPartOfTheSurfaceComesNearIsProposedWithoutASymmetry) {
+TEST_F(MissedObjects, WhatAPartOfTheSurfaceComesNearIsProposedWithoutASymmetry) {
   cut(range(0, 60));
-  expect(Fate::cut_wrongly, "too little");
+  expect(Fate::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
   cut(range(0, 50));
   expect(Fate::not_proposed, "no segment");  // half of it is not enough
 }
 
-TEST_F(Losses, AnObjectWithoutKnownSymmetriesIsProposedByWhateverLiesInIt) {
+TEST_F(MissedObjects, AnObjectWithoutKnownSymmetriesIsProposedByWhateverLiesInIt) {
   truth_.objects.front().reflectional.clear();
   propose(elsewhere, range(0, 50));
   cut(range(0, 50));
-  expect(Fate::cut_wrongly, "too little");
+  expect(Fate::wrongly_segmented, "too little");
 }
 
-TEST_F(Losses, ACutOfHalfOfItIsTooLittleAndOneOfTwiceItTooMuch) {
+TEST_F(MissedObjects, ACutOfHalfOfItIsTooLittleAndOneOfTwiceItTooMuch) {
   propose(mirror, range(0, 50));
   cut(range(0, 50));
-  expect(Fate::cut_wrongly, "too little");
+  expect(Fate::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
   cut(range(0, 180));
-  expect(Fate::cut_wrongly, "too much");
+  expect(Fate::wrongly_segmented, "too much");
   proposals_.reflectional.clear();
-  expect(Fate::cut_wrongly, "too little");
+  expect(Fate::wrongly_segmented, "too little");
 }
 
-TEST_F(Losses, ABoundThatRefusesAGoodCutIsNamed) {
+TEST_F(MissedObjects, ABoundThatRefusesAGoodCutIsNamed) {
   propose(mirror, range(0, 50));
   cut(range(0, 100), {0.1, 0.9, 0.1});
   expect(Fate::rejected, "occlusion");
   cut(range(0, 99), {0.9, 0.001, 0.1});
   expect(Fate::rejected, "occlusion");  // which comes after symmetry
-  EXPECT_DOUBLE_EQ(outcome().best_cut_overlap, 1.0);
+  EXPECT_DOUBLE_EQ(outcome().best_proposal_overlap, 1.0);
   EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.0);
   options_.reflectional_segmentation.bounds.min_size = 200;
   expect(Fate::rejected, "size");
 }
 
-TEST_F(Losses, ACutThatLostItsSupportIsNamed) {
+TEST_F(MissedObjects, ACutThatLostItsSupportIsNamed) {
   propose(mirror, range(0, 50));
   proposals_.rejected.push_back({"reflectional", "support", 0.3, 0.5, 100, range(0, 100)});
   expect(Fate::rejected, "support");
 }
 
-TEST_F(Losses, AGoodCutMayLoseAgainstARival) {
+TEST_F(MissedObjects, AGoodCutMayLoseAgainstARival) {
   propose(mirror, range(0, 50));
   cut(range(0, 100), {0.2, 0.003, 0.1});
   cut(range(0, 190), {0.01, 0.0001, 0.01});
   expect(Fate::rejected, "overlap");
 }
 
-TEST_F(Losses, AGoodCutMayBeTakenForTwo) {
+TEST_F(MissedObjects, AGoodCutMayBeTakenForTwo) {
   propose(mirror, range(0, 50));
   cut(range(0, 100));
   cut(range(0, 50), {0.05, 0.001, 0.1});
@@ -131,7 +131,7 @@ TEST_F(Losses, AGoodCutMayBeTakenForTwo) {
   expect(Fate::rejected, "composite");
 }
 
-TEST_F(Losses, AGoodProposalMayBeTooImprobable) {
+TEST_F(MissedObjects, AGoodProposalMayBeTooImprobable) {
   propose(mirror, range(0, 50));
   options_.selection.by_score = true;
   ObjectProposal proposal;
@@ -141,7 +141,7 @@ TEST_F(Losses, AGoodProposalMayBeTooImprobable) {
   expect(Fate::rejected, "score");
 }
 
-TEST_F(Losses, AGoodCutMayBecomePartOfAnObjectWithAWorseMask) {
+TEST_F(MissedObjects, AGoodCutMayBecomePartOfAnObjectWithAWorseMask) {
   propose(mirror, range(0, 50));
   cut(range(0, 109), {0.2, 0.003, 0.1});
   cut(range(0, 113), {0.01, 0.0001, 0.01});

@@ -14,7 +14,7 @@ const ReportInfo info{nasty, "2020-01-02", "0.0", nasty};
 
 SettingCounts masks(Score score) {
   SettingCounts counts;
-  counts.score(Measure::masks_90) = score;
+  counts.score(Metric::masks_90) = score;
   counts.overlap_sum = 0.5 * static_cast<double>(score.truth);
   counts.scenes = 1;
   return counts;
@@ -26,7 +26,7 @@ Sweep two_settings(const std::string& method) {
   sweep.parameters = {"k"};
   sweep.settings = {{0.5}, {1.0}};
   sweep.counts = {masks({1, 4, 2}), masks({1, 1, 2})};
-  sweep.metrics = {Measure::masks_90};
+  sweep.metrics = {Metric::masks_90};
   return sweep;
 }
 
@@ -105,12 +105,12 @@ std::string first_mistake(const std::string& page) {
 
 TEST(Evaluation, SumsScenesObjectsAndSubsets) {
   const Evaluation evaluation = two_scenes();
-  EXPECT_EQ(evaluation.segmentation.at(0).counts.at(1).score(Measure::masks_90).truth, 4U);
+  EXPECT_EQ(evaluation.segmentation.at(0).counts.at(1).score(Metric::masks_90).truth, 4U);
   EXPECT_EQ(evaluation.subsets.at("boxes").size(), 2U);
-  EXPECT_EQ(evaluation.losses.objects, 4U);
-  EXPECT_EQ(evaluation.losses.count(Fate::rejected), 2U);
+  EXPECT_EQ(evaluation.outcomes.objects, 4U);
+  EXPECT_EQ(evaluation.outcomes.count(Fate::rejected), 2U);
   EXPECT_EQ(evaluation.kinds.at("can").count(Fate::found), 2U);
-  EXPECT_DOUBLE_EQ(evaluation.losses.mean_overlap(), 0.6);
+  EXPECT_DOUBLE_EQ(evaluation.outcomes.mean_overlap(), 0.6);
 }
 
 TEST(Evaluation, TakesNoSceneOfOtherMethods) {
@@ -170,7 +170,7 @@ TEST(ReportJson, ReadsBack) {
   EXPECT_EQ(json.at("scenes").size(), 2U);
   EXPECT_EQ(json.at("segmentation").at(0).at("settings").at(1).at("masks_90").at("found"), 2);
   EXPECT_DOUBLE_EQ(json.at("segmentation").at(0).at("best").at("masks_90").at("f"), 2.0 / 3.0);
-  EXPECT_EQ(json.at("losses").at("all").at("rejected").at("reasons").at("overlap"), 2);
+  EXPECT_EQ(json.at("missed_objects").at("all").at("rejected").at("reasons").at("overlap"), 2);
   EXPECT_EQ(json.at("headline").size(), 3U);
 }
 
@@ -187,6 +187,19 @@ TEST(ReportDifference, TellsWhatChanged) {
   EXPECT_THROW(report_difference(now, "no JSON", "then.json"), InputError);
 }
 
+TEST(ReportDifference, RefusesAReportOfAnotherVersionNamingIt) {
+  const std::string now = report_json(two_scenes(), info);
+  auto earlier = nlohmann::json::parse(now);
+  earlier["version"] = 1;
+  try {
+    report_difference(now, earlier.dump(), "then.json");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "then.json");
+    EXPECT_NE(error.found().find("version 1"), std::string::npos) << error.what();
+  }
+}
+
 TEST(ReportPage, IsWellFormedAndShowsTextAsText) {
   const std::string page = report_page(two_scenes(), info);
   EXPECT_EQ(first_mistake(page), "");
@@ -199,7 +212,7 @@ TEST(ReportPage, IsWellFormedAndShowsTextAsText) {
 
 TEST(ReportPage, OfNothingIsWellFormedToo) {
   EXPECT_EQ(first_mistake(report_page(Evaluation{}, info)), "");
-  EXPECT_FALSE(loss_text(Evaluation{}).empty());
+  EXPECT_FALSE(missed_object_text(Evaluation{}).empty());
 }
 
 TEST(HeadlineText, AlignsItsColumns) {

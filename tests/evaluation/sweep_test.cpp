@@ -9,7 +9,7 @@ namespace {
 
 SettingCounts masks(Score score) {
   SettingCounts counts;
-  counts.score(Measure::masks_90) = score;
+  counts.score(Metric::masks_90) = score;
   counts.scenes = 1;
   return counts;
 }
@@ -22,20 +22,20 @@ Sweep five_settings() {
   sweep.settings = all_settings({{1, 2, 3, 4, 5}});
   sweep.counts = {masks({2, 2, 10}), masks({4, 5, 10}), masks({4, 8, 10}), masks({6, 10, 10}),
                   masks({6, 20, 10})};
-  sweep.metrics = {Measure::masks_90};
+  sweep.metrics = {Metric::masks_90};
   return sweep;
 }
 
 TEST(BestSetting, HasTheGreatestFAndIsTheFirstOfEquals) {
   Sweep sweep = five_settings();
-  EXPECT_EQ(best_setting(sweep, Measure::masks_90), 3U);  // F = 12 / 20
+  EXPECT_EQ(best_setting(sweep, Metric::masks_90), 3U);  // F = 12 / 20
   sweep.counts[1] = sweep.counts[3];
-  EXPECT_EQ(best_setting(sweep, Measure::masks_90), 1U);
-  EXPECT_FALSE(best_setting(Sweep{}, Measure::masks_90).has_value());
+  EXPECT_EQ(best_setting(sweep, Metric::masks_90), 1U);
+  EXPECT_FALSE(best_setting(Sweep{}, Metric::masks_90).has_value());
 }
 
 TEST(PrecisionRecallCurve, IsTheUpperEnvelopeByRisingRecall) {
-  const auto curve = precision_recall_curve(five_settings(), Measure::masks_90);
+  const auto curve = precision_recall_curve(five_settings(), Metric::masks_90);
   ASSERT_EQ(curve.size(), 3U);
   EXPECT_DOUBLE_EQ(curve[0].recall, 0.2);
   EXPECT_DOUBLE_EQ(curve[0].precision, 1.0);
@@ -50,9 +50,9 @@ TEST(Sweep, OfScenesIsTheSumOfTheirCounts) {
   total += five_settings();
   total += five_settings();
   EXPECT_EQ(total.method, "five");
-  EXPECT_EQ(total.counts[1].score(Measure::masks_90).correct, 8U);
+  EXPECT_EQ(total.counts[1].score(Metric::masks_90).correct, 8U);
   EXPECT_EQ(total.counts[1].scenes, 2U);
-  EXPECT_DOUBLE_EQ(total.counts[1].score(Measure::masks_90).precision(), 0.8);
+  EXPECT_DOUBLE_EQ(total.counts[1].score(Metric::masks_90).precision(), 0.8);
   Sweep other = five_settings();
   other.settings.back().front() = 6;
   EXPECT_THROW(total += other, InputError);

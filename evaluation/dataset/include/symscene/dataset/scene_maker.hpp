@@ -71,7 +71,7 @@ struct FailedAttempt {
 /// How a scene came about.
 struct SceneFacts {
   std::size_t index = 0;
-  Split split = Split::report;
+  Split split = Split::test;
   std::uint64_t seed = 0;
   bool dropped = false;               ///< by physics; arranged else
   std::size_t objects_asked = 0;      ///< of the scene

@@ -8,13 +8,14 @@
 
 namespace symscene {
 
-/// What scenes are for: choosing parameters, or saying how good the result is. The two share
-/// neither seeds nor models.
-enum class Split : std::uint8_t { tune, report };
+/// What scenes are used for: to fit parameters and learned scores (training) or to report accuracy
+/// (test). The splits share neither seeds nor models.
+enum class Split : std::uint8_t { training, test };
 
 const char* to_string(Split split);
 
-/// Throws InputError, `where` standing for the place, if the text names none.
+/// Reads "training" or "test"; "tune" and "report" too, as datasets made earlier name them. Throws
+/// InputError naming `where` for any other text.
 Split parse_split(const std::string& text, const std::string& where);
 
 /// The seed of a scene, below 2^53 that every reader of JSON keeps it. No seed of one split is one

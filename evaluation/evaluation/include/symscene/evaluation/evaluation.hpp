@@ -7,7 +7,7 @@
 namespace symscene {
 
 /// The fates of some objects: all of them, or those of a kind.
-struct LossCounts {
+struct OutcomeCounts {
   std::size_t objects = 0;
   std::array<std::size_t, all_fates.size()> fates{};  ///< in the order of all_fates
   std::array<std::map<std::string, std::size_t>, all_fates.size()> reasons;  ///< of each fate
@@ -22,7 +22,7 @@ struct LossCounts {
     return objects == 0 ? 1.0 : overlap_sum / static_cast<double>(objects);
   }
   void add(const ObjectOutcome& outcome);
-  LossCounts& operator+=(const LossCounts& other);
+  OutcomeCounts& operator+=(const OutcomeCounts& other);
 };
 
 /// Scenes with as many objects as one another, roughly: a column of table 4.3.
@@ -41,8 +41,8 @@ struct Evaluation {
   std::vector<Sweep> segmentation;
   std::vector<Sweep> detection;
   std::map<std::string, std::vector<Sweep>> subsets;  ///< segmentation by subset, if any is named
-  LossCounts losses;
-  std::map<std::string, LossCounts> kinds;
+  OutcomeCounts outcomes;
+  std::map<std::string, OutcomeCounts> kinds;
 
   /// Adds a scene. Throws InputError if it was swept over other settings than those before.
   void add(SceneEvaluation scene);

@@ -7,22 +7,22 @@ namespace symscene {
 
 /// What became of a true object, in the order of the stages that can lose it.
 enum class Fate {
-  found,         ///< a returned mask overlaps it by more than 0.9
-  not_proposed,  ///< no detected symmetry would have cut it out
-  cut_wrongly,   ///< one would have, but no cut overlaps it by more than 0.9
-  rejected,      ///< such a cut there was, and it was refused
+  found,              ///< a returned mask overlaps it by more than 0.9
+  not_proposed,       ///< no detected symmetry would have cut it out
+  wrongly_segmented,  ///< one would have, but no cut overlaps it by more than 0.9
+  rejected,           ///< such a cut there was, and it was refused
 };
-inline constexpr std::array all_fates = {Fate::found, Fate::not_proposed, Fate::cut_wrongly,
+inline constexpr std::array all_fates = {Fate::found, Fate::not_proposed, Fate::wrongly_segmented,
                                          Fate::rejected};
 /// "not proposed", and so on.
 std::string fate_name(Fate fate);
 
 /// A true object and how well a result shows it.
 struct ObjectOutcome {
-  std::string kind;               ///< its name in the truth
-  std::size_t points = 0;         ///< of its mask in the cloud of the result
-  double best_overlap = 0.0;      ///< of a returned mask [IoU]
-  double best_cut_overlap = 0.0;  ///< of a cut, returned or refused [IoU]
+  std::string kind;                    ///< its name in the truth
+  std::size_t points = 0;              ///< of its mask in the cloud of the result
+  double best_overlap = 0.0;           ///< of a returned mask [IoU]
+  double best_proposal_overlap = 0.0;  ///< of a cut, returned or refused [IoU]
   Fate fate = Fate::found;
   /// Why, one word or two; empty if found. Not proposed: "no segment" (no candidate's support lies
   /// mostly in it) or "no symmetry" (none of those is a symmetry of it). Cut wrongly: "too little"

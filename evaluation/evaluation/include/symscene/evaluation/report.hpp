@@ -26,7 +26,7 @@ struct HeadlineRow {
 std::string what_was_evaluated(const Evaluation& evaluation);
 
 /// Two lines a method, at the given options (where it has any) and at its best. The best line has
-/// the greatest F of each measure over all settings, and all else at the setting that is best for
+/// the greatest F of each metric over all settings, and all else at the setting that is best for
 /// masks at an overlap of 0.9.
 std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps);
 
@@ -35,10 +35,10 @@ std::string headline_text(const std::vector<Sweep>& sweeps);
 /// A line a method that has a default: how far that is from the best for masks at 0.9, and where
 /// the best is.
 std::string default_text(const std::vector<Sweep>& sweeps);
-std::string loss_text(const Evaluation& evaluation);
+std::string missed_object_text(const Evaluation& evaluation);
 std::string runtime_text(const Evaluation& evaluation);
 
-/// One line a setting of a method and measure; an object; a scene (docs/formats.md).
+/// One line a setting of a method and metric; an object; a scene (docs/formats.md).
 std::string curves_csv(const Evaluation& evaluation);
 std::string objects_csv(const Evaluation& evaluation);
 std::string scenes_csv(const Evaluation& evaluation);
@@ -47,8 +47,8 @@ std::string scenes_csv(const Evaluation& evaluation);
 std::string report_json(const Evaluation& evaluation, const ReportInfo& info);
 
 /// The headline of a report's JSON with that of an earlier one, number by number, as text; numbers
-/// that are in one only are left out. Throws InputError if `earlier` is no report; `name` stands
-/// for it in messages.
+/// that are in one only are left out. Throws InputError if `earlier` is no report, or one of
+/// another version; `name` stands for it in messages.
 std::string report_difference(const std::string& report, const std::string& earlier,
                               const std::string& name);
 

@@ -11,7 +11,7 @@
 namespace symscene {
 
 /// What a result is measured by, each with precision, recall and F.
-enum class Measure {
+enum class Metric {
   masks_90,     ///< Eqs. 4.14 to 4.16 with σ_o = 0.9
   masks_75,     ///< the same with 0.75
   masks_50,     ///< the same with 0.5
@@ -20,24 +20,24 @@ enum class Measure {
   axes_near,    ///< within 10° and 1 cm, which a grasp needs
   planes_near,  ///< within 10° and 1 cm
 };
-inline constexpr std::array all_metrics = {
-    Measure::masks_90, Measure::masks_75,  Measure::masks_50,   Measure::axes,
-    Measure::planes,   Measure::axes_near, Measure::planes_near};
+inline constexpr std::array all_metrics = {Metric::masks_90,   Metric::masks_75, Metric::masks_50,
+                                           Metric::axes,       Metric::planes,   Metric::axes_near,
+                                           Metric::planes_near};
 /// The least overlap of the first three. [IoU]
 inline constexpr std::array mask_overlaps = {0.9, 0.75, 0.5};
 
 /// "masks_90", and so on: the name in files.
-std::string measure_name(Measure measure);
+std::string metric_name(Metric metric);
 
 /// What one setting of a method's parameters yields, in a scene or summed over scenes.
 struct SettingCounts {
-  std::array<Score, all_metrics.size()> scores;  ///< in the order of all_measures
+  std::array<Score, all_metrics.size()> scores;  ///< in the order of all_metrics
   double overlap_sum = 0.0;                      ///< of the true objects' best overlaps [IoU]
   SegmentMetrics segments;                       ///< summed over scenes
   std::size_t scenes = 0;
 
-  const Score& score(Measure measure) const { return scores[static_cast<std::size_t>(measure)]; }
-  Score& score(Measure measure) { return scores[static_cast<std::size_t>(measure)]; }
+  const Score& score(Metric metric) const { return scores[static_cast<std::size_t>(metric)]; }
+  Score& score(Metric metric) { return scores[static_cast<std::size_t>(metric)]; }
   /// The mean best overlap of a true object; one where there is none. [IoU]
   double mean_overlap() const;
 
@@ -51,18 +51,18 @@ struct Sweep {
   std::vector<std::vector<double>> settings;  ///< a value a parameter
   std::vector<SettingCounts> counts;          ///< one a setting
   std::optional<SettingCounts> at_default;    ///< with the options as they are given
-  std::vector<Measure> metrics;               ///< that mean something for the method
+  std::vector<Metric> metrics;                ///< that mean something for the method
   double seconds =
       0.0;  ///< wall time of one setting, summed over scenes; none where it costs nothing more
 
-  /// Whether the measure means something for the method, and anything was found or to be found.
-  bool has(Measure measure) const;
+  /// Whether the metric means something for the method, and anything was found or to be found.
+  bool has(Metric metric) const;
   /// Adds another scene's. Throws InputError if that was swept over other settings.
   Sweep& operator+=(const Sweep& other);
 };
 
 /// The setting of greatest F, the first of equals; nothing without settings.
-std::optional<std::size_t> best_setting(const Sweep& sweep, Measure measure);
+std::optional<std::size_t> best_setting(const Sweep& sweep, Metric metric);
 
 struct CurvePoint {
   double recall = 0.0;
@@ -71,7 +71,7 @@ struct CurvePoint {
 
 /// The upper envelope of the settings' precision over their recall, by rising recall and falling
 /// precision: no setting has more of one and as much of the other than some point of the curve.
-std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Measure measure);
+std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric);
 
 /// "refl_symmetry=0.3 refl_occlusion=0.005" of a setting by its number.
 std::string setting_text(const Sweep& sweep, std::size_t setting);
