@@ -7,7 +7,7 @@
 
 #include "core/parallel.hpp"
 #include "simulation/true_surface.hpp"
-#include "symscene/dataset/scanned_models.hpp"
+#include "symscene/simulation/scanned_models.hpp"
 #include "symscene/dataset/swept_scene.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"

@@ -24,3 +24,17 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersi
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/symscene)
+
+# cpack -G DEB: the command, the libraries with their headers, and through the command the page.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME symscene)
+set(CPACK_PACKAGE_VENDOR SymScene)
+set(CPACK_PACKAGE_CONTACT "The authors of SymScene")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libeigen3-dev, libtbb-dev, libfmt-dev")
+include(CPack)

@@ -51,7 +51,7 @@ function(symscene_library name)
   add_library(symscene_${name} STATIC ${sources})
   add_library(symscene::${name} ALIAS symscene_${name})
   set_target_properties(symscene_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
-    SYMSCENE_FOLDER ${folder})
+    UNITY_BUILD ${SYMSCENE_UNITY} UNITY_BUILD_BATCH_SIZE 12 SYMSCENE_FOLDER ${folder})
   target_include_directories(symscene_${name} PUBLIC
     $<BUILD_INTERFACE:${folder}/include> $<BUILD_INTERFACE:${folder}/internal>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -14,9 +14,9 @@
 #include "io/atomic_file.hpp"
 #include "session.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
-#include "symscene/dataset/scanned_models.hpp"
 #include "symscene/dataset/scene_maker.hpp"
 #include "symscene/io/scene.hpp"
+#include "symscene/simulation/scanned_models.hpp"
 
 namespace symscene::app {
 namespace {

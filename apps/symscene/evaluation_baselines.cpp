@@ -5,13 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "symscene/core/error.hpp"
-
-#ifdef SYMSCENE_HAS_BASELINES
 #include "symscene/baselines/euclidean_clusters.hpp"
 #include "symscene/baselines/felzenszwalb.hpp"
 #include "symscene/baselines/lccp.hpp"
-#endif
+#include "symscene/core/error.hpp"
 
 namespace symscene::app {
 namespace {
@@ -20,8 +17,6 @@ struct NamedBaseline {
   std::string name;
   BaselineMethod method;
 };
-
-#ifdef SYMSCENE_HAS_BASELINES
 
 BaselineMasks to_masks(BaselineSweep sweep) {
   return {std::move(sweep.method), std::move(sweep.parameter), std::move(sweep.values),
@@ -37,12 +32,6 @@ std::vector<NamedBaseline> known_baselines() {
         {"lccp", [](const PointCloud& cloud) { return to_masks(lccp_sweep(cloud)); }});
   return baselines;
 }
-
-#else
-
-std::vector<NamedBaseline> known_baselines() { return {}; }
-
-#endif
 
 }  // namespace
 

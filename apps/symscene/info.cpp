@@ -2,7 +2,10 @@
 
 #include "commands.hpp"
 #include "facts.hpp"
+
+#ifdef SYMSCENE_HAS_EVALUATION
 #include "symscene/dataset/dataset_folder.hpp"
+#endif
 
 namespace symscene::app {
 namespace {
@@ -26,7 +29,9 @@ struct Info {
     if (fs::exists(path / "objects.json")) return result_facts(path);
     if (fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd")) return scene_facts(path);
     if (is_model_file(path)) return model_facts(path);
+#ifdef SYMSCENE_HAS_EVALUATION
     if (is_dataset(path)) return dataset_facts(path);
+#endif
     if (is_sequence(path)) {
       const auto sequence = open_sequence(path, options);
       return sequence_facts(*sequence, all ? sequence->size() : sampled_frames);

@@ -34,6 +34,18 @@ ExitCode fail_usage(const CLI::App& app, const CLI::ParseError& error) {
   return fail(bad_usage, app, fmt::format("{} (see {} --help)", error.what(), name_of(app)));
 }
 
+#ifndef SYMSCENE_HAS_EVALUATION
+/// A command that this build leaves out says how to get it.
+void add_missing(CLI::App& app, const std::string& name) {
+  CLI::App* command = app.add_subcommand(name, "Not in this build: ./run build adds it");
+  command->allow_extras();
+  command->callback([name] {
+    throw InputError("symscene " + name, "a build with the evaluation (run ./run build)",
+                     "one without it");
+  });
+}
+#endif
+
 void add_commands(CLI::App& app) {
   app.name("symscene");
   app.set_version_flag("--version", "symscene " SYMSCENE_VERSION);
@@ -43,14 +55,18 @@ void add_commands(CLI::App& app) {
       "  symscene simulate -o scene && symscene segment scene -o result &&\n"
       "    symscene view result -o page.html");
   symscene::app::add_simulate(app);
-  symscene::app::add_dataset(app);
   symscene::app::add_reconstruct(app);
-  symscene::app::add_stitch(app);
   symscene::app::add_segment(app);
   symscene::app::add_symmetry(app);
-  symscene::app::add_evaluate(app);
   symscene::app::add_view(app);
   symscene::app::add_info(app);
+#ifdef SYMSCENE_HAS_EVALUATION
+  symscene::app::add_stitch(app);
+  symscene::app::add_dataset(app);
+  symscene::app::add_evaluate(app);
+#else
+  for (const char* name : {"stitch", "dataset", "evaluate"}) add_missing(app, name);
+#endif
 }
 
 /// What was printed has to arrive: a full disk is an error, not a short file.

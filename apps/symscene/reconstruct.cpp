@@ -8,9 +8,9 @@
 #include "frame_log.hpp"
 #include "scene_output.hpp"
 #include "session.hpp"
-#include "symscene/evaluation/trajectory_metrics.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/io/table_plane.hpp"
+#include "symscene/reconstruction/trajectory_error.hpp"
 
 namespace symscene::app {
 namespace {

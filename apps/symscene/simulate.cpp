@@ -5,11 +5,11 @@
 
 #include "commands.hpp"
 #include "session.hpp"
-#include "symscene/dataset/scanned_models.hpp"
 #include "symscene/io/ply.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/io/truth.hpp"
+#include "symscene/simulation/scanned_models.hpp"
 #include "symscene/simulation/simulation.hpp"
 #include "symscene/simulation/sweep.hpp"
 

@@ -7,8 +7,8 @@
 #include "scene_output.hpp"
 #include "session.hpp"
 #include "stitch_report.hpp"
-#include "symscene/evaluation/trajectory_metrics.hpp"
 #include "symscene/io/table_plane.hpp"
+#include "symscene/reconstruction/trajectory_error.hpp"
 
 namespace symscene::app {
 namespace {

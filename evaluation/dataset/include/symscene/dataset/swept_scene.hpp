@@ -1,6 +1,6 @@
 #pragma once
 
-#include "symscene/evaluation/trajectory_metrics.hpp"
+#include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
 #include "symscene/simulation/sweep.hpp"
 #include "symscene/simulation/truth_transfer.hpp"

@@ -1,4 +1,4 @@
-#include "symscene/dataset/scanned_models.hpp"
+#include "symscene/simulation/scanned_models.hpp"
 
 #include <gtest/gtest.h>
 

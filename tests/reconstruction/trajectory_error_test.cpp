@@ -1,4 +1,4 @@
-#include "symscene/evaluation/trajectory_metrics.hpp"
+#include "symscene/reconstruction/trajectory_error.hpp"
 
 #include <gtest/gtest.h>
 
