@@ -1,5 +1,6 @@
 # Builds the viewer's page with npm, in the build folder, and embeds it into symscene_viewer.
 # Include after symscene_library(viewer ...).
+include(SymsceneEmbed)
 set(SYMSCENE_VIEWER_PAGE "" CACHE FILEPATH "A built viewer/dist/page.html, to build without Node and npm")
 
 # Sets `page` to the path of the built page and adds the commands that make it.
@@ -34,14 +35,7 @@ function(symscene_embed_page target)
   else()
     symscene_build_page(page)
   endif()
-  set(embed ${PROJECT_SOURCE_DIR}/viewer/embed.cmake)
-  set(embedded ${PROJECT_BINARY_DIR}/viewer/page_template.cpp)
-  add_custom_command(OUTPUT ${embedded}
-    COMMAND ${CMAKE_COMMAND} -DPAGE=${page} -DOUTPUT=${embedded} -P ${embed}
-    DEPENDS ${page} ${embed} COMMENT "Embedding the viewer's page" VERBATIM)
-  set_source_files_properties(${embedded} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-  target_sources(${target} PRIVATE ${embedded})
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/viewer)
+  symscene_embed(${target} ${page} page_template)
 endfunction()
 
 if(TARGET symscene_viewer)

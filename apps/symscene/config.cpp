@@ -104,6 +104,10 @@ class Assignment {
       refuse("a whole number", name, value);
     target = value.get<int>();
   }
+  void set(std::string& target, const std::string& name, const json& value) const {
+    if (!value.is_string()) refuse("a text in quotes", name, value);
+    target = value.get<std::string>();
+  }
 
   /// The name, with the option or group most like it if one is.
   std::string unknown(const std::string& name) const {
@@ -184,7 +188,7 @@ std::string format_config(const OptionFields& fields) {
   std::string text;
   auto field = fields.begin();
   for (const std::string& line : split_lines(config_values(fields).dump(2))) {
-    const bool is_value = line.find_last_of("{}") == std::string::npos;
+    const bool is_value = !line.ends_with('{') && !line.ends_with('}') && !line.ends_with("},");
     text +=
         is_value ? fmt::format("{:<{}}  // {}\n", line, column, comment(*field++)) : line + "\n";
   }

@@ -13,7 +13,7 @@ namespace symscene::app {
 /// One option of a stage, by its path through the groups: "rotational.max_angle".
 struct OptionField {
   std::string name;
-  std::variant<double*, int*, bool*, std::uint64_t*> value;
+  std::variant<double*, int*, bool*, std::uint64_t*, std::string*> value;
   std::string unit;
   std::string help;
   Range range = any_value();

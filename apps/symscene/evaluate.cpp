@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "evaluation_baselines.hpp"
 #include "io/atomic_file.hpp"
+#include "score_models.hpp"
 #include "session.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/report.hpp"
@@ -70,6 +71,7 @@ struct Evaluate {
   OptionFields configure() {
     OptionFields fields = option_fields(options.pipeline);
     if (!shared.config.empty()) read_config(shared.config, fields);
+    read_models(options.pipeline.models);
     options.validate();
     return fields;
   }

@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "io/atomic_file.hpp"
 #include "results.hpp"
+#include "score_models.hpp"
 #include "surroundings.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
@@ -24,6 +25,7 @@ struct Segment {
   OptionFields configure() {
     OptionFields fields = option_fields(options);
     if (!shared.config.empty()) read_config(shared.config, fields);
+    read_models(options.models);
     options.validate();
     return fields;
   }

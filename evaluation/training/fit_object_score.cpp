@@ -16,8 +16,8 @@ namespace symscene::bench {
 namespace {
 
 struct Arguments : FitArguments {
-  double half_right = 0.35;  ///< target of a proposal with an IoU between 0.75 and 0.9
-  std::vector<double> beliefs{cut_belief};  ///< in the confidence of cuts, to compare
+  double half_right = 0.35;          ///< target of a proposal with an IoU between 0.75 and 0.9
+  std::vector<double> beliefs{0.6};  ///< in the confidence of cuts, to compare
 };
 
 /// What a scene proposes, and what it should have.

@@ -82,6 +82,7 @@ void PipelineOptions::validate() const {
   selection.validate();
   object_symmetry.validate();
   completion.validate();
+  models.validate();
 }
 
 ProposalOptions PipelineOptions::proposal_options() const {
@@ -91,11 +92,14 @@ ProposalOptions PipelineOptions::proposal_options() const {
           rotational_detection,
           reflectional_detection,
           continuation,
-          merge};
+          merge,
+          models.object_alone,
+          models.object_among_others};
 }
 
 WholeObjectOptions PipelineOptions::whole_object_options() const {
-  return {rotational_stream, rotational_detection, reflectional_detection, object_symmetry};
+  return {rotational_stream, rotational_detection, reflectional_detection,
+          object_symmetry,   models.axis,          models.plane};
 }
 
 SceneProposals propose_objects(const Scene& scene, const PipelineOptions& options,

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/model_features.hpp"
 #include "core/parallel.hpp"
 #include "object_score.hpp"
 #include "surface_continuation.hpp"
@@ -46,8 +47,11 @@ class SymmetryMeter {
   const ProposalOptions& options_;
 };
 
-double score_alone(const ObjectFeatures& features) {
-  return combined_score(estimated_probability(features), features.confidence);
+constexpr double confidence_weight = 0.6;
+
+double score_alone(const ObjectFeatures& features, const TreeModel& model) {
+  return combined_score(estimated_probability(features, model), features.confidence,
+                        confidence_weight);
 }
 
 /// Measures and scores sets of points of one scene.
@@ -57,7 +61,8 @@ class ProposalMaker {
                 const SurfaceRegions& regions, const ProposalOptions& options)
       : regions_(regions),
         meter_(space.cloud, space.edges, space.field, proposals.table),
-        symmetry_meter_(space, options) {}
+        symmetry_meter_(space, options),
+        model_(chosen_model(options.object_alone, object_model())) {}
 
   /// In the order given. The score of a set that is given is the confidence of its cut.
   std::vector<ObjectProposal> make(std::vector<SceneObject> sets) const {
@@ -69,7 +74,7 @@ class ProposalMaker {
       proposal.features.seam = regions_.seam(proposal.object.points);
       proposal.features.confidence = proposal.object.score;
       symmetry_meter_.measure(proposal.object, proposal.features);
-      proposal.object.score = score_alone(proposal.features);
+      proposal.object.score = score_alone(proposal.features, model_);
     });
     return made;
   }
@@ -78,6 +83,7 @@ class ProposalMaker {
   const SurfaceRegions& regions_;
   ObjectMeter meter_;
   SymmetryMeter symmetry_meter_;
+  const TreeModel& model_;
 };
 
 void sort_by_score(std::vector<ObjectProposal>& objects) {
@@ -143,18 +149,21 @@ std::vector<SceneObject> joined_pairs(const Workspace& space,
 }
 
 /// The scores with which objects are chosen.
-void score_among_others(std::vector<ObjectProposal>& proposals) {
+void score_among_others(const ProposalOptions& options, std::vector<ObjectProposal>& proposals) {
+  const TreeModel& alone = chosen_model(options.object_alone, object_model());
+  const TreeModel& among_others = chosen_model(options.object_among_others, object_context_model());
   std::vector<const PointIndices*> sets;
   std::vector<double> estimates;
   for (const ObjectProposal& proposal : proposals) {
     sets.push_back(&proposal.object.points);
-    estimates.push_back(estimated_probability(proposal.features));
+    estimates.push_back(estimated_probability(proposal.features, alone));
   }
   const std::vector<ProposalContext> contexts = proposal_contexts(SharedCounts(sets), estimates);
   for (std::size_t k = 0; k < proposals.size(); ++k) {
     ObjectProposal& proposal = proposals[k];
-    proposal.object.score = combined_score(estimated_probability(proposal.features, contexts[k]),
-                                           proposal.features.confidence);
+    proposal.object.score =
+        combined_score(estimated_probability(proposal.features, contexts[k], among_others),
+                       proposal.features.confidence, confidence_weight);
   }
 }
 
@@ -230,7 +239,7 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
   const Continuations continuations = find_continuations(space, objects, options.continuation);
   for (std::size_t k = 0; k < objects.size(); ++k)
     objects[k].features.continued = continuations.continued[k];
-  score_among_others(objects);
+  score_among_others(options, objects);
   yield_to_joined(joined_sets, options.continuation, objects);
   sort_by_score(objects);
   return objects;

@@ -1,28 +1,31 @@
 #include "object_score.hpp"
 
-#include "core/boosted_trees.hpp"
+#include "core/model_features.hpp"
 
 namespace symscene {
-namespace {
 
-#include "object_score_trees.inc"
+std::string_view object_alone_model_text();         // models/object_alone.txt
+std::string_view object_among_others_model_text();  // models/object_among_others.txt
 
-constexpr std::size_t all_count = ObjectFeatures::count + ProposalContext::count;
-constexpr TreeTable alone{object_alone_base, object_alone_roots, object_alone_nodes};
-constexpr TreeTable among_others{object_among_others_base, object_among_others_roots,
-                                 object_among_others_nodes};
-static_assert(alone.asks_for_at_most(ObjectFeatures::count) &&
-                  among_others.asks_for_at_most(all_count),
-              "the trees were fitted to other measures");
-
-}  // namespace
-
-double estimated_probability(const ObjectFeatures& features) {
-  return alone.probability(values_of(features));
+const TreeModel& object_model() {
+  static const TreeModel model =
+      embedded_model<ObjectFeatures>("object_alone", object_alone_model_text());
+  return model;
 }
 
-double estimated_probability(const ObjectFeatures& features, const ProposalContext& context) {
-  return among_others.probability(values_of(features, context));
+const TreeModel& object_context_model() {
+  static const TreeModel model = embedded_model<ObjectFeatures, ProposalContext>(
+      "object_among_others", object_among_others_model_text());
+  return model;
+}
+
+double estimated_probability(const ObjectFeatures& features, const TreeModel& model) {
+  return model.probability(values_of(features));
+}
+
+double estimated_probability(const ObjectFeatures& features, const ProposalContext& context,
+                             const TreeModel& model) {
+  return model.probability(values_of(features, context));
 }
 
 }  // namespace symscene

@@ -1,25 +1,30 @@
 #pragma once
 
-#include "proposal_context.hpp"
+#include "proposals/proposal_context.hpp"
+#include "symscene/core/tree_model.hpp"
 #include "symscene/proposals/object_features.hpp"
 
 namespace symscene {
 
-/// The probability that a set of points is one whole object (that it overlaps with a true one by
-/// more than 0.9), as boosted trees (Friedman 2001) estimate it from its measures. The trees were
-/// fitted by `symscene_fit_object_score` to simulated scenes of the tune split.
-double estimated_probability(const ObjectFeatures& features);
+/// The embedded models models/object_alone.txt and models/object_among_others.txt, parsed on first
+/// use. They were fitted by `symscene_fit_object_score` to simulated scenes of the training split.
+const TreeModel& object_model();
+const TreeModel& object_context_model();
 
-/// The same, from its measures and from what the other proposals say of it.
-double estimated_probability(const ObjectFeatures& features, const ProposalContext& context);
+/// The probability that a proposal is one whole object (IoU above 0.9 with an object of the ground
+/// truth), estimated from its own features.
+double estimated_probability(const ObjectFeatures& features,
+                             const TreeModel& model = object_model());
 
-/// How far the confidence of a cut is believed by itself.
-inline constexpr double cut_belief = 0.6;
+/// The same, estimated from its own features and its relations to the scene's other proposals.
+double estimated_probability(const ObjectFeatures& features, const ProposalContext& context,
+                             const TreeModel& model = object_context_model());
 
-/// An estimate, raised by the confidence of the cut (which the estimate knows too): things unlike
-/// those that the trees were fitted to are still found by their symmetry. In [0, 1].
-inline double combined_score(double estimate, double confidence, double belief = cut_belief) {
-  return 1.0 - (1.0 - estimate) * (1.0 - belief * confidence);
+/// An estimated probability raised by the confidence of the cut:
+/// 1 - (1 - estimate) (1 - weight * confidence). The confidence is among the features too, but this
+/// term keeps symmetric objects that are unlike those of the training split. In [0, 1].
+inline double combined_score(double estimate, double confidence, double weight) {
+  return 1.0 - (1.0 - estimate) * (1.0 - weight * confidence);
 }
 
 }  // namespace symscene

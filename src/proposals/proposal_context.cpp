@@ -1,4 +1,4 @@
-#include "proposal_context.hpp"
+#include "proposals/proposal_context.hpp"
 
 #include <algorithm>
 #include <cmath>

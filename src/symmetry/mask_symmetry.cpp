@@ -5,7 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "symmetry_score.hpp"
+#include "core/model_features.hpp"
+#include "symmetry/symmetry_score.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -103,7 +104,8 @@ class WholeObject {
     }
     if (!best) return best;
     best->features = measure_axis(points_, best->axis, best_scores, scene_.table);
-    best->probability = axis_probability(best->features);
+    best->probability =
+        axis_probability(best->features, chosen_model(options_.axis_model, axis_model()));
     return best;
   }
 
@@ -128,8 +130,9 @@ class WholeObject {
       features.along_axis = axis ? std::abs(axis->direction.dot(candidate.plane.normal)) : -1.0;
     }
     compare_with_better(measured);
+    const TreeModel& model = chosen_model(options_.plane_model, plane_model());
     for (MeasuredPlane& candidate : measured)
-      candidate.probability = plane_probability(candidate.features);
+      candidate.probability = plane_probability(candidate.features, model);
     return measured;
   }
 

@@ -1,27 +1,28 @@
-#include "symmetry_score.hpp"
+#include "symmetry/symmetry_score.hpp"
 
-#include "core/boosted_trees.hpp"
+#include "core/model_features.hpp"
 
 namespace symscene {
-namespace {
 
-#include "axis_score_trees.inc"
-#include "plane_score_trees.inc"
+std::string_view axis_model_text();   // models/axis.txt
+std::string_view plane_model_text();  // models/plane.txt
 
-constexpr TreeTable of_axes{axis_score_base, axis_score_roots, axis_score_nodes};
-constexpr TreeTable of_planes{plane_score_base, plane_score_roots, plane_score_nodes};
-static_assert(of_axes.asks_for_at_most(AxisFeatures::count) &&
-                  of_planes.asks_for_at_most(PlaneFeatures::count),
-              "the trees were fitted to other measures");
-
-}  // namespace
-
-double axis_probability(const AxisFeatures& features) {
-  return of_axes.probability(values_of(features));
+const TreeModel& axis_model() {
+  static const TreeModel model = embedded_model<AxisFeatures>("axis", axis_model_text());
+  return model;
 }
 
-double plane_probability(const PlaneFeatures& features) {
-  return of_planes.probability(values_of(features));
+const TreeModel& plane_model() {
+  static const TreeModel model = embedded_model<PlaneFeatures>("plane", plane_model_text());
+  return model;
+}
+
+double axis_probability(const AxisFeatures& features, const TreeModel& model) {
+  return model.probability(values_of(features));
+}
+
+double plane_probability(const PlaneFeatures& features, const TreeModel& model) {
+  return model.probability(values_of(features));
 }
 
 }  // namespace symscene

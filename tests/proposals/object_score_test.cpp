@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "core/random.hpp"
@@ -26,18 +28,18 @@ ObjectFeatures clear_object() {
   return features;
 }
 
-TEST(ObjectScore, CombinesWhatTwoWitnessesSay) {
-  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.0), 0.2);
-  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.6, 0.5), 0.44);  // 1 − 0.8 · 0.7
-  EXPECT_DOUBLE_EQ(combined_score(0.0, 1.0), cut_belief);
-  EXPECT_DOUBLE_EQ(combined_score(1.0, 0.3), 1.0);
+TEST(ObjectScore, CombinesEstimateAndConfidence) {
+  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.0, 0.6), 0.2);
+  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.6, 0.5), 0.44);  // 1 - 0.8 * 0.7
+  EXPECT_DOUBLE_EQ(combined_score(0.0, 1.0, 0.6), 0.6);
+  EXPECT_DOUBLE_EQ(combined_score(1.0, 0.3, 0.6), 1.0);
 }
 
 TEST(ObjectScore, RisesWithTheConfidenceOfTheCut) {
   for (const double estimate : {0.0, 0.1, 0.5, 0.9, 0.99}) {
     double last = -1.0;
     for (const double confidence : {0.0, 0.1, 0.4, 0.7, 1.0}) {
-      const double score = combined_score(estimate, confidence);
+      const double score = combined_score(estimate, confidence, 0.6);
       EXPECT_GT(score, last);
       EXPECT_GE(score, estimate - 1e-12);
       EXPECT_LT(score, 1.0);
@@ -46,7 +48,47 @@ TEST(ObjectScore, RisesWithTheConfidenceOfTheCut) {
   }
 }
 
-TEST(ObjectScore, IsAProbabilityWhateverIsMeasured) {
+/// Sets every feature to a value of any magnitude from 1e-3 to 10.
+template <class Features>
+void randomize(Random& random, Features& features) {
+  Features::visit_fields(features, [&](const char*, double& value) {
+    const double scale = std::pow(10.0, random.uniform(-3.0, 1.0));
+    value = scale * random.uniform();
+  });
+}
+
+// Probabilities from the tables of version 0.1.0, before they became the files in models/.
+constexpr std::array alone_reference{
+    0.0022366827679458938, 0.014369207833343245, 0.022741626573081718,  0.0057943576676798845,
+    0.0075124952034241969, 0.002310711586032718, 0.014669222637975415,  0.0029225847882115288,
+    0.023445570005307042,  0.065879291918838581, 0.012059402396306889,  0.0051830575687885332,
+    0.36798173602557416,   0.013528575302738903, 0.034179275741800255,  0.022179576827001824,
+    0.024535510457359057,  0.0164460493397936,   0.015401865472593141,  0.0045310114731037026,
+    0.0075619778418092032, 0.074361838343507,    0.0096610485625356502, 0.0072384085581975836};
+constexpr std::array among_others_reference{
+    0.14891270864035711,    0.032880514269907353,   0.0058647746022374046, 0.0014926290806432083,
+    0.86063968466943241,    0.003297883058960201,   0.076942112349541,     0.7819047210456358,
+    0.00051022520517400897, 0.041623360920285686,   0.65606078738890961,   0.0016773919147448624,
+    0.24196643437089502,    0.038798633774894446,   0.0051938148255712057, 0.34233390899463567,
+    0.094322777363095495,   0.0084889076544197445,  0.56390750499844078,   0.31444946775995641,
+    0.9724022606593643,     0.00046322427494573386, 0.0032787081670908745, 0.0080017429684970543};
+
+TEST(ObjectScore, OfTheEmbeddedModelsIsThatOfTheFormerTables) {
+  Random alone(29), among_others(29);
+  ObjectFeatures features;
+  for (const double expected : alone_reference) {
+    randomize(alone, features);
+    EXPECT_DOUBLE_EQ(estimated_probability(features), expected);
+  }
+  ProposalContext context;
+  for (const double expected : among_others_reference) {
+    randomize(among_others, features);
+    randomize(among_others, context);
+    EXPECT_DOUBLE_EQ(estimated_probability(features, context), expected);
+  }
+}
+
+TEST(ObjectScore, IsAProbabilityForAnyFeatures) {
   Random random(7);
   const auto anything = [&](const char*, double& value) { value = random.uniform(-1.0, 10.0); };
   for (int k = 0; k < 500; ++k) {
@@ -62,7 +104,7 @@ TEST(ObjectScore, IsAProbabilityWhateverIsMeasured) {
   }
 }
 
-TEST(ObjectScore, EndsForValuesOutOfAllBounds) {
+TEST(ObjectScore, IsAProbabilityForExtremeFeatures) {
   for (const double value : {-1e300, 1e300, std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()}) {
     const auto set = [&](const char*, double& field) { field = value; };

@@ -1,4 +1,4 @@
-#include "core/boosted_trees.hpp"
+#include "core/model_features.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "symscene/core/normal_estimation.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/occupancy/distance_field.hpp"
+#include "symscene/pipeline/model_options.hpp"
 #include "symscene/proposals/proposals.hpp"
 #include "symscene/proposals/selection.hpp"
 #include "symscene/segmentation/oversegmentation.hpp"
@@ -36,6 +37,7 @@ struct PipelineOptions {
   SelectionOptions selection;
   ObjectSymmetryBounds object_symmetry;
   CompletionOptions completion;
+  ModelOptions models;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -61,6 +63,7 @@ struct PipelineOptions {
     visit("selection", self.selection);
     visit("object_symmetry", self.object_symmetry);
     visit("completion", self.completion);
+    visit("models", self.models);
   }
   /// Throws InputError if a field of any stage is out of its range.
   void validate() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "symscene/core/scene.hpp"
+#include "symscene/core/tree_model.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/proposals/continuation.hpp"
 #include "symscene/proposals/merge.hpp"
@@ -47,6 +48,8 @@ struct ProposalOptions {
   ReflectionalDetectionOptions reflectional_detection;
   ContinuationOptions continuation;
   MergeOptions merge;
+  ModelChoice object_alone;
+  ModelChoice object_among_others;
 };
 
 /// The objects that are chosen by probability (select_probable()), with the symmetries under which

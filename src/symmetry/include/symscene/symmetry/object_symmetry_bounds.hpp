@@ -5,6 +5,7 @@
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/options.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "symscene/core/tree_model.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
 #include "symscene/symmetry/rotational_detection.hpp"
@@ -67,6 +68,8 @@ struct WholeObjectOptions {
   RotationalDetectionOptions rotational_detection;
   ReflectionalDetectionOptions reflectional_detection;
   ObjectSymmetryBounds bounds;
+  ModelChoice axis_model;
+  ModelChoice plane_model;
 };
 
 }  // namespace symscene

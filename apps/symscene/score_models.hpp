@@ -1,0 +1,10 @@
+#pragma once
+
+#include "symscene/pipeline/model_options.hpp"
+
+namespace symscene::app {
+
+/// Reads the models that the options name by a file. Throws InputError if one cannot be read.
+void read_models(ModelOptions& options);
+
+}  // namespace symscene::app
