@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 /// Every options struct declares each of its fields once, with name, unit, valid range and help.
 /// `--dump-config`, configuration files, docs/options.md, validation and bindings read it there:
@@ -18,9 +19,9 @@
 ///   };
 ///
 /// A visitor is called as visit(name, value, unit, range, help) for a field, value being double,
-/// int, bool or std::uint64_t, and as visit(name, group) for a nested options struct. `Self` is
-/// const or not, as the caller needs. `help` ends with the source: a section or equation of the
-/// thesis, or a paper.
+/// int, bool, std::uint64_t or std::string (a path, whose range is any_value()), and as
+/// visit(name, group) for a nested options struct. `Self` is const or not, as the caller needs.
+/// `help` ends with the source: a section or equation of the thesis, or a paper.
 namespace symscene {
 
 /// The values that an option may have: an interval, open at an end that is excluded.
@@ -67,7 +68,8 @@ struct FieldCheck {
   template <class Value>
   void operator()(const char* name, const Value& value, const char* unit, const Range& range,
                   const char* /*help*/) const {
-    require_in_range(name, static_cast<double>(value), unit, range);
+    if constexpr (!std::is_same_v<Value, std::string>)
+      require_in_range(name, static_cast<double>(value), unit, range);
   }
   template <class Group>
   void operator()(const char* /*name*/, const Group& group) const {
