@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Refuses what does not begin with a digit, above all negative numbers.
+/// CLI11 alone would wrap negative numbers around.
 std::string check_whole(const std::string& text) {
   const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   return whole ? "" : "expected a whole number from 0, found " + text;
@@ -53,8 +53,8 @@ std::string check_intrinsics(const std::string& text) {
 
 }  // namespace
 
-Arguments::Arguments(CLI::App& app, const char* name, const char* summary, const char* example)
-    : command_(*app.add_subcommand(name, summary)) {
+Arguments::Arguments(CommandLine& line, const char* name, const char* summary, const char* example)
+    : line_(line), command_(*line.parser.add_subcommand(name, summary)) {
   command_.footer(fmt::format("Example:\n  {}", example));
 }
 
@@ -106,18 +106,18 @@ void Arguments::sequence_options(SequenceOptions& options) {
           [&options](const std::string& text) {
             options.intrinsics = parse_intrinsics_option(text);
           },
-          "focal lengths and principal point of a sequence's camera [px], in place of its own")
+          "focal lengths and principal point of the camera [px]; replaces that of the sequence")
       ->type_name("FX,FY,CX,CY")
       ->check(check_intrinsics);
   command_
       .add_option("--depth-scale", options.depth_scale,
-                  "values of a sequence's depth images in a metre, e.g. 1000, in place of its own")
+                  "values of the depth images per metre, e.g. 1000; replaces that of the sequence")
       ->type_name("N")
       ->check(check_positive);
 }
 
 void Arguments::seed(std::optional<std::uint64_t>& value) {
-  command_.add_option("--seed", value, "seed of everything random (default 1)")
+  command_.add_option("--seed", value, "seed of all random numbers (default 1)")
       ->type_name("S")
       ->check(check_whole);
 }
@@ -125,26 +125,32 @@ void Arguments::seed(std::optional<std::uint64_t>& value) {
 void Arguments::threads(SharedOptions& shared) {
   command_
       .add_option("--threads", shared.threads,
-                  "threads to use at most, 0 for all cores; results do not depend on it")
+                  "maximal number of threads, 0 for all cores; results do not depend on it")
       ->type_name("N")
       ->check(CLI::Range(0, 4096).description(""));
 }
 
 void Arguments::reporting(SharedOptions& shared) {
-  command_.add_flag("-v,--verbose", shared.verbose, "print the time of every stage");
-  command_.add_flag("--quiet", shared.quiet, "print no text for people but warnings");
-  command_.add_flag("--json", shared.json, "print one machine-readable line at the end");
+  command_.add_flag("-v,--verbose", shared.verbose, "print the time of each stage");
+  command_.add_flag("--quiet", shared.quiet, "print nothing but warnings and errors");
+  command_.add_flag("--json", shared.json, "print a line of JSON at the end");
 }
 
-void Arguments::config(SharedOptions& shared, std::function<OptionFields()> configure) {
-  file("--config", shared.config, "JSON file with options of the stages, by name");
+void Arguments::config(SharedOptions& shared, const std::function<OptionFields()>& configure) {
+  file("--config", shared.config, "JSON file with options of the stages (docs/options.md)");
   command_.add_flag_callback(
       "--dump-config",
-      [configure = std::move(configure)] {
+      [configure] {
         print_output(format_config(configure()));
         throw CLI::Success();
       },
-      "print all options of the stages in the form of that file");
+      "print all options of the stages as such a file, with unit, range and help");
+  line_.configurable.push_back({command_.get_name(), configure});
+}
+
+void Arguments::config_with(const char* flag, std::function<OptionFields()> configure) {
+  line_.configurable.push_back(
+      {fmt::format("{} {}", command_.get_name(), flag), std::move(configure)});
 }
 
 void Arguments::run(std::function<void()> body) { command_.callback(std::move(body)); }
@@ -159,7 +165,7 @@ void require_not_input(const fs::path& output, const fs::path& input) {
   const fs::path out = fs::weakly_canonical(fs::absolute(output));
   const auto [end_of_in, position] = std::mismatch(in.begin(), in.end(), out.begin(), out.end());
   if (end_of_in == in.end())
-    throw InputError(output.string(), "a place outside the input", "a part of it");
+    throw InputError(output.string(), "a path outside the input", "a path in it");
 }
 
 }  // namespace symscene::app

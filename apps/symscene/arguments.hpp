@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "config.hpp"
 #include "symscene/io/sequence.hpp"
@@ -15,7 +16,7 @@ class App;
 
 namespace symscene::app {
 
-/// What the options that subcommands share were set to.
+/// Values of the options that subcommands share.
 struct SharedOptions {
   std::filesystem::path output;
   std::filesystem::path config;
@@ -25,10 +26,23 @@ struct SharedOptions {
   bool json = false;
 };
 
-/// Puts a subcommand together: each call adds an option of it, in the order of its help.
+/// A subcommand with --config: its name, with the flags that choose among its sets of options, and
+/// its options as the command line and the file have set them.
+struct ConfigurableCommand {
+  std::string name;
+  std::function<OptionFields()> configure;
+};
+
+/// The command line of symscene while subcommands are added to it.
+struct CommandLine {
+  CLI::App& parser;
+  std::vector<ConfigurableCommand> configurable;
+};
+
+/// Builds a subcommand: each call adds one of its options, in the order of its help.
 class Arguments {
  public:
-  Arguments(CLI::App& app, const char* name, const char* summary, const char* example);
+  Arguments(CommandLine& line, const char* name, const char* summary, const char* example);
 
   void input(std::filesystem::path& value, const char* name, const char* help);
   void required_output(SharedOptions& shared, const char* help);
@@ -41,26 +55,29 @@ class Arguments {
               const char* help);
   void text(const char* flag, std::string& value, const char* help);
   void count(const char* flag, std::optional<int>& value, const char* help);
-  /// --intrinsics and --depth-scale, of which a sequence's files may say nothing.
+  /// --intrinsics and --depth-scale, for sequences whose files do not give them.
   void sequence_options(SequenceOptions& options);
   void seed(std::optional<std::uint64_t>& value);
   void threads(SharedOptions& shared);
   /// -v, --quiet and --json.
   void reporting(SharedOptions& shared);
-  /// --config and --dump-config. `configure` returns the fields with file and flags applied; the
-  /// flags that it reads are to be added before.
-  void config(SharedOptions& shared, std::function<OptionFields()> configure);
-  /// What the subcommand does once the line is parsed.
+  /// --config and --dump-config. `configure` returns the fields with file and flags applied; add
+  /// the flags that it reads before.
+  void config(SharedOptions& shared, const std::function<OptionFields()>& configure);
+  /// Documents the options that the subcommand has with `flag` in place of the others.
+  void config_with(const char* flag, std::function<OptionFields()> configure);
+  /// What the subcommand does once the command line is parsed.
   void run(std::function<void()> body);
 
  private:
+  CommandLine& line_;
   CLI::App& command_;
 };
 
 /// Throws InputError if writing `output` would change the file or folder `input`, or what is in it.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
-/// The last part of a folder's path, whether or not it ends in a slash or is a dot.
+/// The last component of a folder's path, also if the path ends in a slash or is a dot.
 std::string folder_name(const std::filesystem::path& folder);
 
 }  // namespace symscene::app

@@ -1,20 +1,30 @@
 #pragma once
 
-namespace CLI {
-class App;
-}
+// The subcommands in the order of --help. A new subcommand needs a file that defines add_NAME() and
+// a line here.
+#define SYMSCENE_SUBCOMMANDS(SUBCOMMAND) \
+  SUBCOMMAND(simulate)                   \
+  SUBCOMMAND(reconstruct)                \
+  SUBCOMMAND(segment)                    \
+  SUBCOMMAND(symmetry)                   \
+  SUBCOMMAND(view)                       \
+  SUBCOMMAND(info)                       \
+  SUBCOMMAND(options)
+
+// Those that a build without SYMSCENE_BUILD_EVALUATION leaves out.
+#define SYMSCENE_EVALUATION_SUBCOMMANDS(SUBCOMMAND) \
+  SUBCOMMAND(stitch)                                \
+  SUBCOMMAND(dataset)                               \
+  SUBCOMMAND(evaluate)
 
 namespace symscene::app {
 
-// Each adds its subcommand, which runs as the command line is parsed.
-void add_simulate(CLI::App& app);
-void add_dataset(CLI::App& app);
-void add_reconstruct(CLI::App& app);
-void add_stitch(CLI::App& app);
-void add_segment(CLI::App& app);
-void add_symmetry(CLI::App& app);
-void add_evaluate(CLI::App& app);
-void add_view(CLI::App& app);
-void add_info(CLI::App& app);
+struct CommandLine;
+
+// add_NAME() adds its subcommand to the command line; parsing the line runs it.
+#define SYMSCENE_DECLARE_SUBCOMMAND(name) void add_##name(CommandLine& line);
+SYMSCENE_SUBCOMMANDS(SYMSCENE_DECLARE_SUBCOMMAND)
+SYMSCENE_EVALUATION_SUBCOMMANDS(SYMSCENE_DECLARE_SUBCOMMAND)
+#undef SYMSCENE_DECLARE_SUBCOMMAND
 
 }  // namespace symscene::app

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.hpp"
-#include "symscene/core/error.hpp"
+#include "option_text.hpp"
 
 namespace symscene::app {
 namespace {
@@ -66,7 +65,7 @@ class Assignment {
     const auto field = std::find_if(fields_.begin(), fields_.end(),
                                     [&](const OptionField& f) { return f.name == name; });
     if (field != fields_.end()) {
-      std::visit([&](auto* target) { set(*target, name, value); }, field->value);
+      std::visit([&](auto* target) { set(*target, *field, value); }, field->value);
     } else if (!is_group(name)) {
       throw InputError(file_, "only options that --dump-config lists", unknown(name));
     } else if (!value.is_object()) {
@@ -81,31 +80,43 @@ class Assignment {
                        [&](const OptionField& f) { return f.name.starts_with(name + "."); });
   }
 
-  [[noreturn]] void refuse(const char* expected, const std::string& name, const json& value) const {
+  [[noreturn]] void refuse(const std::string& expected, const std::string& name,
+                           const json& value) const {
     throw InputError(file_, fmt::format("{} for \"{}\"", expected, name), describe(value));
   }
 
-  void set(double& target, const std::string& name, const json& value) const {
-    if (!value.is_number()) refuse("a number", name, value);
-    target = value.get<double>();
+  void require_range(const OptionField& field, double number, const json& value) const {
+    if (field.range.contains(number)) return;
+    const std::string unit = field.unit.empty() ? "" : " " + field.unit;
+    refuse(fmt::format("a number {}{}", to_string(field.range), unit), field.name, value);
   }
-  void set(bool& target, const std::string& name, const json& value) const {
-    if (!value.is_boolean()) refuse("true or false", name, value);
+
+  void set(double& target, const OptionField& field, const json& value) const {
+    if (!value.is_number()) refuse("a number", field.name, value);
+    const auto number = value.get<double>();
+    require_range(field, number, value);
+    target = number;
+  }
+  void set(bool& target, const OptionField& field, const json& value) const {
+    if (!value.is_boolean()) refuse("true or false", field.name, value);
     target = value.get<bool>();
   }
-  void set(std::uint64_t& target, const std::string& name, const json& value) const {
-    if (!value.is_number_unsigned()) refuse("a whole number from 0", name, value);
+  void set(std::uint64_t& target, const OptionField& field, const json& value) const {
+    if (!value.is_number_unsigned()) refuse("a whole number from 0", field.name, value);
+    require_range(field, value.get<double>(), value);
     target = value.get<std::uint64_t>();
   }
-  void set(int& target, const std::string& name, const json& value) const {
+  void set(int& target, const OptionField& field, const json& value) const {
     constexpr double low = std::numeric_limits<int>::min();
     constexpr double high = std::numeric_limits<int>::max();
-    if (!value.is_number_integer() || value.get<double>() < low || value.get<double>() > high)
-      refuse("a whole number", name, value);
+    const bool whole = value.is_number_integer();
+    if (!whole || value.get<double>() < low || value.get<double>() > high)
+      refuse("a whole number", field.name, value);
+    require_range(field, value.get<double>(), value);
     target = value.get<int>();
   }
-  void set(std::string& target, const std::string& name, const json& value) const {
-    if (!value.is_string()) refuse("a text in quotes", name, value);
+  void set(std::string& target, const OptionField& field, const json& value) const {
+    if (!value.is_string()) refuse("a text in quotes", field.name, value);
     target = value.get<std::string>();
   }
 
@@ -152,11 +163,8 @@ ordered_json config_values(const OptionFields& fields) {
 }
 
 std::string comment(const OptionField& field) {
-  const auto* const* value = std::get_if<double*>(&field.value);
-  if (field.unit == "rad" && value != nullptr) {
-    return fmt::format("[rad, {:.4g} degrees] {}", **value * 180.0 / std::numbers::pi, field.help);
-  }
-  return field.unit.empty() ? field.help : fmt::format("[{}] {}", field.unit, field.help);
+  const std::string kind = kind_text(field);
+  return kind.empty() ? field.help : fmt::format("[{}] {}", kind, field.help);
 }
 
 std::vector<std::string> split_lines(const std::string& text) {
@@ -181,6 +189,16 @@ void parse_config(const std::string& text, const std::string& name, const Option
 
 void read_config(const std::filesystem::path& file, const OptionFields& fields) {
   parse_config(read_file(file), file.string(), fields);
+}
+
+void validate_with(const std::filesystem::path& file, const std::function<void()>& validate) {
+  try {
+    validate();
+  } catch (const InputError& error) {
+    if (file.empty()) throw;
+    throw InputError(fmt::format("{} (with the options of {})", error.where(), file.string()),
+                     error.expected(), error.found());
+  }
 }
 
 std::string format_config(const OptionFields& fields) {

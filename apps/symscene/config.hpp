@@ -2,15 +2,17 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "symscene/core/error.hpp"
 #include "symscene/core/options.hpp"
 
 namespace symscene::app {
 
-/// One option of a stage, by its path through the groups: "rotational.max_angle".
+/// One option of a stage, named by its path through the groups: "rotational.max_angle".
 struct OptionField {
   std::string name;
   std::variant<double*, int*, bool*, std::uint64_t*, std::string*> value;
@@ -53,17 +55,35 @@ OptionFields option_fields(Options& options) {
 }
 
 /// Sets the fields that a JSON file names, nested by group; // comments are allowed.
-/// Throws InputError for a name that is none of the fields and for a value of another type.
+/// Throws InputError, which names the file and the option, for an unknown name, a value of another
+/// type and a value out of range.
 void read_config(const std::filesystem::path& file, const OptionFields& fields);
 
 /// The same from the text of a file; `name` stands for it in messages.
 void parse_config(const std::string& text, const std::string& name, const OptionFields& fields);
 
-/// All fields as JSON, with unit and help in a comment behind each: what read_config reads back.
+/// Runs `validate`. An InputError from it names `file` too, if there is one.
+void validate_with(const std::filesystem::path& file, const std::function<void()>& validate);
+
+/// Sets `options` from `file`, if it names one, then from the flags of the command line, and
+/// validates them. Returns their fields. Throws InputError as read_config() and validate() do.
+template <class Options>
+OptionFields configure_options(
+    Options& options, const std::filesystem::path& file,
+    const std::function<void()>& apply_flags = [] {}) {
+  OptionFields fields = option_fields(options);
+  if (!file.empty()) read_config(file, fields);
+  apply_flags();
+  validate_with(file, [&] { options.validate(); });
+  return fields;
+}
+
+/// All fields as JSON that read_config() reads back. A comment behind each gives its unit, range
+/// and help.
 std::string format_config(const OptionFields& fields);
 
-/// What made an output, as JSON: version, command and all options; `frames`, JSON too, says what
-/// became of its frames.
+/// What made an output, as JSON: version, command and all options; `frames`, JSON too, lists the
+/// status of its frames.
 std::string describe_run(const std::string& command, const OptionFields& fields,
                          const std::string& frames = "");
 

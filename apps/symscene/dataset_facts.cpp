@@ -12,7 +12,7 @@
 namespace symscene::app {
 namespace {
 
-/// What all scenes of a dataset have together.
+/// Sums over all scenes of a dataset.
 struct Totals {
   std::size_t fewest = 0;
   std::size_t most = 0;
@@ -77,7 +77,7 @@ Facts dataset_facts(const std::filesystem::path& path) {
   if (listing.seed) facts.add("seed", std::to_string(*listing.seed), "seed", *listing.seed);
   add_scenes(facts, listing, totals);
   facts.add("objects",
-            fmt::format("{}, {} to {} a scene", totals.objects, totals.fewest, totals.most),
+            fmt::format("{}, {} to {} per scene", totals.objects, totals.fewest, totals.most),
             "objects", totals.objects);
   facts.add_member("objects_a_scene", {totals.fewest, totals.most});
   facts.add(

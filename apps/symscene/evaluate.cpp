@@ -69,11 +69,8 @@ struct Evaluate {
   bool fast = false;
 
   OptionFields configure() {
-    OptionFields fields = option_fields(options.pipeline);
-    if (!shared.config.empty()) read_config(shared.config, fields);
-    read_models(options.pipeline.models);
-    options.validate();
-    return fields;
+    return configure_options(options.pipeline, shared.config,
+                             [&] { read_models(options.pipeline.models); });
   }
 
   Evaluation evaluate(const std::vector<DatasetEntry>& entries, Session& session) const {
@@ -152,9 +149,10 @@ struct Evaluate {
 
 }  // namespace
 
-void add_evaluate(CLI::App& app) {
+void add_evaluate(CommandLine& line) {
   const auto state = std::make_shared<Evaluate>();
-  Arguments arguments(app, "evaluate", "Compare what is found in scenes with what is true of them",
+  Arguments arguments(line, "evaluate",
+                      "Compare the objects found in scenes with their ground truth",
                       "symscene evaluate dataset -o report");
   arguments.input(state->dataset, "DATASET",
                   "dataset folder, or any folder of scene folders with truth");

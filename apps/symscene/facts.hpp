@@ -11,14 +11,14 @@
 
 namespace symscene::app {
 
-/// What `symscene info` finds: rows for a person, members of the machine-readable line.
+/// What `symscene info` reports: rows of a table, and members of the line that --json prints.
 class Facts {
  public:
   using Json = nlohmann::ordered_json;
 
   explicit Facts(const std::string& kind) { add_member("kind", kind); }
 
-  /// A row, and the same as a member.
+  /// Adds a row and the same fact as a member.
   void add(const std::string& label, const std::string& text, const char* key, const Json& value) {
     add_row(label, text);
     add_member(key, value);
@@ -31,7 +31,7 @@ class Facts {
         ReportMember::raw(key, value.dump(-1, ' ', false, Json::error_handler_t::replace)));
   }
 
-  /// A line a row, texts below each other.
+  /// One line per row, with the texts aligned.
   std::string table() const;
   const std::vector<ReportMember>& members() const { return members_; }
 
@@ -44,14 +44,14 @@ class Facts {
   std::vector<ReportMember> members_;
 };
 
-/// The facts of a sequence, for which `samples` of its frames are read.
+/// Reads `samples` frames spread over the sequence.
 Facts sequence_facts(const DepthSequence& sequence, std::size_t samples);
 
 Facts scene_facts(const std::filesystem::path& dir);
 Facts result_facts(const std::filesystem::path& dir);
 Facts dataset_facts(const std::filesystem::path& path);
 
-/// The facts of a file with a cloud, a mesh or an occupancy tree.
+/// Whether a file has the extension of a cloud, a mesh or an occupancy tree.
 bool is_model_file(const std::filesystem::path& path);
 Facts model_facts(const std::filesystem::path& path);
 

@@ -12,7 +12,7 @@ void FrameLog::add(std::size_t frame, const FrameReport& report) {
   relocalized_ += report.relocalized ? 1 : 0;
   const bool free = tracking.status == TrackingStatus::degenerate;
   add(frame, to_string(tracking.status),
-      free ? fmt::format("nothing holds {}", fmt::join(tracking.unconstrained, ", "))
+      free ? fmt::format("unconstrained motions: {}", fmt::join(tracking.unconstrained, ", "))
            : std::string(tracking.reason));
 }
 
@@ -24,7 +24,7 @@ void FrameLog::add_lost(std::size_t frame, const std::string& reason) {
 
 void FrameLog::add(std::size_t frame, const std::string& status, const std::string& detail) {
   ++frames_;
-  // Frames are lost for different reasons; what is free of a degenerate one varies with noise.
+  // Lost frames are split by reason; the unconstrained motions of degenerate ones vary with noise.
   if (runs_.empty() || runs_.back().status != status ||
       (status == "lost" && runs_.back().detail != detail)) {
     runs_.push_back({status, detail, frame, frame});

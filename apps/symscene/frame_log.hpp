@@ -7,7 +7,7 @@
 
 namespace symscene::app {
 
-/// What became of a sequence's frames, in runs of frames that fared alike.
+/// The status of each frame of a sequence, as runs of frames with equal status.
 class FrameLog {
  public:
   void add(std::size_t frame, const FrameReport& report);
@@ -16,10 +16,10 @@ class FrameLog {
 
   std::size_t fused() const { return fused_; }
 
-  /// What became of the first frames.
+  /// Describes the first run.
   std::string first_run() const;
 
-  /// A line for all frames, and one for every run of frames that were not simply tracked.
+  /// A summary line, and one line per run of frames whose tracking did not converge.
   std::vector<std::string> lines() const;
 
   /// Counts and runs as a JSON object.

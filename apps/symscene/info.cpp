@@ -12,10 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How many frames of a sequence are read where --all does not ask for every one.
+/// Frames that are read of a sequence without --all.
 constexpr std::size_t sampled_frames = 20;
 
-constexpr const char* anything =
+constexpr const char* readable =
     "a sequence, a scene, a result or a dataset folder, or a file with a cloud, a mesh or an "
     "occupancy tree";
 
@@ -37,7 +37,7 @@ struct Info {
       return sequence_facts(*sequence, all ? sequence->size() : sampled_frames);
     }
     const char* found = fs::is_directory(path) ? "another folder" : "another file";
-    throw InputError(path.string(), anything, fs::exists(path) ? found : "nothing of that name");
+    throw InputError(path.string(), readable, fs::exists(path) ? found : "no such file or folder");
   }
 
   void run() const {
@@ -53,13 +53,13 @@ struct Info {
 
 }  // namespace
 
-void add_info(CLI::App& app) {
+void add_info(CommandLine& line) {
   const auto state = std::make_shared<Info>();
-  Arguments arguments(app, "info", "Tell what is in a sequence, scene, result, dataset or model",
+  Arguments arguments(line, "info", "Describe a sequence, scene, result, dataset or model",
                       "symscene info sequence --intrinsics 525,525,319.5,239.5");
   arguments.input(state->path, "PATH", "folder or file");
   arguments.sequence_options(state->options);
-  arguments.flag("--all", state->all, "read every frame of a sequence, not 20 spread over it");
+  arguments.flag("--all", state->all, "read all frames of a sequence, not 20 spread over it");
   arguments.reporting(state->shared);
   arguments.run([state] { state->run(); });
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "symscene/core/error.hpp"
 
@@ -15,13 +16,13 @@ using symscene::InputError;
 
 enum ExitCode { ok = 0, bad_input = 1, bad_usage = 2, internal_error = 3 };
 
-/// "symscene" and the subcommand that was asked for.
+/// "symscene" and the name of the subcommand.
 std::string name_of(const CLI::App& app) {
   const auto commands = app.get_subcommands();
   return commands.empty() ? "symscene" : "symscene " + commands.front()->get_name();
 }
 
-/// Says one sentence on standard error, whatever is in it.
+/// Prints one line on standard error, whatever characters the sentence has.
 ExitCode fail(ExitCode code, const CLI::App& app, std::string sentence) {
   for (char& c : sentence) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
@@ -35,7 +36,7 @@ ExitCode fail_usage(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 #ifndef SYMSCENE_HAS_EVALUATION
-/// A command that this build leaves out says how to get it.
+/// A subcommand that this build leaves out reports how to get it.
 void add_missing(CLI::App& app, const std::string& name) {
   CLI::App* command = app.add_subcommand(name, "Not in this build: ./run build adds it");
   command->allow_extras();
@@ -46,7 +47,8 @@ void add_missing(CLI::App& app, const std::string& name) {
 }
 #endif
 
-void add_commands(CLI::App& app) {
+void add_commands(symscene::app::CommandLine& line) {
+  CLI::App& app = line.parser;
   app.name("symscene");
   app.set_version_flag("--version", "symscene " SYMSCENE_VERSION);
   app.require_subcommand(1);
@@ -54,29 +56,26 @@ void add_commands(CLI::App& app) {
       "Example:\n"
       "  symscene simulate -o scene && symscene segment scene -o result &&\n"
       "    symscene view result -o page.html");
-  symscene::app::add_simulate(app);
-  symscene::app::add_reconstruct(app);
-  symscene::app::add_segment(app);
-  symscene::app::add_symmetry(app);
-  symscene::app::add_view(app);
-  symscene::app::add_info(app);
+#define SYMSCENE_ADD_SUBCOMMAND(name) symscene::app::add_##name(line);
+#define SYMSCENE_ADD_MISSING(name) add_missing(app, #name);
+  SYMSCENE_SUBCOMMANDS(SYMSCENE_ADD_SUBCOMMAND)
 #ifdef SYMSCENE_HAS_EVALUATION
-  symscene::app::add_stitch(app);
-  symscene::app::add_dataset(app);
-  symscene::app::add_evaluate(app);
+  SYMSCENE_EVALUATION_SUBCOMMANDS(SYMSCENE_ADD_SUBCOMMAND)
 #else
-  for (const char* name : {"stitch", "dataset", "evaluate"}) add_missing(app, name);
+  SYMSCENE_EVALUATION_SUBCOMMANDS(SYMSCENE_ADD_MISSING)
 #endif
+#undef SYMSCENE_ADD_MISSING
+#undef SYMSCENE_ADD_SUBCOMMAND
 }
 
-/// What was printed has to arrive: a full disk is an error, not a short file.
+/// Output that cannot be written, to a full disk for example, is an error.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw InputError("standard output", "room for the output", "that it cannot be written");
+    throw InputError("standard output", "a stream that can be written", "a write error");
 }
 
-/// Help, version and --dump-config end the parsing too.
-void parse_and_work(CLI::App& app, int argc, const char* const* argv) {
+/// CLI11 reports help, version and --dump-config by exceptions.
+void parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -90,7 +89,7 @@ void parse_and_work(CLI::App& app, int argc, const char* const* argv) {
 
 ExitCode run(CLI::App& app, int argc, const char* const* argv) {
   try {
-    parse_and_work(app, argc, argv);
+    parse_and_run(app, argc, argv);
     flush_output();
     return ok;
   } catch (const CLI::ParseError& error) {
@@ -101,7 +100,7 @@ ExitCode run(CLI::App& app, int argc, const char* const* argv) {
     return fail(bad_input, app,
                 fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::bad_alloc&) {
-    return fail(internal_error, app, "the memory that this input needs is not there");
+    return fail(internal_error, app, "out of memory");
   } catch (const std::exception& error) {
     return fail(internal_error, app, fmt::format("internal error: {}", error.what()));
   }
@@ -111,6 +110,7 @@ ExitCode run(CLI::App& app, int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Finds the objects on a cluttered table by their symmetries."};
-  add_commands(app);
+  symscene::app::CommandLine line{app, {}};
+  add_commands(line);
   return run(app, argc, argv);
 }

@@ -5,7 +5,7 @@
 
 namespace symscene::app {
 
-/// To standard output. Whether it arrived shows when the stream is flushed at the end.
+/// Writes to standard output. Errors show when main() flushes the stream.
 inline void print_output(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }

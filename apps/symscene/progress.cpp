@@ -9,8 +9,8 @@
 namespace symscene::app {
 namespace {
 
-constexpr std::chrono::milliseconds patience{1000};
-constexpr std::chrono::milliseconds frame{120};
+constexpr std::chrono::milliseconds delay{1000};
+constexpr std::chrono::milliseconds interval{120};
 constexpr const char* spinner = "|/-\\";
 
 }  // namespace
@@ -45,14 +45,14 @@ void Progress::print_line(const std::string& line) {
 void Progress::draw_until(const std::stop_token& stop) {
   const auto start = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
-  auto next = start + patience;
+  auto next = start + delay;
   for (std::size_t tick = 0; !wake_.wait_until(lock, stop, next, [] { return false; }); ++tick) {
     if (stop.stop_requested()) return;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     fmt::print(stderr, "\r{} {:.0f} s  {}\x1b[K", spinner[tick % 4], elapsed.count(), stage_);
     std::fflush(stderr);
     drawn_ = true;
-    next = std::chrono::steady_clock::now() + frame;
+    next = std::chrono::steady_clock::now() + interval;
   }
 }
 

@@ -11,8 +11,8 @@ namespace symscene::app {
 /// Whether standard error is a terminal.
 bool stderr_is_terminal();
 
-/// A line on the terminal that names the stage at work, for what takes over a second; gone when
-/// done.
+/// A progress line on the terminal with the current stage, shown after one second and erased at the
+/// end.
 class Progress {
  public:
   /// Shows nothing unless `enabled`.
@@ -23,10 +23,10 @@ class Progress {
 
   void begin(const std::string& stage);
 
-  /// Ends it and leaves an empty line.
+  /// Erases the progress line for good.
   void stop();
 
-  /// Writes a line of its own, without a tear in the progress line.
+  /// Prints a line above the progress line.
   void print_line(const std::string& line);
 
  private:
@@ -37,7 +37,7 @@ class Progress {
   std::condition_variable_any wake_;
   std::string stage_;
   bool drawn_ = false;
-  std::jthread painter_;  ///< last: it ends before what it reads does
+  std::jthread painter_;  ///< last, so that it stops before the members that it reads
 };
 
 }  // namespace symscene::app

@@ -15,7 +15,7 @@
 namespace symscene::app {
 namespace {
 
-/// All stages' options, as a configuration file names them.
+/// The options of all stages, in the groups of a configuration file.
 struct ReconstructOptions {
   ReconstructionOptions reconstruction;
   SceneBuildingOptions scene;
@@ -25,14 +25,18 @@ struct ReconstructOptions {
     ReconstructionOptions::visit_fields(self.reconstruction, visit);
     visit("scene", self.scene);
   }
+  void validate() const {
+    reconstruction.validate();
+    scene.validate();
+  }
 };
 
-/// Reads a sequence's frames one ahead of the one that is worked on.
+/// Reads the frames of a sequence, one ahead of the frame in use.
 class FrameReader {
  public:
   explicit FrameReader(const DepthSequence& sequence) : sequence_(sequence) { start(); }
 
-  /// The next frame. Throws what reading it threw; the one after it follows all the same.
+  /// The next frame. Throws InputError if it cannot be read; the following frame can still be read.
   DepthFrame next() {
     std::future<DepthFrame> current = std::move(ahead_);
     start();
@@ -51,7 +55,7 @@ class FrameReader {
   std::future<DepthFrame> ahead_;
 };
 
-constexpr int most_warnings = 5;  // about frames that cannot be read
+constexpr int max_unreadable_warnings = 5;
 
 struct Reconstruct {
   SharedOptions shared;
@@ -62,13 +66,7 @@ struct Reconstruct {
   std::string plane;
   bool any_up = false;
 
-  OptionFields configure() {
-    OptionFields fields = option_fields(options);
-    if (!shared.config.empty()) read_config(shared.config, fields);
-    options.reconstruction.validate();
-    options.scene.validate();
-    return fields;
-  }
+  OptionFields configure() { return configure_options(options, shared.config); }
 
   std::optional<Eigen::Isometry3d> given_pose(const DepthSequence& sequence, std::size_t i) const {
     return poses.empty() ? std::nullopt : sequence.pose(i);
@@ -78,7 +76,7 @@ struct Reconstruct {
     if (poses.empty()) return;
     std::size_t count = 0;
     for (std::size_t i = 0; i < sequence.size(); ++i) count += sequence.pose(i).has_value() ? 1 : 0;
-    if (count == 0) throw InputError(path.string(), "poses, as --poses asks", "frames without any");
+    if (count == 0) throw InputError(path.string(), "poses, which --poses needs", "none");
   }
 
   PlacedFrames add_frames(const DepthSequence& sequence, Reconstruction& reconstruction,
@@ -96,14 +94,14 @@ struct Reconstruct {
         frame = reader.next();
       } catch (const InputError& error) {
         log.add_unreadable(i);
-        if (++unreadable <= most_warnings) session.warn(error.what());
+        if (++unreadable <= max_unreadable_warnings) session.warn(error.what());
       }
       waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       if (!frame) continue;
       const std::optional<Eigen::Isometry3d> pose = given_pose(sequence, i);
       if (!pose && !poses.empty() && reconstruction.volume().empty()) {
-        // Its camera would fix a world that is not the poses'.
-        log.add_lost(i, "no frame with a pose came before it");
+        // The first fused frame sets the world frame, which must be that of the poses.
+        log.add_lost(i, "no earlier frame has a pose");
         continue;
       }
       const FrameReport report = reconstruction.add(*frame, pose, use);
@@ -144,7 +142,7 @@ struct Reconstruct {
     const PlacedFrames placed = add_frames(*sequence, reconstruction, log, session, timer);
     for (const std::string& line : log.lines()) session.say(line);
     if (placed.frames.empty())
-      throw InputError(path.string(), "a frame that shows something", log.first_run());
+      throw InputError(path.string(), "a frame that can be fused", log.first_run());
     report_trajectory(*sequence, placed, session);
     SceneOutput output{path, shared.output, table, any_up, options.scene};
     const std::vector<ReportMember> written =
@@ -160,21 +158,21 @@ struct Reconstruct {
 
 }  // namespace
 
-void add_reconstruct(CLI::App& app) {
+void add_reconstruct(CommandLine& line) {
   const auto state = std::make_shared<Reconstruct>();
   Arguments arguments(
-      app, "reconstruct", "Turn a depth sequence into a scene: track, fuse, find the table",
+      line, "reconstruct", "Turn a depth sequence into a scene: track, fuse, find the table",
       "symscene reconstruct sweep -o scene\n"
       "  symscene reconstruct tum_fr1_xyz -o desk --intrinsics 517.3,516.5,318.6,255.3");
   arguments.input(state->path, "SEQUENCE",
-                  "sequence folder, TUM, 7-Scenes, Redwood or ICL-NUIM folder, or ROS 1 bag");
+                  "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or ROS 1 bag");
   arguments.required_output(state->shared, "scene folder to write");
   arguments.sequence_options(state->source);
   arguments.choice("--poses", state->poses, {"exact", "start"},
-                   "use the sequence's poses as they are, or to start tracking from");
-  arguments.text("--plane", state->plane, "the table, as a,b,c,d of ax + by + cz + d = 0");
+                   "use the sequence's poses as they are, or as initial poses of tracking");
+  arguments.text("--plane", state->plane, "the table plane a,b,c,d with ax + by + cz + d = 0");
   arguments.flag("--any-up", state->any_up,
-                 "the camera was not held upright: the table may face anywhere");
+                 "the camera was not held upright: accept a table of any orientation");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

@@ -6,10 +6,10 @@
 
 namespace symscene::app {
 
-/// One line an object: id, points, score, symmetries.
+/// A table with one line per object: id, points, score, symmetries.
 std::string format_objects(const SegmentationResult& result);
 
-/// Entry by entry the median of the runs' stage times, which name the same stages.
+/// The median time of each stage over runs with equal stages.
 std::vector<StageTime> median_times(const std::vector<std::vector<StageTime>>& runs);
 
 }  // namespace symscene::app

@@ -30,7 +30,7 @@ void add_box(Facts& facts, const Points& points) {
             "box", {{"min", coordinates(box.min)}, {"max", coordinates(box.max)}});
 }
 
-/// The median distance to the nearest other point. [m]
+/// Median distance from a point to its nearest neighbour. [m]
 double median_spacing(const Points& points) {
   const NeighborLists nearest = nearest_neighbors(points, 1);
   std::vector<float> distances;
@@ -51,7 +51,7 @@ void add_cloud(Facts& facts, const PointCloud& cloud) {
                                  cloud.has_normals() ? "with" : "without",
                                  cloud.has_colors() ? "with" : "without");
   if (finite.size() < cloud.size()) {
-    text += fmt::format("; {} of them without a place", cloud.size() - finite.size());
+    text += fmt::format("; {} of them not finite", cloud.size() - finite.size());
   }
   facts.add("points", text, "points", cloud.size());
   facts.add_member("normals", cloud.has_normals());
@@ -60,12 +60,11 @@ void add_cloud(Facts& facts, const PointCloud& cloud) {
   const Points points = select(cloud, finite).positions;
   add_box(facts, points);
   const double spacing = median_spacing(points);
-  facts.add("spacing",
-            fmt::format("{:.2f} mm from a point to the nearest other, the median", 1e3 * spacing),
+  facts.add("spacing", fmt::format("{:.2f} mm to the nearest other point (median)", 1e3 * spacing),
             "spacing", spacing);
 }
 
-/// The volume of the leaves of a state. [m³]
+/// Total volume of the leaves in a state. [m³]
 double volume(const OccupancyMap& map, VoxelState state) {
   double voxels = 0.0;
   for (const OccupancyLeaf& leaf : map.leaves) {

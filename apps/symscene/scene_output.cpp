@@ -25,20 +25,20 @@ void report_table(const std::filesystem::path& input, const TableScene& table, S
       found.push_back(fmt::format("{} ({:.2f} m^2)", plane_numbers(other.plane), other.area));
     }
     throw InputError(
-        input.string(), "a table that something stands on (or --plane a,b,c,d)",
+        input.string(), "a table with objects on it (or --plane a,b,c,d)",
         found.empty() ? "no plane" : fmt::format("only the planes {}", fmt::join(found, "; ")));
   }
   const auto& supports = table.planes.supports;
-  session.say(fmt::format("table {}: {:.2f} m^2, rough to {:.1f} mm",
+  session.say(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
                           plane_numbers(supports.front().plane), supports.front().area,
                           1e3 * supports.front().residual));
   for (std::size_t k = 1; k < supports.size(); ++k) {
-    session.warn(fmt::format("another plane carries things too: --plane {} ({:.2f} m^2)",
+    session.warn(fmt::format("another plane also has objects on it: --plane {} ({:.2f} m^2)",
                              plane_numbers(supports[k].plane), supports[k].area));
   }
 }
 
-/// The truth of a simulated sequence in the frame and on the points of the scene.
+/// The ground truth of a simulated sequence, transferred to the frame and points of the scene.
 std::optional<SceneTruth> scene_truth(const std::filesystem::path& input,
                                       const DepthSequence& sequence, const PlacedFrames& placed,
                                       const PointCloud& cloud) {
@@ -90,7 +90,7 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
   });
   report_table(input, built.table, session);
   if (built.scene.cloud.empty())
-    throw InputError(input.string(), "something that stands on the table", "a bare table");
+    throw InputError(input.string(), "objects on the table", "a bare table");
   timer.time("write", [&] {
     const auto truth = scene_truth(input, sequence, placed, built.scene.cloud);
     write_scene(absolute(output), built.scene,

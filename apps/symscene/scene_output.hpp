@@ -7,38 +7,37 @@
 
 namespace symscene::app {
 
-/// Frames that could be placed, by their numbers in the sequence.
+/// Frames with an estimated pose, and their numbers in the sequence.
 struct PlacedFrames {
   Trajectory trajectory;
   std::vector<std::size_t> frames;
 };
 
-/// Where placed frames are, and where the sequence says that they are; frames without either left
-/// out.
+/// Estimated poses and those of the sequence, for the frames that have both.
 struct PosesAndTruth {
   std::vector<Eigen::Isometry3d> poses;
   std::vector<Eigen::Isometry3d> truth;
 };
 PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames& placed);
 
-/// Throws InputError if a scene folder cannot be written because a file is in its place: before the
-/// work, not after it.
+/// Throws InputError if a file is in the place of the scene folder, before the work begins.
 void require_folder(const std::filesystem::path& output);
 
-/// The table of --plane a,b,c,d; none where that is empty. Throws InputError if it is no plane.
+/// Parses the table plane a,b,c,d of --plane; none if the text is empty. Throws InputError if it is
+/// not a plane.
 std::optional<Plane> plane_option(const std::string& text);
 
-/// The half of a subcommand that makes a scene folder of a reconstruction.
+/// Makes a scene folder from a reconstruction; shared by reconstruct and stitch.
 struct SceneOutput {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::optional<Plane> table;  ///< where it is given
-  bool any_up = false;         ///< the table may face anywhere
+  std::optional<Plane> table;  ///< if given
+  bool any_up = false;         ///< accept a table of any orientation
   SceneBuildingOptions building;
 
-  /// Extracts the surface, finds the table, writes the folder with what is known of the truth and
-  /// says what there is. Returns members for the report. Throws InputError if nothing stands on a
-  /// table.
+  /// Extracts the surface, finds the table, and writes the folder, with ground truth if the input
+  /// has it. Returns members for the report. Throws InputError if no table or nothing on it is
+  /// found.
   std::vector<ReportMember> write(const Reconstruction& reconstruction,
                                   const SurfaceExtractionOptions& extraction,
                                   const DepthSequence& sequence, const PlacedFrames& placed,

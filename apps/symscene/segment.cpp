@@ -23,11 +23,7 @@ struct Segment {
   std::optional<int> repeat;
 
   OptionFields configure() {
-    OptionFields fields = option_fields(options);
-    if (!shared.config.empty()) read_config(shared.config, fields);
-    read_models(options.models);
-    options.validate();
-    return fields;
+    return configure_options(options, shared.config, [&] { read_models(options.models); });
   }
 
   void check_outputs() const {
@@ -37,7 +33,7 @@ struct Segment {
     require_not_input(page, shared.output);
   }
 
-  /// The result, with the median times of `repeat` runs after a first one if that is asked for.
+  /// The result. With --repeat its times are the medians over that many further runs.
   SegmentationResult segment(const Scene& input, Session& session) const {
     SegmentationResult result = segment_scene(input, options, session.on_begin());
     std::vector<std::vector<StageTime>> runs;
@@ -80,15 +76,15 @@ struct Segment {
 
 }  // namespace
 
-void add_segment(CLI::App& app) {
+void add_segment(CommandLine& line) {
   const auto state = std::make_shared<Segment>();
-  Arguments arguments(app, "segment", "Find the objects of a scene and their symmetries",
+  Arguments arguments(line, "segment", "Find the objects of a scene and their symmetries",
                       "symscene segment scene -o result --page page.html");
   arguments.input(state->scene, "SCENE", "scene folder");
   arguments.required_output(state->shared, "result folder to write");
-  arguments.file("--page", state->page, "also write the page that shows the result");
+  arguments.file("--page", state->page, "also write a page that shows the result");
   arguments.count("--repeat", state->repeat,
-                  "run N times after a first one and report the median time of every stage");
+                  "run N more times and report the median time of each stage");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

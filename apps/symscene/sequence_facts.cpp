@@ -8,7 +8,7 @@
 namespace symscene::app {
 namespace {
 
-/// Counts of depths by the millimetre: their median without keeping them.
+/// A histogram of depths in bins of 1 mm, for quantiles in constant memory.
 class DepthHistogram {
  public:
   void add(const std::vector<float>& depth) {
@@ -26,7 +26,7 @@ class DepthHistogram {
     return pixels_ == 0 ? 0.0 : static_cast<double>(measured_) / static_cast<double>(pixels_);
   }
 
-  /// The depth that this share of the measured ones does not exceed. [m]
+  /// The quantile `share` of the measured depths. [m]
   double quantile(double share) const {
     const auto wanted = std::max(1.0, std::ceil(share * static_cast<double>(measured_)));
     std::size_t seen = 0;
@@ -43,12 +43,12 @@ class DepthHistogram {
   std::size_t measured_ = 0;
 };
 
-/// What reading some of the frames tells.
+/// Statistics of the frames that were read.
 struct Sample {
   std::size_t frames = 0;
   std::size_t colored = 0;
   DepthHistogram depth;
-  std::vector<std::string> unreadable;  ///< why, a frame each
+  std::vector<std::string> unreadable;  ///< the error of each such frame
 };
 
 Sample read_sample(const DepthSequence& sequence, std::size_t count) {
@@ -77,7 +77,7 @@ void add_times(Facts& facts, const DepthSequence& sequence) {
   const double duration = sequence.time(frames - 1) - sequence.time(0);
   const double rate = duration > 0.0 ? static_cast<double>(frames - 1) / duration : 0.0;
   std::string text = fmt::format("{}", frames);
-  if (rate > 0.0) text += fmt::format(" in {:.2f} s, {:.1f} a second", duration, rate);
+  if (rate > 0.0) text += fmt::format(" in {:.2f} s, {:.1f} per second", duration, rate);
   facts.add("frames", text, "frames", frames);
   facts.add_member("duration", duration);
   facts.add_member("rate", rate);
@@ -100,7 +100,7 @@ void add_depth(Facts& facts, const Sample& sample) {
   const DepthHistogram& depth = sample.depth;
   const double share = depth.measured_share();
   if (depth.measured() == 0) {
-    facts.add_row("depth", "nothing measured in the frames read");
+    facts.add_row("depth", "no depth measured in the frames read");
   } else {
     facts.add_row("depth",
                   fmt::format("{:.3f} to {:.3f} m, median {:.3f} m; {:.1f} % of the pixels "

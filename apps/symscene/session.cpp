@@ -10,7 +10,7 @@
 namespace symscene::app {
 namespace {
 
-/// Stages with one name are one member.
+/// Times of equal stages are added.
 nlohmann::ordered_json to_json(const std::vector<StageTime>& times) {
   nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
   for (const StageTime& time : times)

@@ -13,20 +13,20 @@
 
 namespace symscene::app {
 
-/// A member of the machine-readable line.
+/// A member of the line that --json prints.
 struct ReportMember {
   ReportMember(std::string member, std::uint64_t number)
       : name(std::move(member)), json(std::to_string(number)) {}
   ReportMember(std::string member, const std::filesystem::path& path);
 
-  /// A member whose value is JSON already.
+  /// A member whose value is given as JSON.
   static ReportMember raw(std::string member, std::string json);
 
   std::string name;
   std::string json;
 };
 
-/// Runs `work`; what it finds wrong with its input is said to be wrong with `path`.
+/// Runs `work`. An InputError from it names `path` too.
 template <class Work>
 auto naming(const std::filesystem::path& path, const Work& work) {
   try {
@@ -36,8 +36,7 @@ auto naming(const std::filesystem::path& path, const Work& work) {
   }
 }
 
-/// A subcommand at work: bounds its threads, shows its progress and its warnings, and prints its
-/// report at the end.
+/// A run of a subcommand: bounds its threads, shows progress and warnings, prints the report.
 class Session {
  public:
   Session(std::string command, const SharedOptions& shared);
@@ -45,17 +44,17 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// To be called with the name of a stage as it begins.
+  /// A callback that takes the name of each stage as it begins.
   StageTimer::OnBegin on_begin();
 
-  /// Output, where --quiet asks for it too.
+  /// Prints output that --quiet does not suppress.
   void print(const std::string& text);
-  /// A line for a person to read; none with --quiet.
+  /// Prints a line, not with --quiet.
   void say(const std::string& line);
-  /// A warning, as the library's are shown.
+  /// Prints warnings on standard error, with --quiet too.
   void warn(const std::string& line);
   void warn(const std::vector<std::string>& lines);
-  /// What comes last: with -v the table of stage times, with --json one line with these members.
+  /// Ends the run: with -v prints the table of stage times, with --json a line with these members.
   void finish(const std::vector<ReportMember>& members, const std::vector<StageTime>& times);
 
  private:
@@ -66,7 +65,7 @@ class Session {
   LogSink previous_sink_;
 };
 
-/// Stage, milliseconds and share for every stage, and the sum.
+/// A table with milliseconds and share per stage, and their sum.
 std::string format_times(const std::vector<StageTime>& times);
 
 }  // namespace symscene::app

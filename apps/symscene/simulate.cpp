@@ -16,11 +16,26 @@
 namespace symscene::app {
 namespace {
 
-/// A fused scene, or with --sequence the depth frames of a sweep that it could be fused from.
+/// Options of a fused scene, in the groups of a configuration file.
+struct FusedSceneOptions {
+  SimulationOptions scan;
+  DropOptions drop;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    SimulationOptions::visit_fields(self.scan, visit);
+    visit("drop", self.drop);
+  }
+  void validate() const {
+    scan.validate();
+    drop.validate();
+  }
+};
+
+/// Writes a fused scene or, with --sequence, the depth frames of a sweep.
 struct Simulate {
   SharedOptions shared;
-  SimulationOptions scan;
-  DropOptions scan_drop;
+  FusedSceneOptions fused;
   SweepOptions sweep;
   bool sequence = false;
   std::filesystem::path meshes;
@@ -29,27 +44,25 @@ struct Simulate {
   std::optional<int> frames;
   std::optional<std::uint64_t> seed;
 
-  TabletopOptions& tabletop() { return sequence ? sweep.tabletop : scan.tabletop; }
-  CameraArcOptions& camera() { return sequence ? sweep.camera : scan.camera; }
-  const DropOptions& drop() const { return sequence ? sweep.drop : scan_drop; }
+  TabletopOptions& tabletop() { return sequence ? sweep.tabletop : fused.scan.tabletop; }
+  CameraArcOptions& camera() { return sequence ? sweep.camera : fused.scan.camera; }
+  const DropOptions& drop() const { return sequence ? sweep.drop : fused.drop; }
 
   OptionFields configure() {
-    OptionFields fields = sequence ? option_fields(sweep) : option_fields(scan);
-    if (!sequence) DropOptions::visit_fields(scan_drop, FieldCollector(fields, "drop."));
-    if (!shared.config.empty()) read_config(shared.config, fields);
-    tabletop().objects = objects.value_or(tabletop().objects);
-    tabletop().seed = seed.value_or(tabletop().seed);
-    camera().frames = frames.value_or(camera().frames);
-    sequence ? sweep.validate() : scan.validate();
-    drop().validate();
-    return fields;
+    const auto apply_flags = [&] {
+      tabletop().objects = objects.value_or(tabletop().objects);
+      tabletop().seed = seed.value_or(tabletop().seed);
+      camera().frames = frames.value_or(camera().frames);
+    };
+    return sequence ? configure_options(sweep, shared.config, apply_flags)
+                    : configure_options(fused, shared.config, apply_flags);
   }
 
-  /// Scanned meshes that fell onto the table, or household objects put there.
+  /// A table with scanned meshes that were dropped onto it, or with arranged household objects.
   Tabletop furnish(StageTimer& timer) {
     if (meshes.empty()) {
       if (!symmetries.empty())
-        throw InputError("--symmetries", "--meshes, whose symmetries they are", "none");
+        throw InputError("--symmetries", "--meshes, to which the symmetries belong", "none");
       return timer.time("arrange", [&] { return arrange_tabletop(tabletop()); });
     }
     const std::vector<ObjectModel> models =
@@ -61,8 +74,9 @@ struct Simulate {
 
   void scan_table(const OptionFields& fields, Session& session, StageTimer& timer) {
     const Tabletop table = furnish(timer);
-    const SimulatedScene simulated = timer.time(
-        "simulate", [&] { return fuse_frames(table, capture_frames(table, scan), scan); });
+    const SimulatedScene simulated = timer.time("simulate", [&] {
+      return fuse_frames(table, capture_frames(table, fused.scan), fused.scan);
+    });
     timer.time("write", [&] {
       write_scene(absolute(shared.output), simulated.scene,
                   {.scene_json = describe_run("simulate", fields), .truth = &simulated.truth});
@@ -96,7 +110,7 @@ struct Simulate {
                    timer.stages());
   }
 
-  /// With the meshes beside it the truth of a sequence needs no other folder.
+  /// The ground truth and the meshes that it names.
   static void write_truth_files(const Tabletop& table, SequenceWriter& writer) {
     const SceneTruth truth = tabletop_truth(table);
     for (std::size_t k = 0; k < table.objects.size(); ++k) {
@@ -117,23 +131,27 @@ struct Simulate {
 
 }  // namespace
 
-void add_simulate(CLI::App& app) {
+void add_simulate(CommandLine& line) {
   const auto state = std::make_shared<Simulate>();
-  Arguments arguments(app, "simulate", "Scan a simulated table with objects, with the truth beside",
+  Arguments arguments(line, "simulate",
+                      "Scan a simulated table with objects, with its ground truth",
                       "symscene simulate -o scene --objects 6 --seed 1\n"
                       "  symscene simulate --sequence -o sweep --meshes ycb --seed 2");
   arguments.required_output(state->shared, "scene or sequence folder to write");
   arguments.flag("--sequence", state->sequence,
-                 "write the noisy depth frames of a hand-held sweep, and do not fuse them");
+                 "write the noisy depth frames of a hand-held sweep instead of a fused scene");
   arguments.folder("--meshes", state->meshes,
-                   "drop meshes of this folder onto the table, in place of household objects");
+                   "drop the meshes of this folder onto the table instead of household objects");
   arguments.file("--symmetries", state->symmetries, "JSON file with the symmetries of the meshes");
-  arguments.count("--objects", state->objects, "objects on the table (default 6)");
-  arguments.count("--frames", state->frames, "frames (default 20, with --sequence 200)");
+  arguments.count("--objects", state->objects, "number of objects (default 6)");
+  arguments.count("--frames", state->frames, "number of frames (default 20, with --sequence 200)");
   arguments.seed(state->seed);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });
+  const auto sweep = std::make_shared<Simulate>();
+  sweep->sequence = true;
+  arguments.config_with("--sequence", [sweep] { return sweep->configure(); });
   arguments.run([state] { state->run(); });
 }
 

@@ -13,10 +13,11 @@
 namespace symscene::app {
 namespace {
 
-/// All pairs are compared: more frames take minutes.
+/// All pairs of frames are compared, so that more frames take minutes.
 constexpr std::size_t most_frames = 60;
 
-/// All stages' options, as a configuration file names them. Depths are measured alike in all.
+/// The options of all stages, in the groups of a configuration file. All stages share the options
+/// of the measurement.
 struct StitchOptions {
   StitchingOptions stitching;
   TsdfOptions tsdf;
@@ -49,7 +50,7 @@ struct StitchOptions {
   }
 };
 
-/// Frames of a sequence with colour.
+/// The frames of a sequence that have colour, with their numbers in it.
 struct ColorFrames {
   std::vector<std::size_t> numbers;
   std::vector<DepthFrame> frames;
@@ -64,12 +65,7 @@ struct Stitch {
   std::optional<int> every;
   bool any_up = false;
 
-  OptionFields configure() {
-    OptionFields fields = option_fields(options);
-    if (!shared.config.empty()) read_config(shared.config, fields);
-    options.validate();
-    return fields;
-  }
+  OptionFields configure() { return configure_options(options, shared.config); }
 
   static void require_matcher() {
     if (has_feature_matcher()) return;
@@ -86,8 +82,8 @@ struct Stitch {
       if (sequence.has_color(i)) colored.push_back(i);
     }
     if (colored.empty()) {
-      throw InputError(path.string(), "frames with colour, in which features can be found",
-                       fmt::format("{} frames of depth alone", sequence.size()));
+      throw InputError(path.string(), "frames with colour",
+                       fmt::format("{} frames without colour", sequence.size()));
     }
     const auto step = static_cast<std::size_t>(every.value_or(1));
     for (std::size_t k = 0; k < colored.size(); k += step) chosen.push_back(colored[k]);
@@ -199,21 +195,22 @@ struct Stitch {
 
 }  // namespace
 
-void add_stitch(CLI::App& app) {
+void add_stitch(CommandLine& line) {
   const auto state = std::make_shared<Stitch>();
   Arguments arguments(
-      app, "stitch", "Turn a few colour and depth frames from unknown viewpoints into a scene",
+      line, "stitch", "Make a scene of a few colour and depth frames from unknown viewpoints",
       "symscene stitch photos -o scene\n"
       "  symscene stitch tum_fr1_xyz -o desk --intrinsics 517.3,516.5,318.6,255.3 --every 3");
-  arguments.input(state->path, "FRAMES",
-                  "frames in any order: every layout that reconstruct reads, with colour");
+  arguments.input(
+      state->path, "FRAMES",
+      "sequence with colour, in any layout that reconstruct reads; the order does not matter");
   arguments.required_output(state->shared, "scene folder to write");
   arguments.sequence_options(state->source);
-  arguments.count("--every", state->every, "use every N-th of the frames that have colour");
+  arguments.count("--every", state->every, "use every N-th frame with colour");
   arguments.text("--plane", state->plane,
-                 "the table, as a,b,c,d of ax + by + cz + d = 0, in the first frame's camera");
+                 "the table plane a,b,c,d with ax + by + cz + d = 0, in the first camera's frame");
   arguments.flag("--any-up", state->any_up,
-                 "the camera was not held upright: the table may face anywhere");
+                 "the camera was not held upright: accept a table of any orientation");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

@@ -32,7 +32,7 @@ std::string fit_line(const StitchingResult& result, std::span<const std::size_t>
                      1e3 * sum / static_cast<double>(result.placed), at, 1e3 * worst);
 }
 
-/// How far the pair got that got farthest.
+/// The pair that came closest to being accepted.
 std::string nearest_line(const StitchingResult& result, std::span<const std::size_t> numbers) {
   const auto best = std::max_element(result.pairs.begin(), result.pairs.end(),
                                      [](const StitchedPair& a, const StitchedPair& b) {
@@ -48,7 +48,7 @@ std::string nearest_line(const StitchingResult& result, std::span<const std::siz
       best->pose.matches);
 }
 
-/// Digits that mean something.
+/// Keeps the significant digits.
 double rounded(double value) { return std::round(value * 1e5) / 1e5; }
 
 Json frame_json(const StitchedFrame& frame, std::size_t number) {

@@ -8,11 +8,11 @@
 
 namespace symscene::app {
 
-/// What became of frames and pairs, for a person. `numbers` are the frames' in their sequence.
+/// Lines about the frames and pairs. `numbers` are the numbers of the frames in their sequence.
 std::vector<std::string> stitch_lines(const StitchingResult& result,
                                       std::span<const std::size_t> numbers);
 
-/// The same, frame by frame and pair by pair, as a JSON object.
+/// Status of each frame and of each pair as a JSON object.
 std::string stitch_json(const StitchingResult& result, std::span<const std::size_t> numbers);
 
 }  // namespace symscene::app

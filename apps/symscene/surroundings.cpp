@@ -9,7 +9,7 @@
 namespace symscene::app {
 namespace {
 
-/// What `read` makes of the file; nothing, with a warning, if it is not what it should be.
+/// Reads a file if it exists. An invalid file gives a warning and an empty value.
 template <class Value, class Read>
 Value read_if_there(const std::filesystem::path& file, Session& session, const Read& read) {
   if (!std::filesystem::exists(file)) return {};

@@ -5,8 +5,8 @@
 
 namespace symscene::app {
 
-/// What a scene folder has to show around the objects of its result: the part of mesh.ply that the
-/// page shows, and poses.txt. Segmentation needs neither: what is wrong with them is a warning.
+/// What the page shows around the objects of a result: a part of the scene's mesh.ply, and
+/// poses.txt. Segmentation needs neither, so that an invalid file is a warning.
 Surroundings scene_surroundings(const std::filesystem::path& scene,
                                 const SegmentationResult& result, Session& session);
 

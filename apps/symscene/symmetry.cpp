@@ -39,7 +39,7 @@ nlohmann::ordered_json list_json(const Symmetries& symmetries) {
   return list;
 }
 
-/// A list with a line an entry.
+/// A list with one entry per line.
 std::string format_list(const nlohmann::ordered_json& list) {
   std::string text = "[";
   const char* separator = "\n    ";
@@ -60,14 +60,9 @@ struct Symmetry {
   ObjectSymmetryOptions options;
   std::filesystem::path model;
 
-  OptionFields configure() {
-    OptionFields fields = option_fields(options);
-    if (!shared.config.empty()) read_config(shared.config, fields);
-    options.validate();
-    return fields;
-  }
+  OptionFields configure() { return configure_options(options, shared.config); }
 
-  /// The points of a cloud, or points all over a mesh.
+  /// The points of a cloud, or points sampled evenly on a mesh.
   PointCloud read_model() const {
     if (is_cloud_file(model)) return read_cloud(model);
     return sample_surface(read_mesh(model), sampled_points);
@@ -92,7 +87,7 @@ struct Symmetry {
                    timer.stages());
   }
 
-  /// To the file; without one to standard output, unless --json puts the same there.
+  /// Writes the file or, without one, standard output, unless --json prints the same there.
   void write(const ObjectSymmetries& found, Session& session) const {
     if (!shared.output.empty()) {
       write_file_atomically(shared.output, format_symmetries(found));
@@ -106,13 +101,12 @@ struct Symmetry {
 
 }  // namespace
 
-void add_symmetry(CLI::App& app) {
+void add_symmetry(CommandLine& line) {
   const auto state = std::make_shared<Symmetry>();
-  Arguments arguments(
-      app, "symmetry",
-      "Find the symmetries of one object, a mesh or a cloud (PLY, OBJ, STL, GLB, PCD)",
-      "symscene symmetry mug.obj -o symmetries.json");
-  arguments.input(state->model, "MODEL", "file with a mesh or a cloud of points");
+  Arguments arguments(line, "symmetry",
+                      "Find the symmetries of a single mesh or cloud (PLY, OBJ, STL, GLB, PCD)",
+                      "symscene symmetry mug.obj -o symmetries.json");
+  arguments.input(state->model, "MODEL", "file with a mesh or a point cloud");
   arguments.optional_output(state->shared, "JSON file to write (default: standard output)");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

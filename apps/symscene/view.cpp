@@ -46,13 +46,13 @@ struct View {
 
 }  // namespace
 
-void add_view(CLI::App& app) {
+void add_view(CommandLine& line) {
   const auto state = std::make_shared<View>();
-  Arguments arguments(app, "view", "Write a result as one web page that opens anywhere",
+  Arguments arguments(line, "view", "Write a result as one self-contained web page",
                       "symscene view result -o page.html --title \"My table\"");
   arguments.input(state->result, "RESULT", "result folder");
   arguments.required_output(state->shared, "page to write");
-  arguments.text("--title", state->title, "title of the page (default: the name of the folder)");
+  arguments.text("--title", state->title, "title of the page (default: name of the result folder)");
   arguments.reporting(state->shared);
   arguments.run([state] { state->run(); });
 }

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// Steps of 16 bits over the box keep a coordinate within 0.1 mm up to this extent. [m]
+// Largest extent at which 16 bits keep a coordinate within 0.1 mm. [m]
 constexpr float quantized_extent = 2 * 0.0001F * 65535;
 
 json quantized_positions(const Points& points, const Box& box) {

@@ -8,11 +8,11 @@ namespace symscene {
 
 nlohmann::json encode(const Eigen::Vector3d& vector);
 
-/// Positions in steps of 16 bits over their box, or as floats where these steps would be coarse.
-/// Throws InputError if one is not finite.
+/// Positions quantized to 16 bits over their bounding box, or floats if the box is too large for
+/// that. Throws InputError if a position is not finite.
 nlohmann::json encode_positions(const Points& points);
 
-/// A signed byte a coordinate; a normal that is not finite counts as none.
+/// One signed byte per coordinate; zeros for a normal that is not finite.
 std::string encode_normals(const Points& normals);
 
 std::string encode_colors(const Colors& colors);

@@ -40,7 +40,7 @@ std::string escape_html(std::string_view text) {
 
 void require_direction(const char* option, const Eigen::Vector3d& direction) {
   if (!direction.allFinite() || direction.norm() < 1e-9) {
-    throw InputError(option, "a direction", "a vector that has none");
+    throw InputError(option, "a direction", "a vector that is zero or not finite");
   }
 }
 
@@ -54,7 +54,7 @@ void PageOptions::validate() const {
 std::string page_payload(const SegmentationResult& result, const PageOptions& options) {
   const std::string json =
       make_payload(result, options).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  // In a script element "</script" and "<!--" mean something, even inside a JSON string.
+  // "</script" and "<!--" would end the script element, even inside a JSON string.
   std::string safe;
   safe.reserve(json.size());
   for (const char c : json) {

@@ -11,9 +11,9 @@
 namespace symscene {
 namespace {
 
-constexpr Index probes = 2000;  // points of the cloud that are looked up on the surface
+constexpr Index max_probes = 2000;  // points of the cloud that are tested against the surface
 
-/// What the view is about: the objects' points, or all where there is no object.
+/// The points of all objects, or of the whole cloud if there is no object.
 Points shown_points(const SegmentationResult& result) {
   PointIndices indices;
   for (const SceneObject& object : result.objects) {
@@ -32,12 +32,12 @@ Ball ball_around(const Points& points, float margin) {
   return {center, radius + margin};
 }
 
-/// The share of the points that have a vertex within reach.
+/// Share of the points that have a vertex within reach.
 double share_on(const TriangleMesh& surface, const Points& points, float reach, const Ball& ball) {
   if (surface.vertices.rows() == 0) return 0.0;
-  // Cells in bounds however far the cloud extends.
+  // Bounds the number of cells for a cloud of any extent.
   const CellList cells(surface.vertices, std::max(reach, 0.005F * ball.radius));
-  const PointIndices probed = evenly_spread(static_cast<Index>(points.rows()), probes);
+  const PointIndices probed = evenly_spread(static_cast<Index>(points.rows()), max_probes);
   const auto found = std::count_if(probed.begin(), probed.end(), [&](Index i) {
     return cells.nearest(points.row(i).transpose(), reach).first != CellList::none;
   });
@@ -46,28 +46,23 @@ double share_on(const TriangleMesh& surface, const Points& points, float reach, 
 
 }  // namespace
 
-void PageSurfaceOptions::validate() const {
-  require_option(margin >= 0.0F, "margin", "a length", margin);
-  require_option(max_triangles > 0, "max_triangles", "a number from 1 on", max_triangles);
-  require_option(smallest_cell > 0.0F, "smallest_cell", "a length above 0", smallest_cell);
-  require_option(reach > 0.0F, "reach", "a length above 0", reach);
-}
-
 TriangleMesh page_surface(const TriangleMesh& surface, const SegmentationResult& result,
                           const PageSurfaceOptions& options) {
   options.validate();
   const Points points = shown_points(result);
   if (points.rows() == 0) return {};
-  const Ball ball = ball_around(points, options.margin);
+  const auto reach = static_cast<float>(options.reach);
+  const Ball ball = ball_around(points, static_cast<float>(options.margin));
   const TriangleMesh around = crop(surface, ball);
-  const double share = share_on(around, points, options.reach, ball);
+  const double share = share_on(around, points, reach, ball);
   if (share < 0.5) {
     throw InputError(
         "the surface",
-        fmt::format("one that the cloud lies on, within {:.0f} mm", 1e3F * options.reach),
+        fmt::format("one that the cloud lies on, within {:.0f} mm", 1e3 * options.reach),
         fmt::format("{:.0f} % of its points there", 100.0 * share));
   }
-  return thin(around, options.max_triangles, options.smallest_cell);
+  return thin(around, static_cast<Index>(options.max_triangles),
+              static_cast<float>(options.smallest_cell));
 }
 
 }  // namespace symscene

@@ -6,7 +6,7 @@
 
 namespace symscene {
 
-/// What the page shows, as the viewer's JavaScript reads it.
+/// The page's data as its JavaScript reads them (viewer/README.md).
 nlohmann::json make_payload(const SegmentationResult& result, const PageOptions& options);
 
 }  // namespace symscene

@@ -14,7 +14,7 @@ using nlohmann::json;
 constexpr Index path_points = 1000;
 constexpr Index shown_cameras = 9;
 
-/// Seven bits a byte, the lowest first; the eighth says that more follow (LEB128).
+/// LEB128: seven bits per byte, lowest first; the eighth bit is set if more bytes follow.
 void append_number(std::vector<std::uint8_t>& bytes, Index number) {
   for (; number >= 0x80; number >>= 7) {
     bytes.push_back(static_cast<std::uint8_t>((number & 0x7F) | 0x80));
@@ -22,31 +22,31 @@ void append_number(std::vector<std::uint8_t>& bytes, Index number) {
   bytes.push_back(static_cast<std::uint8_t>(number));
 }
 
-/// Triangles in new names for their vertices: 0, 1, 2 ... as they come up.
-struct RenamedTriangles {
-  PointIndices vertices;            ///< the old name of each
-  std::vector<std::uint8_t> bytes;  ///< for each corner how long ago the newest came up, 0 for new
+/// Triangles whose vertices are numbered in the order of their first use.
+struct RenumberedTriangles {
+  PointIndices vertices;            ///< the original index of each vertex
+  std::vector<std::uint8_t> bytes;  ///< per corner the next new index minus its index; 0 if new
 };
 
-RenamedTriangles rename(const TriangleMesh& mesh) {
+RenumberedTriangles renumber(const TriangleMesh& mesh) {
   constexpr Index none = ~Index{0};
-  std::vector<Index> name_of(static_cast<std::size_t>(mesh.vertices.rows()), none);
-  RenamedTriangles renamed;
+  std::vector<Index> index_of(static_cast<std::size_t>(mesh.vertices.rows()), none);
+  RenumberedTriangles renumbered;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const Index corner = mesh.triangles(t, k);
-      const auto next = static_cast<Index>(renamed.vertices.size());
-      if (name_of[corner] == none) {
-        name_of[corner] = next;
-        renamed.vertices.push_back(corner);
+      const auto next = static_cast<Index>(renumbered.vertices.size());
+      if (index_of[corner] == none) {
+        index_of[corner] = next;
+        renumbered.vertices.push_back(corner);
       }
-      append_number(renamed.bytes, next - name_of[corner]);
+      append_number(renumbered.bytes, next - index_of[corner]);
     }
   }
-  return renamed;
+  return renumbered;
 }
 
-/// Right, down and forward are the axes of a camera.
+/// Right, down and forward are the camera's x, y and z axes.
 json camera_payload(const Eigen::Isometry3d& T_world_camera) {
   return {{"position", encode(T_world_camera.translation())},
           {"right", encode(T_world_camera.linear().col(0))},
@@ -58,11 +58,11 @@ json camera_payload(const Eigen::Isometry3d& T_world_camera) {
 
 json surface_payload(const TriangleMesh& surface) {
   if (surface.triangles.rows() == 0) return nullptr;
-  const RenamedTriangles renamed = rename(surface);
-  const PointCloud vertices = select({surface.vertices, {}, surface.colors}, renamed.vertices);
+  const RenumberedTriangles renumbered = renumber(surface);
+  const PointCloud vertices = select({surface.vertices, {}, surface.colors}, renumbered.vertices);
   return {{"positions", encode_positions(vertices.positions)},
           {"colors", encode_colors(vertices.colors)},
-          {"triangles", {{"count", surface.triangles.rows()}, {"data", base64(renamed.bytes)}}}};
+          {"triangles", {{"count", surface.triangles.rows()}, {"data", base64(renumbered.bytes)}}}};
 }
 
 json trajectory_payload(const Trajectory& trajectory) {

@@ -7,11 +7,11 @@
 
 namespace symscene {
 
-/// A surface as the page reads it; null where there is none. Its vertices are in the order in which
-/// its triangles first use them.
+/// A surface as the page reads it; null if it is empty. Vertices are in the order in which the
+/// triangles first use them.
 nlohmann::json surface_payload(const TriangleMesh& surface);
 
-/// A camera's path as the page reads it, and a few of the cameras on it; null where there is none.
+/// A camera path as the page reads it, with a few cameras on it; null if it is empty.
 nlohmann::json trajectory_payload(const Trajectory& trajectory);
 
 }  // namespace symscene

@@ -76,8 +76,8 @@ std::unique_ptr<Workspace> Command::workspace_;
 
 TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
   EXPECT_NE(run("--help").out.find("segment"), std::string::npos);
-  for (const char* command :
-       {"simulate", "dataset", "stitch", "segment", "symmetry", "view", "info"}) {
+  for (const char* command : {"simulate", "dataset", "reconstruct", "stitch", "segment", "symmetry",
+                              "evaluate", "view", "info", "options"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_EQ(help.err, "") << command;
@@ -126,7 +126,7 @@ TEST_F(Command, RefusesBadOptionsOfStagesInOneSentence) {
       {R"({"voxel_sise": 0.01})", "did you mean \"voxel_size\"?"},
       {R"({"completely different": 1})", "completely different"},
       {R"({"voxel_size": "5 mm"})", "expected a number for \"voxel_size\", found \"5 mm\""},
-      {R"({"voxel_size": -1})", "voxel_size"},
+      {R"({"voxel_size": -1})", "bad.json"},
       {R"({"normals": 3})", "expected a group of options in braces for \"normals\", found 3"},
       {R"({"voxel_size": 1e999})", "out of range"},
   };
@@ -174,7 +174,8 @@ TEST_F(Command, PrintsNothingButWarningsWhenQuiet) {
 }
 
 TEST_F(Command, ReadsBackTheOptionsThatItPrints) {
-  for (const char* command : {"simulate", "segment", "symmetry"}) {
+  for (const char* command : {"simulate", "simulate --sequence", "dataset", "reconstruct", "stitch",
+                              "segment", "symmetry", "evaluate"}) {
     const std::string dump = std::string(command) + " --dump-config";
     const Outcome printed = run(dump);
     ASSERT_EQ(printed.code, 0) << printed.err;
@@ -397,7 +398,7 @@ TEST_F(Command, RefusesToStitchWhatItCannot) {
   write(file("depths") / "depth/000000.png", depth_png);
   const Outcome depths = run("stitch depths" + given);
   if (depths.err.find("feature matcher") != std::string::npos) GTEST_SKIP() << depths.err;
-  expect_refusal("stitch depths" + given, 1, "found 1 frames of depth alone");
+  expect_refusal("stitch depths" + given, 1, "found 1 frames without colour");
   expect_refusal("stitch nowhere -o new", 1, "symscene stitch: nowhere");
   fs::create_directories(file("many") / "depth");
   fs::create_directories(file("many") / "color");
@@ -416,7 +417,7 @@ TEST_F(Command, RefusesToStitchWhatItCannot) {
 TEST_F(Command, TellsOfNothingElse) {
   fs::create_directories(file("something"));
   expect_refusal("info something", 1, "found another folder");
-  expect_refusal("info nowhere", 1, "found nothing of that name");
+  expect_refusal("info nowhere", 1, "found no such file or folder");
 }
 
 TEST_F(Command, SaysSoWhenTheOutputIsFull) {

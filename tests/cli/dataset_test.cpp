@@ -58,7 +58,7 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   fs::remove_all(workspace / "one" / "scenes" / "0000");
   const Outcome resumed = make("one", "--json");
   ASSERT_EQ(resumed.code, 0) << resumed.err;
-  EXPECT_NE(resumed.out.find("1 of 2 scenes are there already"), std::string::npos) << resumed.out;
+  EXPECT_NE(resumed.out.find("1 of 2 scenes exist already"), std::string::npos) << resumed.out;
   EXPECT_NE(resumed.out.find(R"("made":1)"), std::string::npos) << resumed.out;
   EXPECT_EQ(files_in(workspace / "one"), files);
   EXPECT_EQ(fs::last_write_time(workspace / "one" / "scenes" / "0001" / "cloud.ply"), written);
@@ -78,7 +78,7 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   EXPECT_EQ(files_in(workspace / "one"), files);
   const auto grown = workspace.run("dataset one --scenes 3 --config small.json");
   ASSERT_EQ(grown.code, 0) << grown.err;
-  EXPECT_NE(grown.out.find("2 of 3 scenes are there already"), std::string::npos) << grown.out;
+  EXPECT_NE(grown.out.find("2 of 3 scenes exist already"), std::string::npos) << grown.out;
   auto longer = files_in(workspace / "one");
   EXPECT_EQ(longer.at("scenes/0001/cloud.ply"), files.at("scenes/0001/cloud.ply"));
   EXPECT_EQ(longer.count("scenes/0002/truth.json"), 1U);

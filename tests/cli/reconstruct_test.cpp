@@ -120,8 +120,8 @@ TEST_F(ReconstructCommand, UsesPosesThatTheSequenceHas) {
     EXPECT_EQ(poses_of("posed"), std::size_t{frames});
   }
   fs::remove(copy_of_sweep("poseless") / "poses.txt");
-  expect_failure("poseless -o new --poses exact", 1, "expected poses, as --poses asks");
-  expect_failure("poseless -o new --poses start", 1, "expected poses, as --poses asks");
+  expect_failure("poseless -o new --poses exact", 1, "expected poses, which --poses needs");
+  expect_failure("poseless -o new --poses start", 1, "expected poses, which --poses needs");
   EXPECT_EQ(run("reconstruct poseless -o without").code, 0);
   expect_failure("sweep -o new --poses roughly", 2, "--poses");
 }

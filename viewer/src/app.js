@@ -1,4 +1,4 @@
-// The application: state on one side, the drawn scene on the other, and what connects them.
+// Connects the state, the drawn scene and the controls.
 import { Viewpoint } from './camera.js';
 import { h } from './dom.js';
 import { applyHash } from './hash.js';

@@ -1,4 +1,4 @@
-// Where the scene is seen from: named views, exact framing, and short flights between them.
+// The camera: named views, exact framing, and animated changes of the view.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
@@ -22,7 +22,7 @@ function directionOf({ azimuth, elevation }) {
 /**
  * The nearest position that sees all `points` looking along −direction, and the point to orbit.
  * A point (a, b, c) in the camera's axes is in view from (x, y, z) if |a − x| ≤ tx (z − c), and so
- * for b: four half-spaces, each with one point that counts.
+ * for b: four half-spaces, each determined by one point.
  */
 function frame(points, direction, tx, ty) {
   const right = new THREE.Vector3(0, 1, 0).cross(direction).normalize();
@@ -56,7 +56,7 @@ export class Viewpoint {
     this.view = 'home';
     const radius = Math.max(0.05, ...points.map((p) => Math.hypot(...p)));
     this.radius = radius;
-    this.reach = reach; // of what may be drawn, from the origin
+    this.reach = reach; // largest distance of drawn points from the origin
     this.controls.minDistance = 0.05 * radius;
     this.controls.maxDistance = 25 * radius;
     this.controls.addEventListener('start', () => { this.flight = null; this.view = null; });
@@ -73,7 +73,7 @@ export class Viewpoint {
     if (this.view) this.go(this.view, false);
   }
 
-  /** Views show these points from now on. */
+  /** Sets the points that all views frame. */
   show(points) {
     this.points = points;
     if (this.view) this.go(this.view);
@@ -84,7 +84,7 @@ export class Viewpoint {
     this.#fly(frame(points, directionOf(VIEWS[view]), this.tx, this.ty), animate);
   }
 
-  /** Looks at some points from where the camera is now. */
+  /** Frames some points from the current direction. */
   focus(points) {
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
     this.view = null;
@@ -130,7 +130,7 @@ export class Viewpoint {
     this.onChange?.();
   }
 
-  /** Advances by a frame; true while something moves. */
+  /** Advances the animation; true while the camera moves. */
   step() {
     const flying = this.#stepFlight();
     const before = this.camera.position.clone();

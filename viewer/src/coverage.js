@@ -1,11 +1,11 @@
-// Which points of the cloud lie on the reconstructed surface: what the surface's vertices take
-// their owners from, and what need not be drawn twice.
+// Points of the cloud that lie on the reconstructed surface. The surface's vertices take their
+// owners from them, and they need not be drawn as points.
 
 export const NO_POINT = -1;
 const REACH_OF_SPACING = 1.6; // from a point to the surface that shows it
 const LEAST_AGREEMENT = 0.3; // cosine between the normals of a vertex and of the point that it takes
 
-// Points by the cells of a grid: cell (x, y, z) is a key of the map.
+// Points in the cells of a grid; the map's keys are made of the cell's coordinates.
 class Grid {
   constructor(positions, size) {
     this.size = size;

@@ -1,5 +1,5 @@
-// The scene's layers, kept in step with the state: cloud, completed points, surface, symmetries,
-// camera path, table.
+// Draws the layers according to the state: cloud, completed points, surface, symmetries, camera
+// path, table.
 import { coverage } from './coverage.js';
 import { Splats, sampleSpacing } from './gl/splats.js';
 import { Surface } from './gl/surface.js';
@@ -109,7 +109,7 @@ export class Drawing {
     this.symmetries[index].show(visible && state.planes, visible && state.axes, emphasis);
   }
 
-  /** What the pointer can hit. */
+  /** The layers that can be picked. */
   layers() {
     const completed = this.completed.filter((splats) => splats.object.visible);
     return [this.cloud, ...completed];

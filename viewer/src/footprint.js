@@ -1,9 +1,9 @@
-// The size of an object as one measures it on a table: length and width of its footprint, height.
+// The size of an object on the table: length and width of its footprint, and height.
 import { quantile } from './vector.js';
 
 const spread = (values) => quantile(values, 0.99) - quantile(values, 0.01);
 
-/** Length, width and height of points with y up; the footprint's box is the narrowest of many. */
+/** Length, width and height of points with y up; the footprint's box has the least area of many. */
 export function footprint(points) {
   let best = [0, 0];
   let least = Infinity;

@@ -15,7 +15,7 @@ export function seconds(value) {
 
 export const centimetres = (value) => (value * 100).toFixed(1);
 
-/** Names of stages, steps and reasons come as identifiers; a person reads words. */
+/** Turns the identifier of a stage, step or reason into words. */
 export function words(name) {
   const text = String(name).replace(/_/g, ' ').trim();
   return text.charAt(0).toUpperCase() + text.slice(1);

@@ -2,7 +2,7 @@
 // origin on the table under the middle of the scene.
 import { add, cross, dot, isVector, length, normalize, quantile, reject, scale, subtract } from './vector.js';
 
-// A sensor sees the surfaces that face it, so the normals lean towards where it stood.
+// Normals of visible surfaces face the sensor, so that their mean points towards it.
 function sensorSide(cloud, up) {
   const sum = [0, 0, 0];
   for (let i = 0; i < cloud.normals.length; ++i) sum[i % 3] += cloud.normals[i];

@@ -1,5 +1,5 @@
-// What a view must show: the objects, and what stands around them unless it is far away; the
-// camera's path where it is drawn.
+// Points that a view frames: the objects, their surroundings unless far away, and the camera's path
+// if it is drawn.
 import { outlinePoints } from './gl/symmetries.js';
 
 const AROUND = 1.5; // times the objects' radius
@@ -20,7 +20,7 @@ export function framePoints(scene, outlines) {
   return objects.concat(cloud.filter((p) => distance(p) < AROUND * radius));
 }
 
-/** The places of the cameras; few, as each framing looks at them all. */
+/** Positions of cameras, thinned because each framing visits all of them. */
 export function pathPoints({ trajectory }) {
   if (!trajectory) return [];
   const { path, cameras } = trajectory;
@@ -30,7 +30,7 @@ export function pathPoints({ trajectory }) {
   return points;
 }
 
-/** How far from the origin something is drawn that is not framed. */
+/** Largest distance from the origin of anything drawn, framed or not. */
 export function reach({ surface, trajectory }) {
   let most = 0;
   for (const positions of [surface?.positions ?? [], trajectory?.path ?? []]) {

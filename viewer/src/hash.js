@@ -1,4 +1,4 @@
-// The address' hash sets what is shown, so that a picture can be made again:
+// The hash of the address sets the view, so that a picture can be reproduced:
 // #view=front&select=3&mode=objects&completed=all&planes=0&only=1,4
 import { isView } from './camera.js';
 

@@ -1,6 +1,6 @@
-// window.symscene: what a test or a script that takes pictures needs to know and to do.
+// window.symscene: the interface for tests and for scripts that take pictures.
 
-// The pixel on which a click hits the object, near the middle of those that would.
+// A pixel that picks the object, near the centre of its pickable pixels.
 function clickPoint(app, index) {
   const { positions, owners } = app.drawing.cloud;
   const project = app.layout.project();
@@ -18,7 +18,7 @@ function clickPoint(app, index) {
   return nearest ? { x: nearest.x, y: nearest.y } : null;
 }
 
-// The share of the canvas' pixels that are not empty, and a hash of them all.
+// The share of pixels of the canvas that are not empty, and a hash of all pixels.
 function readPixels({ stage }) {
   stage.drawRested(1);
   const gl = stage.renderer.getContext();

@@ -1,4 +1,4 @@
-// The keys of the page. With the canvas in focus the arrows orbit; letters work everywhere.
+// Keys: arrows orbit while the canvas has focus; letters work everywhere.
 
 const VIEW_KEYS = { h: 'home', f: 'front', s: 'side', t: 'top' };
 const TOGGLE_KEYS = { p: 'planes', a: 'axes', l: 'labels', o: 'rest', m: 'mesh', v: 'path' };
@@ -9,7 +9,7 @@ const STEP = 8; // degrees
 export const KEY_HELP = [
   ['Arrows', 'orbit (with Shift: pan)'], ['+  −', 'zoom'], ['H F S T', 'home, front, side, top'],
   ['[  ]', 'previous, next object'], ['P A C', 'planes, axes, completed points'],
-  ['M V', 'mesh, camera path'], ['L O', 'labels, other points'], ['1 2 3', 'scan, blend, objects'], ['Esc', 'select nothing'],
+  ['M V', 'mesh, camera path'], ['L O', 'labels, other points'], ['1 2 3', 'scan, blend, objects'], ['Esc', 'clear the selection'],
 ];
 
 function moveCamera(event, viewpoint) {

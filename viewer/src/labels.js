@@ -1,4 +1,4 @@
-// Numbers over the objects, with leader lines.
+// Number labels of the objects, with leader lines.
 import { h, svg } from './dom.js';
 import { placeLabels } from './declutter.js';
 import { css, inkOn, objectColor } from './palette.js';
@@ -6,7 +6,7 @@ import { quantile } from './vector.js';
 
 const SIZE = 24;
 
-// The top of an object, over its middle.
+// The top of an object, above its centre.
 function anchorOf(outline) {
   const along = (axis) => outline.map((p) => p[axis]);
   return [quantile(along(0), 0.5), quantile(along(1), 0.97), quantile(along(2), 0.5)];
@@ -42,7 +42,7 @@ export class Labels {
     }
   }
 
-  /** Puts every label where its object now is on the canvas. */
+  /** Moves every label to its object's position on the canvas. */
   place(state, project, area, obstacles) {
     const shown = [];
     for (const label of this.labels) {
@@ -50,7 +50,7 @@ export class Labels {
       if (p) shown.push({ label, x: p.x, y: p.y, width: label.element.offsetWidth || SIZE, height: SIZE });
       else this.#hide(label);
     }
-    // What is selected chooses first, then the higher on the screen, whose room is scarcer.
+    // The selected object is placed first, then those higher on the screen, which have less room.
     const rank = ({ label }) => (label.object.index === state.selected ? 0 : 1);
     shown.sort((a, b) => rank(a) - rank(b) || a.y - b.y);
     const places = placeLabels(shown, area, obstacles);

@@ -1,4 +1,4 @@
-// Where the canvas is free of panels, and what labels must keep clear of.
+// The part of the canvas that no panel covers, and rectangles that labels avoid.
 import { projector } from './projection.js';
 
 const NARROW = '(max-width: 820px) and (orientation: portrait)'; // as in style.css
@@ -28,7 +28,7 @@ export function createLayout({ canvas, viewpoint, stage }) {
     return [...parts.toolbar.children, parts.views].map((element) => localBox(element, origin));
   }
 
-  // The part in which the scene is framed: under the toolbar and, if there is room, over the views.
+  // The part in which the scene is framed: below the toolbar and, if there is room, above the views.
   function framed() {
     const area = free();
     const origin = canvas.getBoundingClientRect();

@@ -1,4 +1,4 @@
-// Puts the page together: decodes the payload, builds scene and controls, and draws when asked.
+// Entry point: decodes the payload, builds scene and controls, and draws on demand.
 import { createApp } from './app.js';
 import { h } from './dom.js';
 import { decodePayload } from './payload.js';

@@ -1,8 +1,8 @@
-// Which object a point is drawn as. Masks may overlap: of the objects that are switched on, the one
-// with the best score wins.
+// The object that each point is drawn as. Masks may overlap: of the visible objects, the one with the
+// highest score owns the point.
 
 export const REST = 0xfffe; // in no mask
-export const HIDDEN = 0xffff; // in masks that are all switched off
+export const HIDDEN = 0xffff; // only in masks of hidden objects
 
 /** The owner of every point; `objects` are sorted by falling score. */
 export function pointOwners(count, objects, isVisible) {

@@ -1,11 +1,11 @@
-// Which colour a point has: of the scan, of its object, or both; grey where it has none.
+// Colours of points: of the scan, of the object, or a mix; grey for points without colour.
 import { NO_POINT } from './coverage.js';
 import { HIDDEN, REST, pointOwners } from './ownership.js';
 import { lighter, mix, objectColor } from './palette.js';
 
 const PLAIN = { light: [176, 181, 190], dark: [150, 156, 166] };
-const AROUND = { blend: 0.35, objects: 1 }; // how grey the surface around the objects is
-const HEIGHTEN = 1.12; // discs are lit, which darkens what the camera saw lit already
+const AROUND = { blend: 0.35, objects: 1 }; // greyness of the surface around the objects
+const HEIGHTEN = 1.12; // compensates for the shading of discs, which darkens colours that are already lit
 
 const brighten = (value) => Math.min(255, Math.round(value * HEIGHTEN));
 
@@ -14,7 +14,7 @@ function scanColor(colors, i, plain) {
   return [brighten(colors[3 * i]), brighten(colors[3 * i + 1]), brighten(colors[3 * i + 2])];
 }
 
-// The object's hue with the light and dark of the scan, so that print and edges stay legible.
+// The object's hue with the lightness of the scan, so that print and edges stay legible.
 function blend(scan, color) {
   const grey = 0.3 * scan[0] + 0.59 * scan[1] + 0.11 * scan[2];
   const tinted = color.map((value) => Math.min(255, value * (0.72 + grey / 700)));
@@ -29,7 +29,7 @@ function restColor(scan, mode, plain) {
 const ownersNow = (cloud, objects, state) => pointOwners(cloud.count, objects, (index) => state.visible.has(index));
 const paletteOf = (objects) => objects.map((object) => objectColor(object.index));
 
-/** `covered` says which points the surface shows, where it is drawn. */
+/** `covered` marks the points that the drawn surface shows. */
 export function paintCloud(splats, cloud, objects, state, scheme, covered) {
   const owners = ownersNow(cloud, objects, state);
   if (!state.rest) owners.forEach((owner, i) => { if (owner === REST) owners[i] = HIDDEN; });
@@ -44,8 +44,8 @@ export function paintCloud(splats, cloud, objects, state, scheme, covered) {
   }, covered);
 }
 
-/** Vertices have the owner of the point that is `nearest`; the others, and those of objects that are
- * switched off, are what surrounds the objects. */
+/** Vertices take the owner of their `nearest` point; those without one, and those of hidden objects,
+ * count as surroundings. */
 export function paintSurface(drawn, { colors }, nearest, cloud, objects, state, scheme) {
   const owners = ownersNow(cloud, objects, state);
   const palette = paletteOf(objects);

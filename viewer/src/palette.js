@@ -1,4 +1,4 @@
-// One colour an object. The first twelve are chosen to stay apart for the common colour
+// One colour per object. The first twelve are chosen to stay apart for the common colour
 // deficiencies (after Okabe and Ito, and Tol); then hues by the golden angle.
 
 const CURATED = [

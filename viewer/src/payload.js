@@ -1,4 +1,4 @@
-// The payload that the page was made with, decoded into typed arrays. World frame, metres.
+// Decodes the payload of the page into typed arrays. World frame, metres.
 
 function decodeBytes(base64) {
   const text = atob(base64);
@@ -37,8 +37,8 @@ function decodeCloud(cloud) {
   };
 }
 
-// Names of vertices: 0 is the next one, n that which came up n new ones ago. Seven bits a byte, the
-// lowest first; the eighth says that more follow.
+// Vertex indices: 0 is the next new vertex, n the vertex that was new n vertices ago. LEB128: seven
+// bits per byte, lowest first; the eighth bit is set if more bytes follow.
 function decodeTriangles({ count, data }) {
   const bytes = decodeBytes(data);
   const triangles = new Uint32Array(3 * count);

@@ -1,10 +1,10 @@
-// Which object lies under the pointer: the nearest point to the viewer that is close to it.
+// The object under the pointer: that of the frontmost point near it.
 import { HIDDEN } from './ownership.js';
 
 /**
- * The owner at (x, y) in normalised device coordinates, or null. `layers` are {positions, owners}
- * that are drawn, `m` is the view-projection and `reach` the distance that counts, along x and y.
- * Half a million points at every move of the pointer: nothing is allocated here.
+ * The owner at (x, y) in normalised device coordinates, or null. `layers` are the drawn {positions,
+ * owners}, `m` is the view-projection matrix, `reach` the largest distance along x and y. Runs over
+ * up to half a million points at every pointer move, hence without allocations.
  */
 export function pick(layers, m, [x, y], [reachX, reachY]) {
   let best = null;

@@ -3,8 +3,8 @@ import { REST } from './ownership.js';
 import { pick } from './picking.js';
 import { viewProjection } from './projection.js';
 
-const CLICK_MOVE = 5; // pixels that a click may wander
-const REACH = 5; // pixels, where discs are smaller than a fingertip
+const CLICK_MOVE = 5; // largest movement of a click [pixels]
+const REACH = 5; // picking distance around small discs [pixels]
 
 function ownerAt(app, x, y) {
   const { clientWidth: width, clientHeight: height } = app.canvas;

@@ -1,4 +1,4 @@
-// What the person has switched on. One store; whoever draws subscribes.
+// The state of the controls. Views subscribe to its changes.
 
 export function createStore(initial) {
   let state = initial;
@@ -40,7 +40,7 @@ const toggled = (set, value) => {
   return copy;
 };
 
-/** The changes that a person can make, by name, so that every control means the same by them. */
+/** The user's actions, shared by all controls. */
 export function createActions(store, objects) {
   const all = () => new Set(objects.map((object) => object.index));
   const state = store.get;
@@ -50,7 +50,7 @@ export function createActions(store, objects) {
     select: (index) => store.set({ selected: index }),
     toggleSelect: (index) => store.set({ selected: state().selected === index ? null : index }),
     hover: (index) => store.set({ hovered: index }),
-    // A finger does not hover: it would leave its mark behind.
+    // A touch does not end a hover, so that the mark would stay.
     hoverWith: (event, index) => { if (event.pointerType === 'mouse') store.set({ hovered: index }); },
     toggleVisible: (index) => store.set({ visible: toggled(state().visible, index) }),
     solo: (index) => store.set({ visible: isSolo(index) ? all() : new Set([index]) }),

@@ -1,20 +1,20 @@
-// The controls over the scene: colours, what is drawn, and where it is seen from.
+// The controls above the scene: colours, layers and views.
 import { h, setPressed } from './dom.js';
 import { icon } from './icons.js';
 
 const MODES = [
-  ['scan', 'Scan', 'The colours that the camera saw'],
-  ['blend', 'Blend', 'Both: the scan, tinted by object'],
-  ['objects', 'Objects', 'A colour for every object'],
+  ['scan', 'Scan', 'Colours of the scan'],
+  ['blend', 'Blend', 'Colours of the scan, tinted by object'],
+  ['objects', 'Objects', 'One colour per object'],
 ];
 const TOGGLES = [
-  ['mesh', 'Mesh', 'The reconstructed surface; without it, the points (M)'],
+  ['mesh', 'Mesh', 'Reconstructed surface instead of points (M)'],
   ['planes', 'Planes', 'Mirror planes (P)'],
   ['axes', 'Axes', 'Rotation axes (A)'],
-  ['completed', 'Completed', 'Points that the symmetries add behind the visible surface (C)'],
-  ['labels', 'Labels', 'Numbers (L)'],
-  ['rest', 'Other', 'Points that belong to no object (O)'],
-  ['path', 'Camera', 'The path of the camera (V)'],
+  ['completed', 'Completed', 'Points that the symmetries add on the hidden side (C)'],
+  ['labels', 'Labels', 'Numbers of objects (L)'],
+  ['rest', 'Other', 'Points of no object (O)'],
+  ['path', 'Camera', 'Path of the camera (V)'],
 ];
 const VIEWS = [['home', 'Home'], ['front', 'Front'], ['side', 'Side'], ['top', 'Top']];
 
@@ -35,7 +35,7 @@ export function createToolbar(scene, store, actions) {
       setPressed(button, value instanceof Set ? value.size > 0 : value);
     }
   });
-  return h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'What is drawn' },
+  return h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'Layers and colours' },
     h('div', { class: 'group modes', role: 'group', 'aria-label': 'Colours' }, modes),
     h('div', { class: 'group toggles', role: 'group', 'aria-label': 'Layers' }, toggles));
 }

@@ -1,4 +1,4 @@
-// Three-vectors as plain arrays, for the little geometry that is done outside three.js.
+// Three-vectors as plain arrays, for geometry outside three.js.
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];

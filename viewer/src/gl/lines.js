@@ -1,9 +1,9 @@
-// Lines of several pixels' width, and what is built from them.
+// Lines several pixels wide, and shapes built from them.
 import * as THREE from 'three';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
-/** One object of many lines; `pairs` are their two ends. */
+/** One object of many lines; `pairs` are their end points. */
 export function segments(pairs, material, order) {
   const geometry = new LineSegmentsGeometry().setPositions(pairs.flat(2));
   const lines = new LineSegments2(geometry, material);

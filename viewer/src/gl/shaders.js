@@ -1,14 +1,14 @@
 // GLSL of the cloud. Points are discs that lie in the surface. Discs that make up the nearest surface
 // are blended (Botsch et al. 2005); the last pass adds depth cues and outlines.
 
-// The alpha of the first pass is not opacity: it marks what is highlighted.
+// The alpha of the first pass is not opacity: it marks highlighted points.
 const MARKS = /* glsl */ `
   const float MARK_NONE = 1.0;
   const float MARK_HOVERED = 0.75;
   const float MARK_SELECTED = 0.5;
 `;
 
-// A lamp over the left shoulder of the viewer, and light from above.
+// A light above the viewer's left shoulder, and ambient light from above.
 const LIGHT = /* glsl */ `
   float light(vec3 n) {
     float lamp = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
@@ -41,7 +41,7 @@ export const splatVertex = /* glsl */ `
   }
 `;
 
-// The disc of a point: where the fragment lies on it, and how far that is from the viewer.
+// The disc of a point: position of the fragment on it, and its depth.
 const DISC = /* glsl */ `
   uniform float radius;
   uniform float near;
@@ -59,13 +59,13 @@ const DISC = /* glsl */ `
     vec3 n = oriented ? normalize(viewNormal) : vec3(0.0, 0.0, 1.0);
     bool behind = n.z < 0.0;
     if (behind) n = -n;
-    // A disc that is seen from its edge is drawn a little thick, so that silhouettes stay closed.
+    // A disc seen edge-on is drawn with some thickness, so that silhouettes stay closed.
     float slope = pixels > 2.5 ? dot(n.xy, offset) / max(n.z, 0.3) : 0.0;
     return Disc(n, behind, dot(offset, offset) + slope * slope, distanceOut + radius * slope);
   }
 `;
 
-// First pass: the nearest surface, and what on it is highlighted.
+// First pass: depth and highlight marks of the nearest surface.
 export const depthFragment = /* glsl */ `
   ${MARKS}
   ${DISC}
@@ -82,7 +82,7 @@ export const depthFragment = /* glsl */ `
   }
 `;
 
-// Second pass: discs at that surface, summed with a weight that falls from their middle.
+// Second pass: sum of the discs at that surface, with weights that fall from their centres.
 export const colorFragment = /* glsl */ `
   ${DISC}
   uniform sampler2D depths;
@@ -137,7 +137,7 @@ export const surfaceDepthFragment = /* glsl */ `
   }
 `;
 
-// Where it is the nearest surface, whole; discs that stand out of it are blended with it.
+// The mesh is opaque where it is the nearest surface; discs in front of it are blended with it.
 export const surfaceColorFragment = /* glsl */ `
   uniform sampler2D depths;
   uniform float near;
@@ -168,13 +168,13 @@ export const composeVertex = /* glsl */ `
   void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }
 `;
 
-// Eye-dome lighting (Boucheny 2009): a pixel darkens by how far its neighbours stand before it.
+// Eye-dome lighting (Boucheny 2009): a pixel is darkened by the depth of its neighbours in front.
 export const composeFragment = /* glsl */ `
   ${MARKS}
   uniform sampler2D marks;
   uniform sampler2D colors;
   uniform sampler2D depths;
-  uniform int samples; // texels a pixel, along each side
+  uniform int samples; // texels per pixel, along each side
   uniform float near;
   uniform float far;
   uniform float reach; // texels
@@ -258,7 +258,7 @@ export const tableFragment = /* glsl */ `
   float lines(float step, float width) {
     vec2 slope = fwidth(ground / step);
     vec2 off = abs(fract(ground / step - 0.5) - 0.5) / max(slope, vec2(1e-5));
-    vec2 fade = clamp(1.2 - 4.0 * slope, 0.0, 1.0); // lines that crowd at the horizon vanish
+    vec2 fade = clamp(1.2 - 4.0 * slope, 0.0, 1.0); // fades dense lines at the horizon
     vec2 line = clamp(width - off, 0.0, 1.0) * fade;
     return max(line.x, line.y);
   }

@@ -1,10 +1,10 @@
-// A cloud of points as discs on its surface.
+// A point cloud drawn as discs on its surface.
 import * as THREE from 'three';
 import { HIDDEN } from '../ownership.js';
 import { colorFragment, depthFragment, splatVertex } from './shaders.js';
 import { quantile } from '../vector.js';
 
-/** The typical distance from a point to its fourth neighbour: how dense the surface is sampled. */
+/** Typical distance from a point to its fourth neighbour, which measures the sampling density. */
 export function sampleSpacing(positions) {
   const total = positions.length / 3;
   const probes = Math.min(total, 4e7 / Math.max(total, 1), 200);
@@ -50,8 +50,8 @@ export class Splats {
     const count = positions.length / 3;
     this.positions = positions;
     this.shades = new Uint8Array(3 * count);
-    this.owners = new Uint16Array(count); // what a click hits
-    this.drawn = new Uint16Array(count); // HIDDEN where something else is drawn in its place
+    this.owners = new Uint16Array(count); // owners for picking
+    this.drawn = new Uint16Array(count); // owners for drawing; HIDDEN if the surface shows the point
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
     const oriented = normals.length === positions.length ? normals : new Float32Array(3 * count);

@@ -1,10 +1,10 @@
-// The canvas: a table, cloud and mesh in two passes, and lines and sheets over it. Draws on demand.
+// The canvas: table, cloud and mesh in two passes, then lines and sheets. Draws on demand.
 import * as THREE from 'three';
 import { composeFragment, composeVertex } from './shaders.js';
 
 const MAX_PIXEL_RATIO = 2;
-const REST_DELAY = 140; // ms without movement, after which the fine picture is drawn
-const MOTION_COST = 40; // ms a frame may take while something moves
+const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
+const MOTION_COST = 40; // longest time per frame during movement [ms]
 
 function createTarget(type) {
   return new THREE.WebGLRenderTarget(2, 2, {
@@ -15,7 +15,7 @@ function createTarget(type) {
   });
 }
 
-// Marks and depth of the nearest surface, and the weighted sum of the colours on it.
+// Render targets: marks and depth of the nearest surface, and the weighted sum of its colours.
 function createTargets() {
   const surface = createTarget(THREE.UnsignedByteType);
   surface.depthTexture = new THREE.DepthTexture(2, 2, THREE.UnsignedIntType);
@@ -64,7 +64,7 @@ export class Stage {
   ground = new THREE.Scene();
   cloud = new THREE.Scene();
   overlay = new THREE.Scene();
-  beforeDraw = []; // each returns true while it moves
+  beforeDraw = []; // callbacks; each returns true while it animates
   afterDraw = [];
   frames = 0;
 
@@ -85,7 +85,7 @@ export class Stage {
     this.#setDetail(1);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.frames > 0) this.draw(1); // a new size empties the canvas, which would flicker until the next frame
+    if (this.frames > 0) this.draw(1); // resizing clears the canvas, which would flicker until the next frame
     this.invalidate();
   }
 
@@ -97,7 +97,7 @@ export class Stage {
     this.compose.uniforms.outlined.value = outlined;
   }
 
-  /** Asks for a picture at the next frame of the screen. */
+  /** Requests a picture at the next frame of the screen. */
   invalidate() {
     if (!this.requested) this.requested = requestAnimationFrame(() => this.#tick());
   }
@@ -119,12 +119,12 @@ export class Stage {
     this.draw(samples);
   }
 
-  // Where there is no graphics card, movement is kept fluent with fewer pixels.
+  // Without a graphics card, fewer pixels keep movement smooth.
   #measure() {
     const begin = performance.now();
     this.draw(1);
     const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until the picture is drawn
     const cost = performance.now() - begin;
     this.motionScale = Math.min(1, Math.max(0.4, Math.sqrt(MOTION_COST / cost)));
   }
@@ -134,12 +134,12 @@ export class Stage {
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
   }
 
-  // A still picture is worth four samples a pixel, where the screen does not have them itself.
+  // A still picture gets four samples per pixel unless the screen's density provides them.
   #restSamples() {
     return this.renderer.getPixelRatio() > 1.5 ? 1 : 2;
   }
 
-  /** Draws at once, with samples² texels a pixel. */
+  /** Draws at once, with samples² texels per pixel. */
   draw(samples = this.#restSamples()) {
     const { renderer, camera } = this;
     const pixels = renderer.getDrawingBufferSize(new THREE.Vector2()).multiplyScalar(samples);

@@ -40,7 +40,7 @@ export class Surface {
     this.object.frustumCulled = false;
   }
 
-  /** ownerOf(vertex) is an index of an object or REST; shadeOf(vertex, owner) three bytes. */
+  /** ownerOf(vertex) is the index of an object or REST; shadeOf(vertex, owner) an RGB triple of bytes. */
   paint(ownerOf, shadeOf) {
     for (let i = 0; i < this.owners.length; ++i) {
       const owner = ownerOf(i);

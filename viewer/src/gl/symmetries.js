@@ -7,7 +7,7 @@ import { add, cross, dot, planeBasis, quantile, scale, subtract } from '../vecto
 
 const UP = [0, 1, 0];
 
-// What an object's symmetries share: materials in its colour, solid and seen through the surface.
+// Materials shared by an object's symmetries, in its colour: in front of and behind the surface.
 function createMaterials(color) {
   const rgb = new THREE.Color(css(color));
   const line = (linewidth, opacity, depthTest) =>
@@ -44,7 +44,7 @@ function planeObject(plane, points, materials) {
   return group(sheet, segments(border, materials.borderBehind, 2), segments(border, materials.border, 3));
 }
 
-// Three quarters of a turn about the axis: the line stands for rotations.
+// An arc of three quarters of a turn about the axis, which marks a rotational symmetry.
 function turn(center, direction, radius) {
   const [u, v] = planeBasis(direction, [0, 0, 1]);
   const at = (angle) => add(center, add(scale(u, radius * Math.cos(angle)), scale(v, radius * Math.sin(angle))));
@@ -77,7 +77,7 @@ function axisObject(axis, points, materials) {
   );
 }
 
-/** Points that say how large an object is: a sample of what was seen and what was completed. */
+/** Points that bound an object: a sample of its observed and its completed points. */
 export function outlinePoints(cloud, object, limit = 1200) {
   const sample = [];
   const take = (positions, total, indexOf) => {
@@ -120,7 +120,7 @@ export class Symmetries {
     border.opacity = Math.min(1, 0.75 * strength);
     borderBehind.opacity = Math.min(0.5, 0.2 * strength);
     axisBehind.opacity = Math.min(0.7, 0.4 * strength);
-    // Paler, not transparent: the short pieces of the turn would show where they overlap.
+    // Paler instead of transparent, because overlaps of the arc's pieces would show.
     const pale = mix(this.lineColor, this.paper, emphasis === 'faint' ? 0.6 : 0);
     for (const material of [axis, cap]) material.color.set(css(pale));
   }

@@ -1,4 +1,4 @@
-// The table: a grid that fades out, and the soft shadow of what stands on it.
+// The table: a grid that fades out, and soft shadows of the objects on it.
 import * as THREE from 'three';
 import { tableFragment, tableVertex } from './shaders.js';
 
@@ -21,7 +21,7 @@ function boxBlur(values, size, radius) {
   return result;
 }
 
-// Where points stand over the table, low ones weighing more, blurred.
+// Blurred density of the points above the table, with a higher weight for low ones.
 function shadowTexture(positions, extent) {
   let values = new Float32Array(TEXELS * TEXELS);
   for (let i = 0; i < positions.length; i += 3) {

@@ -1,4 +1,4 @@
-// The camera's path as a line, and a few of the cameras on it as the pyramids that they see.
+// The camera's path as a line, and a few cameras on it as viewing pyramids.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { closed, group, quadrilateral, segments } from './lines.js';

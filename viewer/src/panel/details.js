@@ -1,4 +1,4 @@
-// What is known of one object.
+// Details of one object.
 import { h } from '../dom.js';
 import * as format from '../format.js';
 
@@ -8,13 +8,13 @@ function why(object) {
   const fits = (list) => Math.min(...list.map((s) => s.score ?? Infinity));
   const parts = [];
   if (object.rotational.length) {
-    parts.push(`turning them about ${object.rotational.length === 1 ? 'an axis' : `${object.rotational.length} axes`} leaves them in place (misfit ${format.fixed(fits(object.rotational), 3)})`);
+    parts.push(`${object.rotational.length === 1 ? 'rotation about an axis maps' : `rotations about ${object.rotational.length} axes map`} them onto themselves (residual ${format.fixed(fits(object.rotational), 3)})`);
   }
   if (object.reflectional.length) {
-    parts.push(`${object.reflectional.length === 1 ? 'a plane mirrors' : `${object.reflectional.length} planes mirror`} one half onto the other (misfit ${format.fixed(fits(object.reflectional), 3)})`);
+    parts.push(`${object.reflectional.length === 1 ? 'a plane mirrors' : `${object.reflectional.length} planes mirror`} one half onto the other (residual ${format.fixed(fits(object.reflectional), 3)})`);
   }
-  if (parts.length === 0) return 'No symmetry is stored with this object.';
-  return `These points are one object because ${parts.join(', and ')}, and what that adds lies where the camera could not look.`;
+  if (parts.length === 0) return 'This object has no symmetry.';
+  return `Symmetries of these points: ${parts.join(', and ')}. Their images lie on the surface or in space that the camera could not see.`;
 }
 
 function facts(object, scene, extent) {
@@ -43,7 +43,7 @@ export function objectDetails(object, scene, extent) {
   return h('div', {},
     h('dl', {}, facts(object, scene, extent).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])),
     rows.length > 0 && h('table', { class: 'symmetries' },
-      h('thead', {}, h('tr', {}, h('th', {}, 'Symmetry'), h('th', {}, 'Direction'), h('th', {}, 'Misfit'))),
+      h('thead', {}, h('tr', {}, h('th', {}, 'Symmetry'), h('th', {}, 'Direction'), h('th', {}, 'Residual'))),
       h('tbody', {}, rows)),
     h('p', { class: 'why' }, why(object)));
 }

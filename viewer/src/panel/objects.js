@@ -1,4 +1,4 @@
-// The list of objects: switch, number, score; the selected one opens to its details.
+// The list of objects with visibility, number and score; the selected object shows its details.
 import { h, setPressed } from '../dom.js';
 import * as format from '../format.js';
 import { icon } from '../icons.js';

@@ -1,4 +1,4 @@
-// The panel beside the scene; on a narrow screen a sheet under it.
+// The panel beside the scene; on a narrow screen a sheet below it.
 import { h } from '../dom.js';
 import * as format from '../format.js';
 import { KEY_HELP } from '../keyboard.js';
@@ -22,7 +22,7 @@ function pathLength(path) {
   return sum;
 }
 
-// What the layers of the reconstruction mean.
+// Explains the layers of the reconstruction.
 function createLegend({ surface, trajectory }) {
   const parts = [];
   if (surface) {
@@ -41,19 +41,19 @@ function createControlsHelp(cell) {
   const size = cell >= 1 ? `${cell} m` : `${Math.round(cell * 1000) / 10} cm`;
   return h('details', { class: 'controls' }, h('summary', {}, 'Controls'),
     h('dl', {}, rows.flatMap(([key, use]) => [h('dt', {}, key), h('dd', {}, use)])),
-    h('p', { class: 'more' }, `A square of the table's grid is ${size} wide, a bold one five times that.`));
+    h('p', { class: 'more' }, `Grid of the table: ${size} per square, bold lines every five.`));
 }
 
 function emptyMessage(scene) {
-  const refused = scene.rejected.length;
+  const rejected = scene.rejected.length;
   return h('div', { class: 'empty', role: 'status' },
     h('strong', {}, 'No object was found.'),
     scene.cloud.count === 0 ? 'The cloud has no points.'
-      : refused ? `${format.plural(refused, 'hypothesis').replace('hypothesiss', 'hypotheses')} failed a bound; “Why these objects” says which.`
-        : 'No candidate symmetry passed; “Why these objects” says where they ended.');
+      : rejected ? `${format.plural(rejected, 'hypothesis').replace('hypothesiss', 'hypotheses')} rejected; “Why these objects” lists the reasons.`
+        : 'No candidate passed all steps; “Why these objects” shows how many passed each.');
 }
 
-// Dragging the grip sets the sheet's height; a tap steps through the three.
+// Dragging the grip sets the sheet's height; a tap cycles through three heights.
 function createGrip(panel, onResize) {
   const set = (name) => { panel.dataset.height = name; panel.style.removeProperty('--sheet'); onResize(); };
   let drag = null;
@@ -87,7 +87,7 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
       h('p', { class: 'stats' }, stats(scene))),
     h('div', { class: 'scroll', tabindex: '-1' },
       scene.note && h('p', { class: 'note' }, scene.note),
-      hasObjects && h('p', { class: 'lead' }, 'One colour per object, found by its symmetry alone: sheets are mirror planes, ' +
+      hasObjects && h('p', { class: 'lead' }, 'One colour per object. Sheets are mirror planes, ' +
         'arrows are axes of rotation. Click an object for details.'),
       createLegend(scene),
       hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),

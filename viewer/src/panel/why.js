@@ -1,23 +1,23 @@
-// Why these objects and no others: how many candidates each step left, and what was refused.
+// How many candidates passed each step, and the rejected hypotheses by reason.
 import { h } from '../dom.js';
 import * as format from '../format.js';
 
 const MEANINGS = {
-  symmetry: 'the points do not match their own image',
-  occlusion: 'the image would lie in space that was seen to be empty',
+  symmetry: 'the points do not match their image under the symmetry',
+  occlusion: 'the image lies in space that was observed to be empty',
   smoothness: 'the cut runs through a smooth surface',
-  coverage: 'too little of the turn about the axis was seen',
-  perpendicularity: 'the surface faces along the axis',
+  coverage: 'too small an angle about the axis was observed',
+  perpendicularity: 'the normals are parallel to the axis',
   size: 'too few points',
-  inlier: 'too few points have a counterpart',
-  support: 'it left the segment that proposed it',
-  overlap: 'it left the segment that proposed it',
-  duplicate: 'the same points as a better object',
-  merged: 'the same points as a better object',
+  inlier: 'too few points have a correspondence',
+  support: 'too little overlap with the segment that proposed it',
+  overlap: 'too little overlap with the segment that proposed it',
+  duplicate: 'nearly the same points as a better hypothesis',
+  merged: 'nearly the same points as a better hypothesis',
 };
 const MOST_ROWS = 60;
 
-// "rotational: distinct axes" is a step of a stream; the stream gets a line of its own.
+// In "rotational: distinct axes" the part before the colon is the stream, shown on its own line.
 function splitStep(step) {
   const [, stream, rest] = /^([^:]+): (.+)$/s.exec(step) ?? [null, '', step];
   return { stream, name: rest };
@@ -55,7 +55,7 @@ function byReason(rejected) {
   return [...groups].sort((a, b) => b[1].length - a[1].length);
 }
 
-function refusal({ kind, value, bound, size }) {
+function rejection({ kind, value, bound, size }) {
   const relation = value > bound ? '>' : value < bound ? '<' : '=';
   return h('tr', {},
     h('th', { scope: 'row' }, format.words(kind)),
@@ -68,15 +68,15 @@ function reasonGroup([reason, entries]) {
   return h('details', { class: 'reason' },
     h('summary', {}, h('span', {}, format.words(reason), h('small', {}, MEANINGS[reason] ?? '')),
       h('span', { class: 'aside' }, format.count(entries.length))),
-    h('table', { class: 'refusals' }, h('tbody', {}, entries.slice(0, MOST_ROWS).map(refusal))),
+    h('table', { class: 'refusals' }, h('tbody', {}, entries.slice(0, MOST_ROWS).map(rejection))),
     hidden > 0 && h('p', { class: 'more' }, `and ${format.count(hidden)} more`));
 }
 
 export function createWhy({ funnel, rejected }, open) {
   if (funnel.length === 0 && rejected.length === 0) return null;
   return h('details', { class: 'why-section', open },
-    h('summary', {}, 'Why these objects', h('span', { class: 'aside' }, `${format.count(rejected.length)} refused`)),
+    h('summary', {}, 'Why these objects', h('span', { class: 'aside' }, `${format.count(rejected.length)} rejected`)),
     createFunnel(funnel),
-    rejected.length > 0 && h('h3', {}, 'Refused, by the bound that failed'),
+    rejected.length > 0 && h('h3', {}, 'Rejected hypotheses by reason'),
     byReason(rejected).map(reasonGroup));
 }

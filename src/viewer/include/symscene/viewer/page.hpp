@@ -12,22 +12,22 @@ namespace symscene {
 struct PageOptions {
   // Every field has an initialiser, so that callers may name only some without a warning.
   std::string title = "Segmentation";
-  std::string note = {};                             ///< a line under it: how the result was made
-  std::optional<Plane> table = std::nullopt;         ///< normal is up and the grid lies on it
-  std::optional<Eigen::Vector3d> up = std::nullopt;  ///< without a table; otherwise the world's z
-  TriangleMesh surface = {};   ///< that was reconstructed; shown as page_surface() leaves it
-  Trajectory trajectory = {};  ///< of the camera
+  std::string note = {};                             ///< line under the title
+  std::optional<Plane> table = std::nullopt;         ///< its normal is up; the grid lies on it
+  std::optional<Eigen::Vector3d> up = std::nullopt;  ///< without a table; default: the world's z
+  TriangleMesh surface = {};   ///< reconstructed surface; page_surface() of it is shown
+  Trajectory trajectory = {};  ///< path of the camera
 
   void validate() const;  // throws InputError
 };
 
-/// One self-contained HTML page that shows the result: no file beside it, no network. Text in it
-/// is shown as text, whatever characters it holds.
-/// Throws InputError if a position is not finite, an index does not name a point of the cloud or
-/// `completed` is neither empty nor one an object, or if the cloud does not lie on the surface.
+/// A self-contained HTML page that shows the result; it needs no other file and no network. Titles
+/// and notes are escaped. Throws InputError if a position is not finite, an index is not below the
+/// size of the cloud, `completed` is neither empty nor one per object, or the cloud does not lie on
+/// the surface.
 std::string render_page(const SegmentationResult& result, const PageOptions& options = {});
 
-/// The JSON that the page shows; arrays are little endian in base64 (viewer/README.md).
+/// The page's data as JSON; arrays are little endian in base64 (viewer/README.md).
 std::string page_payload(const SegmentationResult& result, const PageOptions& options = {});
 
 }  // namespace symscene

@@ -1,0 +1,54 @@
+#include "dataset_tally.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dataset_worker.hpp"
+
+namespace symscene::app {
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", std::ceil(seconds));
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", std::ceil(seconds / 60.0));
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+}  // namespace
+
+void DatasetTally::add(const ItemOutcome& outcome, Session& session) {
+  ++finished_;
+  const std::string name = fmt::format("{:04}", outcome.item);
+  const auto warn = [&](const std::string& text) {
+    session.warn(fmt::format("scene {}: {}", name, text));
+  };
+  if (!outcome.done) {
+    failed_.push_back(name);
+    warn(outcome.text);
+    return;
+  }
+  const SceneReport report = parse_report(outcome.text);
+  objects_ += report.objects;
+  for (const std::string& warning : report.warnings) warn(warning);
+  for (const StageTime& time : report.stages) add_time(time);
+}
+
+std::string DatasetTally::progress() const {
+  std::string scene =
+      fmt::format("scene {} of {}", std::min(total_, total_ - wanted_ + finished_ + 1), total_);
+  if (finished_ == 0) return scene;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  const double rest = static_cast<double>(wanted_ - finished_) / static_cast<double>(finished_);
+  return fmt::format("{}, {} left", scene, duration(rest * elapsed.count()));
+}
+
+void DatasetTally::add_time(const StageTime& time) {
+  auto sum = std::find_if(stages_.begin(), stages_.end(),
+                          [&](const StageTime& known) { return known.stage == time.stage; });
+  if (sum == stages_.end()) sum = stages_.insert(stages_.end(), {time.stage, 0.0});
+  sum->seconds += time.seconds;
+}
+
+}  // namespace symscene::app
