@@ -1,4 +1,4 @@
-// The symscene command from outside: what it prints, leaves on disk and returns.
+// The symscene command, run as a process: output, files and exit codes.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace symscene::testing {
 namespace {
 
-/// One small scene and its result, made once for all tests.
+/// A small scene and its result, shared by all tests.
 class Command : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -54,14 +54,14 @@ class Command : public ::testing::Test {
     EXPECT_EQ(snapshot(), before) << arguments;
   }
 
-  /// The last line of what was printed, as JSON.
+  /// The last line of the output, as JSON.
   static nlohmann::json last_line(const std::string& out) {
     const std::size_t end = out.find_last_not_of('\n');
     const std::size_t newline = out.rfind('\n', end);
     return nlohmann::json::parse(out.substr(newline == std::string::npos ? 0 : newline + 1));
   }
 
-  /// objects.json without what varies from run to run.
+  /// objects.json without the times.
   static nlohmann::json objects_without_times(const std::string& result) {
     nlohmann::json objects = nlohmann::json::parse(contents(file(result) / "objects.json"));
     objects.erase("timings");
@@ -86,7 +86,7 @@ TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
   }
 }
 
-TEST_F(Command, TellsItsVersion) {
+TEST_F(Command, PrintsItsVersion) {
   EXPECT_EQ(run("--version").out, "symscene " SYMSCENE_VERSION "\n");
 }
 
@@ -145,9 +145,9 @@ TEST_F(Command, NeverWritesOverItsInput) {
   expect_refusal("segment scene -o new --page new/page.html", 1, "outside the input");
 }
 
-TEST_F(Command, NeverWritesOverOtherPeoplesFiles) {
+TEST_F(Command, NeverReplacesFoldersWithOtherFiles) {
   fs::create_directories(file("mine"));
-  write(file("mine") / "thesis.txt", "years of work");
+  write(file("mine") / "thesis.txt", "text");
   expect_refusal("segment scene -o mine", 1, "mine");
   expect_refusal("simulate -o mine --config small.json", 1, "mine");
 }
@@ -163,7 +163,7 @@ TEST_F(Command, PrintsOneMachineReadableLineAtTheEnd) {
   EXPECT_EQ(viewed.at("bytes"), fs::file_size(file("json.html")));
 }
 
-TEST_F(Command, PrintsNothingButWarningsWhenQuiet) {
+TEST_F(Command, PrintsOnlyWarningsWithQuiet) {
   for (const char* line :
        {"simulate -o quiet --config small.json --quiet", "segment scene -o quiet2 --quiet",
         "view result -o quiet.html --quiet"}) {
@@ -185,7 +185,7 @@ TEST_F(Command, ReadsBackTheOptionsThatItPrints) {
   }
 }
 
-TEST_F(Command, LetsFlagsWinOverTheFile) {
+TEST_F(Command, FlagsOverrideTheConfigurationFile) {
   const Outcome printed = run("simulate --config small.json --objects 5 --seed 9 --dump-config");
   const auto values = nlohmann::json::parse(printed.out, nullptr, true, true);
   EXPECT_EQ(values.at("tabletop").at("objects"), 5);
@@ -193,7 +193,7 @@ TEST_F(Command, LetsFlagsWinOverTheFile) {
   EXPECT_EQ(values.at("camera").at("frames"), 8);
 }
 
-TEST_F(Command, SimulatesTheSameBytesFromTheSameSeed) {
+TEST_F(Command, SimulatesTheSameBytesForTheSameSeed) {
   ASSERT_EQ(run("simulate -o twin --config small.json --threads 1").code, 0);
   ASSERT_EQ(run("simulate -o other --config small.json --seed 2").code, 0);
   for (const char* name : {"cloud.ply", "occupancy.bt", "table_plane.txt", "truth.json"}) {
@@ -202,7 +202,7 @@ TEST_F(Command, SimulatesTheSameBytesFromTheSameSeed) {
   EXPECT_NE(contents(file("other") / "cloud.ply"), contents(file("scene") / "cloud.ply"));
 }
 
-TEST_F(Command, WritesASweepWhoseTruthStandsForItself) {
+TEST_F(Command, WritesASweepWithItsGroundTruthAndMeshes) {
   write(file("sweep.json"), R"({"camera": {"width": 160, "height": 120, "focal_length": 131}})");
   const Outcome outcome =
       run("simulate --sequence -o sweep --objects 2 --frames 4 --config sweep.json --json");
@@ -233,7 +233,7 @@ TEST_F(Command, RefusesFoldersWithoutMeshes) {
   expect_refusal("simulate --sequence -o x --symmetries nothing.json", 1, "--meshes");
 }
 
-TEST_F(Command, SegmentsToTheSameBytesWithAnyNumberOfThreads) {
+TEST_F(Command, SegmentsToTheSameBytesForAnyNumberOfThreads) {
   for (const char* threads : {"1", "2", "8"}) {
     const std::string result = std::string("result") + threads;
     ASSERT_EQ(run("segment scene -o " + result + " --threads " + threads).code, 0);
@@ -242,13 +242,13 @@ TEST_F(Command, SegmentsToTheSameBytesWithAnyNumberOfThreads) {
   }
 }
 
-TEST_F(Command, ReplacesAnOlderResult) {
+TEST_F(Command, ReplacesAnEarlierResult) {
   ASSERT_EQ(run("segment scene -o replaced").code, 0);
   ASSERT_EQ(run("segment scene -o replaced").code, 0);
   EXPECT_EQ(objects_without_times("replaced"), objects_without_times("result"));
 }
 
-TEST_F(Command, WritesAPageThatStandsAlone) {
+TEST_F(Command, WritesASelfContainedPage) {
   ASSERT_EQ(run("view result -o page.html --title 'Mugs & bowls'").code, 0);
   const std::string page = contents(file("page.html"));
   EXPECT_NE(page.find("Mugs &amp; bowls"), std::string::npos);
@@ -257,7 +257,7 @@ TEST_F(Command, WritesAPageThatStandsAlone) {
   EXPECT_GT(fs::file_size(file("beside.html")), 1000U);
 }
 
-/// A mesh of the points of a binary cloud.ply: every three that follow one another are a triangle.
+/// A mesh of the points of a binary cloud.ply, with a triangle for every three consecutive points.
 std::string mesh_of_cloud(std::string ply) {
   const std::size_t count = std::stoul(ply.substr(ply.find("vertex ") + 7));
   const std::string faces =
@@ -287,12 +287,12 @@ TEST_F(Command, ShowsTheSurfaceOfAReconstructionWithItsResult) {
     EXPECT_NE(contents(file(page)).find(R"("surface":{"colors")"), std::string::npos) << page;
     EXPECT_NE(contents(file(page)).find(R"("frames":2)"), std::string::npos) << page;
   }
-  // What a scene no longer has, its next result does not have.
+  // A result does not keep a surface that the scene no longer has.
   ASSERT_EQ(run("segment scene -o shown").code, 0);
   EXPECT_FALSE(fs::exists(file("shown") / "surface.ply"));
 }
 
-TEST_F(Command, ASurfaceThatCannotBeShownIsAWarning) {
+TEST_F(Command, WarnsAboutASurfaceThatItCannotShow) {
   fs::copy(file("scene"), file("odd"));
   const std::string elsewhere =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -312,18 +312,18 @@ TEST_F(Command, ASurfaceThatCannotBeShownIsAWarning) {
   }
 }
 
-TEST_F(Command, ASurfaceInAResultThatIsNoneIsRefused) {
+TEST_F(Command, RefusesAResultWithAnInvalidSurface) {
   fs::copy(file("result"), file("broken"), fs::copy_options::recursive);
   write(file("broken") / "surface.ply", "no mesh");
   expect_refusal("view broken -o broken.html", 1, "surface.ply");
 }
 
-TEST_F(Command, TellsWhatIsInAScene) {
-  const Outcome told = run("info scene --json");
-  ASSERT_EQ(told.code, 0) << told.err;
+TEST_F(Command, DescribesAScene) {
+  const Outcome described = run("info scene --json");
+  ASSERT_EQ(described.code, 0) << described.err;
   for (const char* label : {"points", "box", "spacing", "occupancy", "table", "truth"})
-    EXPECT_NE(told.out.find(std::string("\n") + label), std::string::npos) << label;
-  const auto line = last_line(told.out);
+    EXPECT_NE(described.out.find(std::string("\n") + label), std::string::npos) << label;
+  const auto line = last_line(described.out);
   EXPECT_EQ(line.at("kind"), "scene");
   EXPECT_GT(line.at("points"), 1000);
   EXPECT_EQ(line.at("true_objects"), 2);
@@ -331,7 +331,7 @@ TEST_F(Command, TellsWhatIsInAScene) {
   EXPECT_EQ(run("info scene --quiet").out, "");
 }
 
-TEST_F(Command, TellsWhatIsInAResult) {
+TEST_F(Command, DescribesAResult) {
   const auto objects = objects_without_times("result").at("objects");
   const auto line = last_line(run("info result --json").out);
   EXPECT_EQ(line.at("kind"), "result");
@@ -339,7 +339,7 @@ TEST_F(Command, TellsWhatIsInAResult) {
   EXPECT_EQ(line.at("mask_sizes").at(0), objects.at(0).at("points").size());
 }
 
-TEST_F(Command, TellsWhatIsInAModel) {
+TEST_F(Command, DescribesAModel) {
   EXPECT_EQ(last_line(run("info scene/cloud.ply --json").out).at("kind"), "cloud");
   EXPECT_EQ(last_line(run("info scene/occupancy.bt --json").out).at("kind"), "occupancy");
   write(file("one.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -354,7 +354,7 @@ const std::string depth_png(
     "\006\203\107\104\141\004\000\000\000\000\111\105\116\104\256\102\140\202",
     84);
 
-TEST_F(Command, TellsWhatIsInASequenceAndWhichFramesCannotBeRead) {
+TEST_F(Command, DescribesASequenceAndItsUnreadableFrames) {
   fs::create_directories(file("sequence") / "depth");
   write(file("sequence") / "depth/000000.png", depth_png);
   write(file("sequence") / "depth/000001.png", depth_png.substr(0, 50));
@@ -362,12 +362,12 @@ TEST_F(Command, TellsWhatIsInASequenceAndWhichFramesCannotBeRead) {
   expect_refusal("info sequence", 1, "pass --intrinsics fx,fy,cx,cy, found none");
   expect_refusal("info sequence --intrinsics 1,2,3", 2, "expected fx,fy,cx,cy");
   expect_refusal("info sequence --depth-scale 0", 2, "expected a number above 0, found 0");
-  const Outcome told = run("info sequence --json --intrinsics 5,5,1.5,0.5");
-  ASSERT_EQ(told.code, 0) << told.err;
-  EXPECT_NE(told.out.find("sequence/depth/000001.png: expected a whole PNG image"),
+  const Outcome described = run("info sequence --json --intrinsics 5,5,1.5,0.5");
+  ASSERT_EQ(described.code, 0) << described.err;
+  EXPECT_NE(described.out.find("sequence/depth/000001.png: expected a whole PNG image"),
             std::string::npos)
-      << told.out;
-  const auto line = last_line(told.out);
+      << described.out;
+  const auto line = last_line(described.out);
   EXPECT_EQ(line.at("layout"), "sequence");
   EXPECT_EQ(line.at("frames"), 2);
   EXPECT_EQ(line.at("rate"), 2.0);
@@ -378,7 +378,7 @@ TEST_F(Command, TellsWhatIsInASequenceAndWhichFramesCannotBeRead) {
   EXPECT_EQ(line.at("unreadable").size(), 1U);
 }
 
-TEST_F(Command, StitchesFramesToTheSameBytesWithAnyNumberOfThreads) {
+TEST_F(Command, StitchesFramesToTheSameBytesForAnyNumberOfThreads) {
   write(file("arc.json"), R"({"camera": {"arc": 0.5, "radius": 0.7}})");
   ASSERT_EQ(run("simulate --sequence -o arc --frames 6 --seed 1 --config arc.json").code, 0);
   const Outcome one = run("stitch arc -o stitched1 --threads 1 --json");
@@ -392,7 +392,7 @@ TEST_F(Command, StitchesFramesToTheSameBytesWithAnyNumberOfThreads) {
   }
 }
 
-TEST_F(Command, RefusesToStitchWhatItCannot) {
+TEST_F(Command, RefusesFramesThatItCannotStitch) {
   const std::string given = " -o new --intrinsics 5,5,1.5,0.5";
   fs::create_directories(file("depths") / "depth");
   write(file("depths") / "depth/000000.png", depth_png);
@@ -414,13 +414,13 @@ TEST_F(Command, RefusesToStitchWhatItCannot) {
   EXPECT_FALSE(fs::exists(file("new")));
 }
 
-TEST_F(Command, TellsOfNothingElse) {
+TEST_F(Command, RefusesToDescribeAnythingElse) {
   fs::create_directories(file("something"));
   expect_refusal("info something", 1, "found another folder");
   expect_refusal("info nowhere", 1, "found no such file or folder");
 }
 
-TEST_F(Command, SaysSoWhenTheOutputIsFull) {
+TEST_F(Command, ReportsAFullDisk) {
   const Outcome outcome = run("segment --dump-config", "/dev/full");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.err.find("standard output"), std::string::npos);

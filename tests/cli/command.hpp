@@ -22,14 +22,14 @@ inline void write(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-/// What a run of the command left.
+/// Exit code and output of a run of the command.
 struct Outcome {
   int code = -1;
   std::string out;
   std::string err;
 };
 
-/// A folder of its own in which the command runs; gone with it.
+/// A temporary folder in which the command runs.
 class Workspace {
  public:
   Workspace() : folder_(fs::temp_directory_path() / ("symscene-cli-" + std::to_string(getpid()))) {
@@ -42,7 +42,8 @@ class Workspace {
   fs::path operator/(const std::string& name) const { return folder_ / name; }
   const fs::path& folder() const { return folder_; }
 
-  /// Runs `symscene ARGUMENTS`, a line for the shell, in the folder. `output` takes what it prints.
+  /// Runs `symscene ARGUMENTS`, a line for the shell, in the folder. `output` receives its standard
+  /// output.
   Outcome run(const std::string& arguments, fs::path output = {}) const {
     const fs::path streams = folder_.string() + ".streams";
     fs::create_directories(streams);

@@ -1,4 +1,4 @@
-// symscene dataset from outside: what it makes, goes on with and refuses.
+// symscene dataset, run as a process: new, continued and refused datasets.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -10,7 +10,7 @@
 namespace symscene::testing {
 namespace {
 
-/// Few frames of small images, and objects that are put in place: seconds, not minutes.
+/// Few frames of small images and arranged objects, so that a scene takes seconds.
 constexpr const char* small = R"({"max_objects": 2, "arranged_every": 1, "camera": {"frames": 6,
   "arc": 0.05, "radius": 0.7, "width": 320, "height": 240, "focal_length": 262}})";
 
@@ -41,7 +41,7 @@ class DatasetCommand : public ::testing::Test {
   Workspace workspace;
 };
 
-TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereItStopped) {
+TEST_F(DatasetCommand, MakesTheSameBytesForAnyNumberOfProcessesAndContinues) {
   const Outcome made = make("one", "--threads 1 -v");
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_NE(made.out.find("2 scenes, 2 made now"), std::string::npos) << made.out;
@@ -72,7 +72,7 @@ TEST_F(DatasetCommand, MakesTheSameBytesWithAnyNumberOfProcessesAndGoesOnWhereIt
   expect_refusal(make("one", "--split training"), "split \"test\" in place of \"training\"");
   EXPECT_EQ(files_in(workspace / "one"), files);
 
-  // A scene without its truth is made again, and a dataset may grow but not shrink.
+  // A scene without ground truth is made again, and a dataset may grow but not shrink.
   fs::remove(workspace / "one" / "scenes" / "0000" / "truth.json");
   ASSERT_EQ(make("one").code, 0);
   EXPECT_EQ(files_in(workspace / "one"), files);
@@ -119,7 +119,7 @@ TEST_F(DatasetCommand, NamesTheScenesThatCouldNotBeMade) {
   EXPECT_EQ(files_in(workspace / "dark").size(), 1U);
 }
 
-TEST_F(DatasetCommand, RefusesWhatItCannotUseInOneSentence) {
+TEST_F(DatasetCommand, RefusesInvalidInputInOneSentence) {
   fs::create_directories(workspace / "other");
   write(workspace / "other" / "letter.txt", "dear");
   expect_refusal(make("other"), "found a folder with other files");

@@ -1,4 +1,4 @@
-// symscene evaluate from outside: the report of a small dataset, and datasets that are none.
+// symscene evaluate, run as a process: the report of a small dataset, and invalid datasets.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace symscene::testing {
 namespace {
 
-/// Two small scenes, one in a folder of its own and one with a result beside it, and their report.
+/// Two small scenes, one directly in the dataset and one beside its result, and their report.
 class EvaluateCommand : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -45,7 +45,7 @@ class EvaluateCommand : public ::testing::Test {
     EXPECT_FALSE(fs::exists(file("new"))) << arguments;
   }
 
-  /// The first scene with another truth.
+  /// The first scene with another ground truth.
   static void spoil(const nlohmann::json& truth) {
     fs::remove_all(file("spoilt"));
     fs::create_directories(file("spoilt"));
@@ -74,7 +74,7 @@ TEST_F(EvaluateCommand, WritesTheReportAndPrintsItsHeadlineAndTheMissedObjects) 
   EXPECT_EQ(line.at("headline"), json.at("headline"));
 }
 
-TEST_F(EvaluateCommand, FindsTheSameWithOneThread) {
+TEST_F(EvaluateCommand, ReportsTheSameWithOneThread) {
   ASSERT_EQ(run("evaluate data -o single --threads 1 --quiet").out, "");
   for (const char* name : {"curves.csv", "objects.csv"})
     EXPECT_EQ(contents(file("single") / name), contents(file("report") / name));
@@ -91,7 +91,7 @@ TEST_F(EvaluateCommand, ComparesWithAnEarlierReport) {
   expect_refusal("evaluate data -o new --compare tight.json", "tight.json");
 }
 
-TEST_F(EvaluateCommand, RefusesWhatIsNoDatasetInOneSentence) {
+TEST_F(EvaluateCommand, RefusesInvalidDatasetsInOneSentence) {
   fs::create_directories(file("empty"));
   expect_refusal("evaluate empty -o new", "empty");
   expect_refusal("evaluate nowhere -o new", "nowhere");
@@ -100,7 +100,7 @@ TEST_F(EvaluateCommand, RefusesWhatIsNoDatasetInOneSentence) {
   expect_refusal("evaluate data -o new --baselines guesswork", "guesswork");
 }
 
-TEST_F(EvaluateCommand, RefusesTruthThatIsMissingOrContradictsItself) {
+TEST_F(EvaluateCommand, RefusesMissingOrContradictoryGroundTruth) {
   spoil({});
   fs::remove(file("spoilt/one/truth.json"));
   expect_refusal("evaluate spoilt -o new", "spoilt");
@@ -114,11 +114,11 @@ TEST_F(EvaluateCommand, RefusesTruthThatIsMissingOrContradictsItself) {
   expect_refusal("evaluate spoilt -o new", "share no point");
 }
 
-TEST_F(EvaluateCommand, NeverWritesOverOtherPeoplesFiles) {
+TEST_F(EvaluateCommand, NeverReplacesFoldersWithOtherFiles) {
   fs::create_directories(file("mine"));
-  write(file("mine/thesis.txt"), "years of work");
+  write(file("mine/thesis.txt"), "text");
   EXPECT_EQ(run("evaluate data -o mine --fast --baselines none").code, 1);
-  EXPECT_EQ(contents(file("mine/thesis.txt")), "years of work");
+  EXPECT_EQ(contents(file("mine/thesis.txt")), "text");
 }
 
 }  // namespace

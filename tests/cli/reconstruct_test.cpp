@@ -1,4 +1,4 @@
-// symscene reconstruct from outside: what becomes of whole, broken and empty sequences.
+// symscene reconstruct, run as a process, on complete, broken and empty sequences.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int frames = 12;
 
-/// A small simulated sweep, one of a camera that measures nothing, and the scene of the first.
+/// A small simulated sweep, one whose camera measures nothing, and the scene of the first.
 class ReconstructCommand : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -37,7 +37,7 @@ class ReconstructCommand : public ::testing::Test {
   static fs::path file(const std::string& name) { return *workspace_ / name; }
   static const std::string& report() { return report_; }
 
-  /// A copy of the sweep to spoil.
+  /// A copy of the sweep to modify.
   static fs::path copy_of_sweep(const std::string& name) {
     fs::remove_all(file(name));
     fs::copy(file("sweep"), file(name), fs::copy_options::recursive);
@@ -63,7 +63,7 @@ class ReconstructCommand : public ::testing::Test {
     return poses;
   }
 
-  /// An error's code and sentence, and no trace of the output.
+  /// Checks exit code and message, and that nothing was written.
   static void expect_failure(const std::string& arguments, int code, const std::string& sentence) {
     const Outcome outcome = run("reconstruct " + arguments);
     EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
@@ -82,7 +82,7 @@ class ReconstructCommand : public ::testing::Test {
 std::unique_ptr<Workspace> ReconstructCommand::workspace_;
 std::string ReconstructCommand::report_;
 
-TEST_F(ReconstructCommand, WritesASceneThatTheOthersRead) {
+TEST_F(ReconstructCommand, WritesASceneThatInfoAndSegmentRead) {
   for (const char* name : {"cloud.ply", "mesh.ply", "occupancy.bt", "occupancy.ot",
                            "table_plane.txt", "poses.txt", "scene.json", "truth.json"}) {
     EXPECT_GT(fs::file_size(file("scene") / name), 10U) << name;
@@ -90,19 +90,19 @@ TEST_F(ReconstructCommand, WritesASceneThatTheOthersRead) {
   EXPECT_EQ(poses_of("scene"), std::size_t{frames});
   EXPECT_EQ(frames_of("scene").at("fused"), frames);
   EXPECT_EQ(frames_of("scene").at("lost"), 0);
-  const Outcome told = run("info scene");
-  EXPECT_EQ(told.code, 0) << told.err;
+  const Outcome described = run("info scene");
+  EXPECT_EQ(described.code, 0) << described.err;
   const Outcome segmented = run("segment scene -o result");
   EXPECT_EQ(segmented.code, 0) << segmented.err;
 }
 
-TEST_F(ReconstructCommand, TellsHowFarItIsFromTheSequencesPoses) {
+TEST_F(ReconstructCommand, ReportsItsErrorAgainstThePosesOfTheSequence) {
   const std::size_t at = report().find("absolute error ");
   ASSERT_NE(at, std::string::npos) << report();
   EXPECT_LT(std::stod(report().substr(at + 15)), 5.0) << report();
 }
 
-TEST_F(ReconstructCommand, WritesTheSameBytesWithAnyNumberOfThreads) {
+TEST_F(ReconstructCommand, WritesTheSameBytesForAnyNumberOfThreads) {
   for (const char* threads : {"1", "2"}) {
     const std::string scene = std::string("threads") + threads;
     ASSERT_EQ(run("reconstruct sweep -o " + scene + " --threads " + threads).code, 0);
@@ -113,7 +113,7 @@ TEST_F(ReconstructCommand, WritesTheSameBytesWithAnyNumberOfThreads) {
   }
 }
 
-TEST_F(ReconstructCommand, UsesPosesThatTheSequenceHas) {
+TEST_F(ReconstructCommand, UsesThePosesOfTheSequence) {
   for (const char* use : {"exact", "start"}) {
     const Outcome outcome = run(std::string("reconstruct sweep -o posed --poses ") + use);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -126,7 +126,7 @@ TEST_F(ReconstructCommand, UsesPosesThatTheSequenceHas) {
   expect_failure("sweep -o new --poses roughly", 2, "--poses");
 }
 
-TEST_F(ReconstructCommand, LeavesFramesOutThatCannotBeReadAndSaysWhich) {
+TEST_F(ReconstructCommand, SkipsUnreadableFramesAndNamesThem) {
   const fs::path sequence = copy_of_sweep("cut");
   fs::resize_file(sequence / image(7), fs::file_size(sequence / image(7)) / 2);
   write(sequence / image(8), "not an image");
@@ -139,7 +139,7 @@ TEST_F(ReconstructCommand, LeavesFramesOutThatCannotBeReadAndSaysWhich) {
   EXPECT_EQ(poses_of("patched"), std::size_t{frames - 2});
 }
 
-TEST_F(ReconstructCommand, FusesNoBlackFramesAndGoesOnAfterThem) {
+TEST_F(ReconstructCommand, SkipsBlackFramesAndContinuesAfterThem) {
   const fs::path sequence = copy_of_sweep("blinking");
   for (const int i : {0, 1, 8, 9}) {
     fs::copy_file(file("dark") / image(i), sequence / image(i),
@@ -153,14 +153,14 @@ TEST_F(ReconstructCommand, FusesNoBlackFramesAndGoesOnAfterThem) {
   EXPECT_NE(outcome.out.find("too little of the image is measured"), std::string::npos);
 }
 
-TEST_F(ReconstructCommand, SaysWhyASequenceShowsNothing) {
+TEST_F(ReconstructCommand, ReportsWhyNoFrameCanBeFused) {
   expect_failure("dark -o new", 1, "too little of the image is measured");
   const fs::path sequence = copy_of_sweep("ruin");
   for (int i = 0; i < frames; ++i) fs::resize_file(sequence / image(i), 30);
   expect_failure("ruin -o new", 1, "ruin");
 }
 
-TEST_F(ReconstructCommand, SaysWhyManyFramesShowNothing) {
+TEST_F(ReconstructCommand, WritesNothingIfNoneOfManyFramesCanBeFused) {
   const fs::path sequence = copy_of_sweep("motley");
   for (int i = 0; i < frames; ++i) {
     fs::copy_file(file("dark") / image(i), sequence / image(i),
@@ -173,7 +173,7 @@ TEST_F(ReconstructCommand, SaysWhyManyFramesShowNothing) {
   EXPECT_FALSE(fs::exists(file("new")));
 }
 
-TEST_F(ReconstructCommand, TakesASequenceOfOneFrame) {
+TEST_F(ReconstructCommand, AcceptsASequenceOfOneFrame) {
   const fs::path sequence = copy_of_sweep("single");
   for (int i = 1; i < frames; ++i) fs::remove(sequence / image(i));
   fs::remove(sequence / "poses.txt");
@@ -183,7 +183,7 @@ TEST_F(ReconstructCommand, TakesASequenceOfOneFrame) {
   EXPECT_EQ(run("info glimpse").code, 0);
 }
 
-TEST_F(ReconstructCommand, TakesATableThatIsGivenAndRefusesWhatIsNone) {
+TEST_F(ReconstructCommand, UsesAGivenTablePlaneAndRefusesInvalidOnes) {
   const std::string found = contents(file("scene") / "table_plane.txt");
   std::string plane = found.substr(0, found.find_last_not_of('\n') + 1);
   std::replace(plane.begin(), plane.end(), '\n', ',');
@@ -209,12 +209,12 @@ TEST_F(ReconstructCommand, RefusesOptionsOutOfRangeByName) {
   }
 }
 
-TEST_F(ReconstructCommand, NeverWritesOverWhatIsNotItsOwn) {
+TEST_F(ReconstructCommand, NeverReplacesInputOrFoldersWithOtherFiles) {
   expect_failure("sweep -o sweep", 1, "outside the input");
   fs::create_directories(file("mine"));
-  write(file("mine") / "thesis.txt", "years of work");
+  write(file("mine") / "thesis.txt", "text");
   expect_failure("sweep -o mine", 1, "mine");
-  EXPECT_EQ(contents(file("mine") / "thesis.txt"), "years of work");
+  EXPECT_EQ(contents(file("mine") / "thesis.txt"), "text");
   expect_failure("nowhere -o new", 1, "nowhere");
 }
 

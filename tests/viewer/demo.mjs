@@ -1,4 +1,4 @@
-// Writes a page of the made-up tabletop: node demo.mjs [page.html]
+// Writes a page of the synthetic tabletop: node demo.mjs [page.html]
 import { tabletop } from './fixture.mjs';
 import { writePage } from './payload.mjs';
 

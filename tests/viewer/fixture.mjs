@@ -1,5 +1,5 @@
-// A made-up tabletop: solids of revolution and boxes, seen from one side; what the camera misses is
-// what the symmetries complete. World frame: z up, the table at z = 0, the camera at −y.
+// A synthetic tabletop: solids of revolution and boxes, observed from one side; completion adds the
+// unseen sides. World frame: z up, the table at z = 0, the camera at −y.
 import { scannedSurface, sweep } from './scan.mjs';
 import { encodeScene } from './payload.mjs';
 
@@ -58,7 +58,7 @@ function box({ at: [x, y], size, turn, paint }, cell, random) {
   return samples;
 }
 
-// One sample a cell, as the pipeline thins its clouds.
+// One sample per cell, like the pipeline's sampling.
 function thin(samples, cell) {
   const kept = new Map();
   for (const sample of samples) {
@@ -85,7 +85,7 @@ const SOLIDS = [
   { kind: box, at: [-0.36, 0.06], size: [0.09, 0.14, 0.05], turn: 0.2, paint: () => [228, 228, 222] },
 ];
 
-// A depth buffer at 2 mrad a pixel: a sample is seen if it faces the camera and nothing is nearer.
+// A depth buffer of 2 mrad per pixel: a sample is visible if it faces the camera and is the nearest.
 function visibleSamples(samples) {
   const nearest = new Map();
   const rays = samples.map(({ p }) => {
@@ -158,7 +158,7 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
   for (let i = 0; i < clutter; ++i) {
     add(cloud, { p: [0.1 + 0.1 * random(), -0.32 + 0.03 * random(), 0.012], n: [0, 0, 1], c: [120, 124, 130] });
   }
-  // Masks may overlap: the carton takes a few points of the can before it.
+  // Masks may overlap: the carton includes a few points of the can in front of it.
   objects[4].points = [...objects[0].points.slice(0, 8), ...objects[4].points];
   const around = scan ? { surface: scannedSurface(SOLIDS), trajectory: sweep() } : {};
   return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, rejected: refusals(random) });

@@ -27,7 +27,7 @@ test('labels never cover each other, the controls or the border', () => {
   }
 });
 
-test('the best object that is switched on owns a point of two masks', () => {
+test('the visible object with the highest score owns a point of two masks', () => {
   const objects = [{ index: 0, points: [0, 1] }, { index: 1, points: [1, 2] }];
   const owners = (...on) => [...pointOwners(4, objects, (index) => on.includes(index))];
   assert.deepEqual(owners(0, 1), [0, 0, 1, REST]);
@@ -36,7 +36,7 @@ test('the best object that is switched on owns a point of two masks', () => {
   assert.deepEqual(owners(), [HIDDEN, HIDDEN, HIDDEN, REST]);
 });
 
-test('the display frame is rigid, keeps up up and puts the table at zero', () => {
+test('the display frame is rigid, with y up and the table at zero', () => {
   const scene = decodePayload(tabletop());
   const frame = tableFrame(scene);
   const axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(frame.direction);
@@ -48,7 +48,7 @@ test('the display frame is rigid, keeps up up and puts the table at zero', () =>
   assert.ok(frame.direction([0, -1, 0])[2] > 0.9, 'the camera stood at −y');
 });
 
-test('the footprint is the narrowest box about a turned rectangle', () => {
+test('the footprint of a rotated rectangle is the rectangle', () => {
   const random = randomNumbers(5);
   const [c, s] = [Math.cos(0.5), Math.sin(0.5)];
   const points = Array.from({ length: 3000 }, () => {
@@ -67,7 +67,7 @@ test('positions in steps of 16 bits decode to metres', () => {
   assert.deepEqual([...cloud.positions], [1, 3, 3]);
 });
 
-test('a surface takes owners from the points on it that face its way', () => {
+test('a surface takes owners from points on it with similar normals', () => {
   const surface = { positions: Float32Array.from([0, 0, 0, 0.006, 0, 0, 0.5, 0, 0, 0, -0.001, 0]) };
   const normals = Float32Array.from([0, 0, 1, 0, 0, -1, 0, 0, 1, 0, 0, 1]);
   const cloud = {
@@ -89,7 +89,7 @@ test('triangles decode to the vertices that were encoded', () => {
   assert.deepEqual(corners, triangles.flat());
 });
 
-test('neighbouring numbers have colours apart, with legible ink', () => {
+test('consecutive objects have distinct colours and legible text', () => {
   for (let i = 0; i < 40; ++i) {
     const [a, b] = [objectColor(i), objectColor(i + 1)];
     assert.ok(Math.hypot(...a.map((value, k) => value - b[k])) > 60, `${i}`);

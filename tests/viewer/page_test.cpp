@@ -46,7 +46,7 @@ TEST(Page, IsOneDocumentWithoutPlaceholders) {
   EXPECT_EQ(occurrences(page, "<script"), 2U);
 }
 
-TEST(Page, TextFromOutsideCannotBecomeMarkup) {
+TEST(Page, EscapesMarkupInTexts) {
   const std::string hostile = "</title></script><script>alert(1)</script><!--";
   SegmentationResult result = small_result();
   result.timings[0].stage = hostile;
@@ -59,12 +59,12 @@ TEST(Page, TextFromOutsideCannotBecomeMarkup) {
   }
 }
 
-TEST(Page, TextThatIsNotUtf8StillMakesAPage) {
+TEST(Page, AcceptsTextThatIsNotUtf8) {
   const std::string page = render_page(small_result(), {.title = "caf\xE9"});
   EXPECT_NE(page.find("caf\\ufffd"), std::string::npos);
 }
 
-TEST(Payload, HoldsWhatTheResultHolds) {
+TEST(Payload, HoldsTheContentsOfTheResult) {
   const std::string json = page_payload(small_result(), {.title = "t"});
   EXPECT_NE(json.find(R"("funnel":[{"count":3,"step":"axes"}])"), std::string::npos);
   EXPECT_NE(json.find(R"("points":"AAAAAAEAAAA=")"), std::string::npos);
@@ -72,21 +72,21 @@ TEST(Payload, HoldsWhatTheResultHolds) {
   EXPECT_NE(json.find(R"("up":[0.0,0.0,1.0])"), std::string::npos);
 }
 
-TEST(Payload, CoordinatesAreStepsOverTheBoxAndFloatsWhereTheBoxIsLarge) {
+TEST(Payload, QuantizesCoordinatesUnlessTheBoxIsLarge) {
   SegmentationResult result = small_result(2);
   EXPECT_NE(page_payload(result).find(R"("data":"AAAAAAAA//8AAAAA")"), std::string::npos);
   result.cloud.positions(1, 0) = 100.0F;
   EXPECT_NE(page_payload(result).find(R"("encoding":"f32")"), std::string::npos);
 }
 
-TEST(Payload, TheTableGivesUpAndHeight) {
+TEST(Payload, TakesUpDirectionAndHeightFromTheTable) {
   const Plane table{Eigen::Vector3d(0.0, -2.0, 0.0), 1.0};
   const std::string json = page_payload(small_result(), {.table = table});
   EXPECT_NE(json.find(R"("table":-0.5)"), std::string::npos);
   EXPECT_NE(json.find("-1.0,0.0]"), std::string::npos);
 }
 
-TEST(Payload, AnEmptyResultIsFine) {
+TEST(Payload, AcceptsAnEmptyResult) {
   const std::string json = page_payload(SegmentationResult{});
   EXPECT_NE(json.find(R"("objects":[])"), std::string::npos);
 }
@@ -111,7 +111,7 @@ TriangleMesh small_surface() {
 
 const PageSurfaceOptions wide_reach{.reach = 0.03F};
 
-TEST(PageSurface, IsWhatLiesAroundTheObjects) {
+TEST(PageSurface, IsTheSurfaceAroundTheObjects) {
   const TriangleMesh shown = page_surface(small_surface(), small_result(), wide_reach);
   EXPECT_GT(shown.triangles.rows(), 100);
   // The object's points are at x = 0 and 0.1.
@@ -120,7 +120,7 @@ TEST(PageSurface, IsWhatLiesAroundTheObjects) {
   EXPECT_LE(farthest, 0.05F + wide_reach.margin + 1e-5F);
 }
 
-TEST(PageSurface, IsAroundTheCloudWhereThereIsNoObject) {
+TEST(PageSurface, IsAroundTheCloudIfThereIsNoObject) {
   SegmentationResult result = small_result();
   result.objects.clear();
   EXPECT_GT(page_surface(small_surface(), result, wide_reach).triangles.rows(),
@@ -128,7 +128,7 @@ TEST(PageSurface, IsAroundTheCloudWhereThereIsNoObject) {
   EXPECT_EQ(page_surface(small_surface(), SegmentationResult{}).triangles.rows(), 0);
 }
 
-TEST(PageSurface, DoingItTwiceChangesNothing) {
+TEST(PageSurface, IsIdempotent) {
   PageSurfaceOptions options = wide_reach;
   options.max_triangles = 150;
   const TriangleMesh once = page_surface(small_surface(), small_result(), options);
@@ -138,7 +138,7 @@ TEST(PageSurface, DoingItTwiceChangesNothing) {
   EXPECT_EQ(twice.triangles.rows(), once.triangles.rows());
 }
 
-TEST(PageSurface, OfAnotherFrameIsRefused) {
+TEST(PageSurface, RefusesASurfaceOfAnotherFrame) {
   TriangleMesh elsewhere = small_surface();
   elsewhere.vertices.col(2).array() += 0.1F;
   EXPECT_THROW(page_surface(elsewhere, small_result()), InputError);
@@ -149,7 +149,7 @@ TEST(PageSurface, OfAnotherFrameIsRefused) {
   EXPECT_THROW(page_surface(elsewhere, small_result()), InputError);
 }
 
-TEST(Payload, ASurfaceAndAPathAreThereIfTheyAreGiven) {
+TEST(Payload, HoldsSurfaceAndPathIfGiven) {
   const std::string without = page_payload(small_result());
   EXPECT_NE(without.find(R"("surface":null)"), std::string::npos);
   EXPECT_NE(without.find(R"("trajectory":null)"), std::string::npos);
@@ -168,7 +168,7 @@ TEST(Payload, ASurfaceAndAPathAreThereIfTheyAreGiven) {
   EXPECT_NE(json.find(R"("forward":[0.0,0.0,1.0])"), std::string::npos);
 }
 
-TEST(Payload, ABrokenResultIsRefused) {
+TEST(Payload, RefusesAnInvalidResult) {
   SegmentationResult outside = small_result();
   outside.objects[0].points = {99};
   EXPECT_THROW(page_payload(outside), InputError);

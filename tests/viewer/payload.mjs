@@ -1,4 +1,4 @@
-// Writes payloads as the C++ side does, and puts them into the built page.
+// Writes payloads like the C++ code, and inserts them into the built page.
 import { readFile, writeFile } from 'node:fs/promises';
 
 const base64 = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength).toString('base64');

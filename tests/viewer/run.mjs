@@ -1,5 +1,5 @@
 // The page in a browser: node --test run.mjs, after `npm ci && npm run build` in viewer/.
-// CHROMIUM names the browser; SYMSCENE_PAGE a page that C++ made (make_page), which is then tested too.
+// CHROMIUM names the browser; SYMSCENE_PAGE is a page made by C++ (make_page) to test too.
 import assert from 'node:assert/strict';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -10,7 +10,7 @@ import { emptyResult, noPoints, tabletop } from './fixture.mjs';
 import { writePage } from './payload.mjs';
 import './modules.mjs';
 
-// Drawn without a graphics card: what is not about layout is tested in a small window.
+// Tests run without a graphics card, so that those not about layout use a small window.
 const WINDOW = { viewport: { width: 960, height: 600 } };
 const DESKTOP = { viewport: { width: 1280, height: 800 } };
 const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
@@ -39,7 +39,7 @@ function hostileScene() {
   return scene;
 }
 
-/** A browser test: body gets the page and fails if the page complained or asked the network. */
+/** A browser test. It fails if the page logs an error or warning, or requests the network. */
 function pageTest(name, path, options, body, hash = '') {
   test(name, { timeout: 120000 }, () => withBrowser(options, async (context) => {
     const { page, trouble } = await openPage(context, path(), hash);
@@ -75,7 +75,7 @@ function layoutProblems(page) {
 describe('a result with objects', () => {
   const path = () => pages.tabletop;
 
-  pageTest('is drawn, listed and then left alone', path, WINDOW, async (page) => {
+  pageTest('draws and lists the scene, then stops drawing', path, WINDOW, async (page) => {
     assert.equal(await page.locator('.object').count(), 8);
     assert.equal(await page.locator('.label').count(), 8);
     assert.equal(await page.title(), 'Synthetic tabletop');
@@ -87,7 +87,7 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'frames'), frames, 'nothing is drawn while nothing changes');
   });
 
-  pageTest('switches objects on and off', path, WINDOW, async (page) => {
+  pageTest('shows and hides objects', path, WINDOW, async (page) => {
     const everything = await hook(page, 'pixels()');
     await page.click('.object:nth-child(3) .eye');
     assert.deepEqual(await hook(page, 'visible'), [0, 1, 3, 4, 5, 6, 7]);
@@ -102,7 +102,7 @@ describe('a result with objects', () => {
     assert.equal((await hook(page, 'pixels()')).hash, everything.hash);
   });
 
-  pageTest('draws every layer that is switched on', path, WINDOW, async (page) => {
+  pageTest('draws every visible layer', path, WINDOW, async (page) => {
     const hashes = [(await hook(page, 'pixels()')).hash];
     for (const key of ['planes', 'axes', 'rest', 'completed']) {
       const before = await pressed(page, `[data-toggle=${key}]`);
@@ -117,7 +117,7 @@ describe('a result with objects', () => {
     assert.equal(new Set(hashes).size, hashes.length, 'every change is seen');
   });
 
-  pageTest('has no switch for a mesh and a path that it does not have', path, WINDOW, async (page) => {
+  pageTest('has no toggle for a missing mesh and path', path, WINDOW, async (page) => {
     assert.equal(await page.locator('[data-toggle=mesh], [data-toggle=path]').count(), 0);
     const before = await hook(page, 'pixels()');
     await page.keyboard.press('m');
@@ -127,7 +127,7 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'path'), false);
   });
 
-  pageTest('selects what is clicked', path, WINDOW, async (page) => {
+  pageTest('selects the clicked object', path, WINDOW, async (page) => {
     for (const id of [0, 2, 5]) {
       const { x, y } = await hook(page, `clickPoint(${id})`);
       await page.mouse.click(x, y);
@@ -140,7 +140,7 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'selected'), 1);
   });
 
-  pageTest('obeys the keyboard', path, WINDOW, async (page) => {
+  pageTest('handles the keyboard', path, WINDOW, async (page) => {
     await page.keyboard.press(']');
     assert.equal(await hook(page, 'selected'), 0);
     await page.keyboard.press('Escape');
@@ -185,7 +185,7 @@ describe('a result with objects', () => {
     });
   }
 
-  pageTest('gives the scene most of a phone, whose sheet moves', path, PHONE, async (page) => {
+  pageTest('gives the scene most of a phone, with a movable sheet', path, PHONE, async (page) => {
     const top = () => page.evaluate(() => document.querySelector('.panel').getBoundingClientRect().top);
     const half = await top();
     assert.ok(half > 0.55 * 844);
@@ -209,7 +209,7 @@ describe('a result with objects', () => {
 describe('a result with the surface that was reconstructed', () => {
   const path = () => pages.scanned;
 
-  pageTest('shows the mesh first, which can be switched off', path, WINDOW, async (page) => {
+  pageTest('shows the mesh by default, and can hide it', path, WINDOW, async (page) => {
     assert.equal(await hook(page, 'mesh'), true);
     assert.equal(await hook(page, 'path'), false);
     const shown = await hook(page, 'pixels()');
@@ -221,7 +221,7 @@ describe('a result with the surface that was reconstructed', () => {
     assert.equal((await hook(page, 'pixels()')).hash, shown.hash);
   });
 
-  pageTest('colours the mesh by what is switched on', path, WINDOW, async (page) => {
+  pageTest('colours the mesh by visible objects', path, WINDOW, async (page) => {
     const hashes = [(await hook(page, 'pixels()')).hash];
     for (const key of ['1', '3']) {
       await page.keyboard.press(key);
@@ -233,7 +233,7 @@ describe('a result with the surface that was reconstructed', () => {
     assert.ok((await hook(page, 'pixels()')).filled > 0.3, 'the mesh stays where its objects are off');
   });
 
-  pageTest('still selects what is clicked', path, WINDOW, async (page) => {
+  pageTest('selects the clicked object on the mesh', path, WINDOW, async (page) => {
     for (const id of [0, 2, 5]) {
       const { x, y } = await hook(page, `clickPoint(${id})`);
       await page.mouse.click(x, y);
@@ -241,7 +241,7 @@ describe('a result with the surface that was reconstructed', () => {
     }
   });
 
-  pageTest('shows the path of the camera, and makes room for it', path, DESKTOP, async (page) => {
+  pageTest('shows the path of the camera, and frames it', path, DESKTOP, async (page) => {
     const before = await hook(page, 'pixels()');
     await page.keyboard.press('v');
     assert.equal(await hook(page, 'path'), true);
@@ -253,18 +253,18 @@ describe('a result with the surface that was reconstructed', () => {
     assert.equal((await hook(page, 'pixels()')).hash, before.hash);
   });
 
-  pageTest('takes both from the address', path, WINDOW, async (page) => {
+  pageTest('takes mesh and path from the address', path, WINDOW, async (page) => {
     assert.equal(await hook(page, 'mesh'), false);
     assert.equal(await hook(page, 'path'), true);
   }, '#mesh=0&path=1');
 
-  pageTest('has nothing that covers another thing on a phone', path, PHONE, async (page) => {
+  pageTest('has no overlapping elements on a phone', path, PHONE, async (page) => {
     assert.deepEqual(await layoutProblems(page), []);
   });
 });
 
 describe('other results', () => {
-  pageTest('hostile names are shown as text', () => pages.hostile, DESKTOP, async (page) => {
+  pageTest('shows hostile names as text', () => pages.hostile, DESKTOP, async (page) => {
     assert.equal(await page.textContent('h1'), HOSTILE);
     assert.equal(await page.title(), HOSTILE);
     assert.equal(await page.evaluate('window.hacked'), undefined);
@@ -273,17 +273,17 @@ describe('other results', () => {
     assert.deepEqual(await layoutProblems(page), []);
   });
 
-  pageTest('no object is said, with the reasons', () => pages.empty, WINDOW, async (page) => {
+  pageTest('reports that there is no object, with the reasons', () => pages.empty, WINDOW, async (page) => {
     assert.match(await page.textContent('.empty'), /No object was found/);
     assert.ok(await page.isVisible('.funnel'));
     assert.ok((await hook(page, 'pixels()')).filled > 0.05, 'the scan is still drawn');
   });
 
-  pageTest('no point is no error', () => pages.noPoints, PHONE, async (page) => {
+  pageTest('accepts a cloud without points', () => pages.noPoints, PHONE, async (page) => {
     assert.match(await page.textContent('.empty'), /no points/);
   });
 
-  test('a page that C++ made is drawn', { skip: !process.env.SYMSCENE_PAGE, timeout: 120000 }, () =>
+  test('draws a page made by C++', { skip: !process.env.SYMSCENE_PAGE, timeout: 120000 }, () =>
     withBrowser(DESKTOP, async (context) => {
       const { page, trouble } = await openPage(context, process.env.SYMSCENE_PAGE);
       assert.deepEqual(trouble, []);

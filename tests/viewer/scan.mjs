@@ -1,5 +1,5 @@
-// What a reconstruction adds to the made-up tabletop: a mesh of the table and of what stands on it,
-// and the path of the camera.
+// The reconstruction of the synthetic tabletop: a mesh of the table and the objects, and the path of
+// the camera.
 
 const GRAIN = 0.01;
 
