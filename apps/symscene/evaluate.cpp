@@ -70,7 +70,7 @@ struct Evaluate {
 
   OptionFields configure() {
     return configure_options(options.pipeline, shared.config,
-                             [&] { read_models(options.pipeline.models); });
+                             [&] { read_score_models(options.pipeline.models); });
   }
 
   Evaluation evaluate(const std::vector<DatasetEntry>& entries, Session& session) const {

@@ -6,7 +6,7 @@
 
 namespace symscene::app {
 
-void read_models(ModelOptions& options) {
+void read_score_models(ModelOptions& options) {
   options.for_each([](ModelChoice& choice) {
     if (!choice.file.empty())
       choice.model = std::make_shared<const TreeModel>(read_tree_model(choice.file));

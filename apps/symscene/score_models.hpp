@@ -5,6 +5,6 @@
 namespace symscene::app {
 
 /// Reads the models that the options name by a file. Throws InputError if one cannot be read.
-void read_models(ModelOptions& options);
+void read_score_models(ModelOptions& options);
 
 }  // namespace symscene::app

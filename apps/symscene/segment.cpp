@@ -23,7 +23,7 @@ struct Segment {
   std::optional<int> repeat;
 
   OptionFields configure() {
-    return configure_options(options, shared.config, [&] { read_models(options.models); });
+    return configure_options(options, shared.config, [&] { read_score_models(options.models); });
   }
 
   void check_outputs() const {
