@@ -22,7 +22,7 @@ std::string describe(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-/// The number of letters to change, add or drop to turn one word into the other.
+/// Levenshtein distance: letters to change, add or drop between two words.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -50,7 +50,7 @@ std::vector<std::string> names_and_groups(const OptionFields& fields) {
   return names;
 }
 
-/// Reads values into fields; knows the file for its messages.
+/// Sets fields from JSON values; its errors name the file.
 class Assignment {
  public:
   Assignment(std::string file, const OptionFields& fields)
@@ -120,7 +120,7 @@ class Assignment {
     target = value.get<std::string>();
   }
 
-  /// The name, with the option or group most like it if one is.
+  /// The name, with the most similar option or group if one is similar.
   std::string unknown(const std::string& name) const {
     std::string best;
     std::size_t least = name.size() / 2 + 1;

@@ -91,8 +91,8 @@ struct Dataset {
     const auto total = static_cast<std::size_t>(options.scenes);
     const std::size_t before = total - wanted.size();
     if (!has_physics())
-      session.say("this build has no physics: all objects are arranged, none are dropped");
-    if (before > 0) session.say(fmt::format("{} of {} scenes exist already", before, total));
+      session.print_line("this build has no physics: all objects are arranged, none are dropped");
+    if (before > 0) session.print_line(fmt::format("{} of {} scenes exist already", before, total));
     DatasetTally tally(total, wanted.size());
     session.on_begin()(tally.progress());
     pool.run(wanted, [&](const ItemOutcome& outcome) {
@@ -104,8 +104,8 @@ struct Dataset {
       throw InputError(dir.string(), fmt::format("{} scenes", total),
                        fmt::format("{}, as {} could not be made", total - failed.size(),
                                    fmt::join(failed, ", ")));
-    session.say(fmt::format("{}: {} scenes, {} made now with {} objects", dir.string(), total,
-                            wanted.size(), tally.objects()));
+    session.print_line(fmt::format("{}: {} scenes, {} made now with {} objects", dir.string(),
+                                   total, wanted.size(), tally.objects()));
     session.finish({{"output", dir}, {"scenes", total}, {"made", wanted.size()}}, tally.stages());
   }
 };

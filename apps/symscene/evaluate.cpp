@@ -104,26 +104,28 @@ struct Evaluate {
     text += shared.config.empty() ? "Default options"
                                   : fmt::format("Options of {}", shared.config.filename().string());
     return text + fmt::format(", baselines {}{}.", baselines,
-                              fast ? ", without the variant by planes" : "");
+                              fast ? ", without the variant by planes alone" : "");
   }
 
-  void say(const Evaluation& evaluation, const std::string& json, const std::string& then,
-           Session& session) const {
-    session.say(fmt::format("{}; F in percent\n", what_was_evaluated(evaluation)));
-    session.say(headline_text(evaluation.segmentation) + "\n" +
-                default_text(evaluation.segmentation) + format_subsets(evaluation));
-    session.say(missed_object_text(evaluation));
-    session.say(runtime_text(evaluation));
-    if (!then.empty()) session.say(report_difference(json, then, earlier.string()));
-    session.say((shared.output / "report.html").string());
+  void print_summary(const Evaluation& evaluation, const std::string& json,
+                     const std::string& earlier_json, Session& session) const {
+    session.print_line(fmt::format("{}; F in percent\n", what_was_evaluated(evaluation)));
+    session.print_line(headline_text(evaluation.segmentation) + "\n" +
+                       default_text(evaluation.segmentation) + format_subsets(evaluation));
+    session.print_line(missed_object_text(evaluation));
+    session.print_line(runtime_text(evaluation));
+    if (!earlier_json.empty())
+      session.print_line(report_difference(json, earlier_json, earlier.string()));
+    session.print_line((shared.output / "report.html").string());
   }
 
   void run() {
     configure();
     require_not_input(shared.output, dataset);
     { const AtomicDirectory can_be_written(absolute(shared.output), report_layout); }
-    const std::string then = earlier.empty() ? "" : read_file(earlier);
-    if (!then.empty()) report_difference(then, then, earlier.string());  // before the work
+    const std::string earlier_json = earlier.empty() ? "" : read_file(earlier);
+    if (!earlier_json.empty())
+      report_difference(earlier_json, earlier_json, earlier.string());  // before the work
     options.reflectional_only = !fast;
     options.baselines = baseline_methods(baselines);
     Session session("evaluate", shared);
@@ -137,7 +139,7 @@ struct Evaluate {
     const ReportInfo info{folder_name(dataset), today(), SYMSCENE_VERSION, made_with(listing)};
     const std::string json = report_json(evaluation, info);
     write_report(absolute(shared.output), evaluation, info, json);
-    say(evaluation, json, then, session);
+    print_summary(evaluation, json, earlier_json, session);
     session.finish(
         {{"output", shared.output},
          {"scenes", evaluation.scenes.size()},
@@ -155,14 +157,15 @@ void add_evaluate(CommandLine& line) {
                       "Compare the objects found in scenes with their ground truth",
                       "symscene evaluate dataset -o report");
   arguments.input(state->dataset, "DATASET",
-                  "dataset folder, or any folder of scene folders with truth");
+                  "dataset folder, or any folder of scene folders with ground truth");
   arguments.required_output(state->shared, "report folder to write");
-  arguments.file("--compare", state->earlier, "report.json of an earlier run: print what changed");
+  arguments.file("--compare", state->earlier,
+                 "report.json of an earlier run: print the differences");
   arguments.text(
       "--baselines", state->baselines,
-      ("methods to compare with, with commas between: " + baseline_names() + " (default: all)")
+      ("baselines to compare with, separated by commas: " + baseline_names() + " (default: all)")
           .c_str());
-  arguments.flag("--fast", state->fast, "leave out the variant without rotations");
+  arguments.flag("--fast", state->fast, "leave out the variant without the rotational stream");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

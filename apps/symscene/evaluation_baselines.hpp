@@ -7,11 +7,11 @@
 
 namespace symscene::app {
 
-/// What --baselines may name in this build: "all, none, ...".
+/// The values of --baselines in this build: "all, none, ...".
 std::string baseline_names();
 
-/// The methods that --baselines asks for: "all" of this build, "none", or names with commas
-/// between. Throws InputError if this build has no method of a name.
+/// The baselines of --baselines: "all" of this build, "none", or names separated by commas. Throws
+/// InputError if this build does not have one of them.
 std::vector<BaselineMethod> baseline_methods(const std::string& names);
 
 }  // namespace symscene::app

@@ -121,7 +121,7 @@ struct Reconstruct {
     const PosesAndTruth known = poses_and_truth(sequence, placed);
     if (known.truth.size() < 3) return;
     const TrajectoryError error = trajectory_error(known.poses, known.truth);
-    session.say(fmt::format(
+    session.print_line(fmt::format(
         "against the sequence's {} poses ({:.2f} m): absolute error {:.1f} mm, relative {:.1f} mm "
         "and {:.2f} degrees over {} frames, drift {:.1f} mm",
         error.poses, error.length, 1e3 * error.absolute, 1e3 * error.relative,
@@ -140,7 +140,7 @@ struct Reconstruct {
     Reconstruction reconstruction(sequence->camera(), options.reconstruction);
     FrameLog log;
     const PlacedFrames placed = add_frames(*sequence, reconstruction, log, session, timer);
-    for (const std::string& line : log.lines()) session.say(line);
+    for (const std::string& line : log.lines()) session.print_line(line);
     if (placed.frames.empty())
       throw InputError(path.string(), "a frame that can be fused", log.first_run());
     report_trajectory(*sequence, placed, session);

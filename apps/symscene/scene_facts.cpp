@@ -106,8 +106,8 @@ void add_truth(Facts& facts, const SceneTruth& truth) {
   for (const TrueObject& object : truth.objects) {
     names += (names.empty() ? ": " : ", ") + object.name;
   }
-  facts.add("truth", fmt::format("{} objects{}", truth.objects.size(), names), "true_objects",
-            truth.objects.size());
+  facts.add("ground truth", fmt::format("{} objects{}", truth.objects.size(), names),
+            "true_objects", truth.objects.size());
 }
 
 }  // namespace

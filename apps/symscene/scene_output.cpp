@@ -29,9 +29,9 @@ void report_table(const std::filesystem::path& input, const TableScene& table, S
         found.empty() ? "no plane" : fmt::format("only the planes {}", fmt::join(found, "; ")));
   }
   const auto& supports = table.planes.supports;
-  session.say(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
-                          plane_numbers(supports.front().plane), supports.front().area,
-                          1e3 * supports.front().residual));
+  session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
+                                 plane_numbers(supports.front().plane), supports.front().area,
+                                 1e3 * supports.front().residual));
   for (std::size_t k = 1; k < supports.size(); ++k) {
     session.warn(fmt::format("another plane also has objects on it: --plane {} ({:.2f} m^2)",
                              plane_numbers(supports[k].plane), supports[k].area));
@@ -103,9 +103,9 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
   const auto vertices = static_cast<std::uint64_t>(surface.vertices.rows());
   const auto memory = static_cast<std::uint64_t>(reconstruction.volume().bytes() +
                                                  reconstruction.occupancy().memory());
-  session.say(fmt::format("{}: {} points of objects, {} mesh vertices, model of {:.0f} MB",
-                          output.string(), built.scene.cloud.size(), vertices,
-                          1e-6 * static_cast<double>(memory)));
+  session.print_line(fmt::format("{}: {} points of objects, {} mesh vertices, model of {:.0f} MB",
+                                 output.string(), built.scene.cloud.size(), vertices,
+                                 1e-6 * static_cast<double>(memory)));
   return {{"points", built.scene.cloud.size()}, {"vertices", vertices}, {"model_bytes", memory}};
 }
 

@@ -63,10 +63,12 @@ struct Segment {
     Session session("segment", shared);
     session.on_begin()("read");
     const Scene input = read_scene(scene);
+    session.warn(input.warnings);
     const SegmentationResult result = naming(scene, [&] { return segment(input, session); });
+    session.warn(result.warnings);
     session.on_begin()("write");
     write_outputs(result, scene_surroundings(scene, result, session));
-    session.say(format_objects(result));
+    session.print_line(format_objects(result));
     session.finish({{"output", shared.output},
                     {"objects", result.objects.size()},
                     {"points", result.cloud.size()}},

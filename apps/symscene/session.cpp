@@ -54,7 +54,7 @@ void Session::print(const std::string& text) {
   print_output(text);
 }
 
-void Session::say(const std::string& line) {
+void Session::print_line(const std::string& line) {
   if (!shared_.quiet) print(line + "\n");
 }
 

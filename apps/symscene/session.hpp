@@ -50,7 +50,7 @@ class Session {
   /// Prints output that --quiet does not suppress.
   void print(const std::string& text);
   /// Prints a line, not with --quiet.
-  void say(const std::string& line);
+  void print_line(const std::string& line);
   /// Prints warnings on standard error, with --quiet too.
   void warn(const std::string& line);
   void warn(const std::vector<std::string>& lines);

@@ -83,7 +83,8 @@ struct Simulate {
     });
     const Index points = simulated.scene.cloud.size();
     const std::size_t count = simulated.truth.objects.size();
-    session.say(fmt::format("{}: {} objects, {} points", shared.output.string(), count, points));
+    session.print_line(
+        fmt::format("{}: {} objects, {} points", shared.output.string(), count, points));
     session.finish({{"output", shared.output}, {"objects", count}, {"points", points}},
                    timer.stages());
   }
@@ -105,7 +106,8 @@ struct Simulate {
     });
     const std::size_t count = table.objects.size();
     const auto taken = static_cast<std::uint64_t>(sweep.camera.frames);
-    session.say(fmt::format("{}: {} objects, {} frames", shared.output.string(), count, taken));
+    session.print_line(
+        fmt::format("{}: {} objects, {} frames", shared.output.string(), count, taken));
     session.finish({{"output", shared.output}, {"objects", count}, {"frames", taken}},
                    timer.stages());
   }

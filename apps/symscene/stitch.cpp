@@ -142,7 +142,7 @@ struct Stitch {
     const PosesAndTruth known = poses_and_truth(sequence, placed);
     if (known.truth.size() < 3) return;
     const TrajectoryError error = trajectory_error(known.poses, known.truth, 1);
-    session.say(fmt::format(
+    session.print_line(fmt::format(
         "against the sequence's {} poses: absolute error {:.1f} mm, largest {:.1f} mm; from one "
         "frame to the next {:.1f} mm and {:.2f} degrees",
         error.poses, 1e3 * error.absolute, 1e3 * error.absolute_max, 1e3 * error.relative,
@@ -176,7 +176,7 @@ struct Stitch {
     const StitchingResult stitched =
         stitch_frames(read.frames, sequence->camera(), options.stitching);
     for (const StageTime& time : stitched.times) timer.add(time.stage, time.seconds);
-    for (const std::string& line : stitch_lines(stitched, read.numbers)) session.say(line);
+    for (const std::string& line : stitch_lines(stitched, read.numbers)) session.print_line(line);
     require_placed(stitched);
     const PlacedFrames placed = placed_frames(stitched, read);
     report_poses(*sequence, placed, session);

@@ -91,8 +91,8 @@ struct Symmetry {
   void write(const ObjectSymmetries& found, Session& session) const {
     if (!shared.output.empty()) {
       write_file_atomically(shared.output, format_symmetries(found));
-      session.say(fmt::format("{}: {} axes, {} planes", shared.output.string(),
-                              found.rotational.size(), found.reflectional.size()));
+      session.print_line(fmt::format("{}: {} axes, {} planes", shared.output.string(),
+                                     found.rotational.size(), found.reflectional.size()));
     } else if (!shared.json) {
       session.print(format_symmetries(found));
     }

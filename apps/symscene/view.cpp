@@ -36,8 +36,8 @@ struct View {
       return naming(result, [&] { return render_page(input, options); });
     });
     timer.time("write", [&] { write_file_atomically(shared.output, page); });
-    session.say(fmt::format("{}: {} objects, {:.1f} MB", shared.output.string(),
-                            input.objects.size(), 1e-6 * static_cast<double>(page.size())));
+    session.print_line(fmt::format("{}: {} objects, {:.1f} MB", shared.output.string(),
+                                   input.objects.size(), 1e-6 * static_cast<double>(page.size())));
     session.finish(
         {{"output", shared.output}, {"objects", input.objects.size()}, {"bytes", page.size()}},
         timer.stages());
