@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/parallel.hpp"
+#include "proposals/object_proposals.hpp"
 #include "setting_counts.hpp"
 #include "symmetry/mask_symmetry.hpp"
 #include "symscene/core/error.hpp"

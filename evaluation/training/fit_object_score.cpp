@@ -1,48 +1,46 @@
-// Fits the probability that a proposal is an object to datasets with truth: see README.md.
+// Fits the models object_alone and object_among_others to datasets with ground truth
+// (benchmarks/README.md).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "core/parallel.hpp"
-#include "io/atomic_file.hpp"
+#include "fitting.hpp"
 #include "proposals/object_score.hpp"
+#include "proposals/selection.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
-#include "symscene/pipeline/pipeline.hpp"
-#include "symscene/proposals/selection.hpp"
-#include "tree_fitting.hpp"
 
 namespace symscene::bench {
 namespace {
 
 struct Arguments : FitArguments {
-  double half_right = 0.35;          ///< target of a proposal with an IoU between 0.75 and 0.9
-  std::vector<double> beliefs{0.6};  ///< in the confidence of cuts, to compare
+  double partial_target = 0.35;  ///< target of a proposal with an IoU from 0.75 to 0.9
+  /// Weights of the cut's confidence in the combined score that are compared.
+  std::vector<double> confidence_weights{ObjectScoreOptions{}.confidence_weight};
 };
 
-/// What a scene proposes, and what it should have.
+/// The proposals of a scene and its ground truth.
 struct ScoredScene {
   std::size_t dataset = 0;
-  std::size_t number = 0;  ///< alike for a scene and its noisy copies
+  std::size_t number = 0;  ///< the same for a scene and its noisy copies
   std::vector<PointIndices> truth;
   std::vector<SceneObject> objects;
-  std::vector<Sample> samples;      ///< one an object
-  std::vector<double> confidences;  ///< of the cuts, one an object
+  std::vector<Sample> samples;      ///< one per object
+  std::vector<double> confidences;  ///< of the cuts, one per object
   std::optional<SharedCounts> shared;
 };
 
-/// Both tables of object_score.cpp.
-struct Model {
-  BoostedTrees alone;
-  BoostedTrees among_others;
+struct ObjectModels {
+  TreeModel alone;
+  TreeModel among_others;
 };
 
 double target_of(const std::vector<PointIndices>& truth, const PointIndices& points,
-                 double half_right) {
+                 double partial_target) {
   double best = 0.0;
   for (const PointIndices& mask : truth)
     best = std::max(best, intersection_over_union(mask, points));
-  return best > 0.9 ? 1.0 : best > 0.75 ? half_right : 0.0;
+  return best > 0.9 ? 1.0 : best > 0.75 ? partial_target : 0.0;
 }
 
 ScoredScene scored(const FitScene& given, const Arguments& arguments) {
@@ -50,13 +48,13 @@ ScoredScene scored(const FitScene& given, const Arguments& arguments) {
   ScoredScene scene;
   scene.dataset = given.dataset;
   scene.number = given.number;
-  SceneProposals proposals = propose_objects(loaded.scene);
+  SceneProposals proposals = propose_objects(loaded.scene, pipeline_options(arguments));
   scene.truth = transfer_masks(loaded.scene.cloud, loaded.truth, proposals.cloud);
   for (ObjectProposal& proposal : proposals.objects) {
     scene.samples.push_back(sample_of(
-        proposal.features, target_of(scene.truth, proposal.object.points, arguments.half_right),
+        proposal.features, target_of(scene.truth, proposal.object.points, arguments.partial_target),
         arguments.without));
-    scene.confidences.push_back(proposal.features.confidence);
+    scene.confidences.push_back(proposal.cut_confidence);
     scene.objects.push_back(std::move(proposal.object));
   }
   std::vector<const PointIndices*> sets;
@@ -65,17 +63,7 @@ ScoredScene scored(const FitScene& given, const Arguments& arguments) {
   return scene;
 }
 
-std::vector<ScoredScene> load_all(const Arguments& arguments) {
-  std::vector<ScoredScene> scenes;
-  for (const FitScene& scene : fit_scenes(arguments)) {
-    scenes.push_back(scored(scene, arguments));
-    fmt::print(stderr, "\r{} scenes", scenes.size());
-  }
-  fmt::print(stderr, "\n");
-  return scenes;
-}
-
-/// Counts at one least probability.
+/// Metrics at one threshold of the score.
 struct Counts {
   Score over_90, over_75;
 };
@@ -124,20 +112,20 @@ void print_ceiling(const std::vector<ScoredScene>& scenes) {
              scenes.size(), truth, reached, proposals);
 }
 
-std::vector<double> estimates(const BoostedTrees& alone, const ScoredScene& scene) {
+std::vector<double> estimates(const TreeModel& alone, const ScoredScene& scene) {
   std::vector<double> values;
   for (const Sample& sample : scene.samples) values.push_back(alone.probability(sample.features));
   return values;
 }
 
-/// The samples with what the scene's other proposals say, by their estimates.
+/// The samples with the relations between the proposals, given their estimates.
 std::vector<Sample> samples_among_others(const ScoredScene& scene,
                                          const std::vector<double>& estimates) {
   std::vector<Sample> samples = scene.samples;
   const std::vector<ProposalContext> contexts = proposal_contexts(*scene.shared, estimates);
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    ProposalContext::visit_fields(
-        contexts[k], [&](const char*, double value) { samples[k].features.push_back(value); });
+    const auto values = values_of(contexts[k]);
+    samples[k].features.insert(samples[k].features.end(), values.begin(), values.end());
   }
   return samples;
 }
@@ -146,29 +134,33 @@ void append(std::vector<Sample>& samples, const std::vector<Sample>& more) {
   samples.insert(samples.end(), more.begin(), more.end());
 }
 
-/// The trees that judge a proposal among others learn from estimates by trees that do not know its
-/// scene, as they will get.
-Model fit(const std::vector<const ScoredScene*>& scenes, const BoostingOptions& options) {
+/// The second model is fitted to out-of-fold estimates of the first, as it will see them on new
+/// scenes.
+ObjectModels fit(const std::vector<const ScoredScene*>& scenes, const FitArguments& arguments) {
   constexpr std::size_t folds = 4;
-  std::vector<BoostedTrees> models(folds + 1);  // the last one knows all
-  parallel_for_each(models.size(), [&](std::size_t fold) {
+  std::vector<std::optional<TreeModel>> alone(folds + 1);  // the last one is fitted to all scenes
+  parallel_for_each(alone.size(), [&](std::size_t fold) {
     std::vector<Sample> samples;
     for (const ScoredScene* scene : scenes) {
       if (scene->number % folds != fold) append(samples, scene->samples);
     }
-    models[fold] = fit_trees(samples, options);
+    alone[fold].emplace(
+        fit_model(training_set<ObjectFeatures>("object_alone", arguments, std::move(samples)),
+                  arguments.boosting));
   });
   std::vector<Sample> samples;
   for (const ScoredScene* scene : scenes)
-    append(samples, samples_among_others(*scene, estimates(models[scene->number % folds], *scene)));
-  return {models[folds], fit_trees(samples, options)};
+    append(samples, samples_among_others(*scene, estimates(*alone[scene->number % folds], *scene)));
+  return {*alone[folds], fit_model(training_set<ObjectFeatures, ProposalContext>(
+                                       "object_among_others", arguments, std::move(samples)),
+                                   arguments.boosting)};
 }
 
-void rescore(const Model& model, double belief, ScoredScene& scene) {
-  const std::vector<Sample> samples = samples_among_others(scene, estimates(model.alone, scene));
+void rescore(const ObjectModels& models, double weight, ScoredScene& scene) {
+  const std::vector<Sample> samples = samples_among_others(scene, estimates(models.alone, scene));
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
-    scene.objects[k].score = combined_score(model.among_others.probability(samples[k].features),
-                                            scene.confidences[k], belief);
+    scene.objects[k].score = combined_score(models.among_others.probability(samples[k].features),
+                                            scene.confidences[k], weight);
   }
 }
 
@@ -181,42 +173,39 @@ Scenes of_dataset(const Scenes& scenes, std::size_t dataset) {
   return own;
 }
 
-/// Every dataset with trees that were fitted to the others.
+/// Scores each dataset with models fitted to the others.
 void cross_validate(Scenes& scenes, const Arguments& arguments) {
-  std::vector<Model> models;
-  for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
+  const auto models = fit_without_each<ObjectModels>(arguments, [&](std::size_t left_out) {
     std::vector<const ScoredScene*> others;
     for (const ScoredScene& scene : scenes) {
-      if (scene.dataset != d) others.push_back(&scene);
+      if (scene.dataset != left_out) others.push_back(&scene);
     }
-    models.push_back(fit(others, arguments.boosting));
-  }
-  for (const double belief : arguments.beliefs) {
-    for (ScoredScene& scene : scenes) rescore(models[scene.dataset], belief, scene);
-    fmt::print("each dataset scored by the others, belief {}:\n", belief);
+    return fit(others, arguments);
+  });
+  for (const double weight : arguments.confidence_weights) {
+    for (ScoredScene& scene : scenes) rescore(*models[scene.dataset], weight, scene);
+    fmt::print("each dataset scored by models of the others, confidence weight {}:\n", weight);
     print_curve(scenes);
     for (std::size_t d = 0; d < arguments.datasets.size(); ++d) {
-      fmt::print("{}, belief {}:\n", arguments.datasets[d].filename().string(), belief);
+      fmt::print("{}, confidence weight {}:\n", arguments.datasets[d].filename().string(), weight);
       print_curve(of_dataset(scenes, d));
     }
   }
 }
 
 void run(const Arguments& arguments) {
-  std::vector<ScoredScene> scenes = load_all(arguments);
+  Scenes scenes = extract_all<ScoredScene>(
+      arguments, [&](const FitScene& scene) { return scored(scene, arguments); });
   print_ceiling(scenes);
-  fmt::print("as it is:\n");
+  fmt::print("with the current models:\n");
   print_curve(scenes);
   if (arguments.datasets.size() > 1) cross_validate(scenes, arguments);
   std::vector<const ScoredScene*> all;
   for (const ScoredScene& scene : scenes) all.push_back(&scene);
-  const Model model = fit(all, arguments.boosting);
-  print_use<ObjectFeatures>(model.alone);
-  if (!arguments.output.empty()) {
-    write_file_atomically(
-        arguments.output,
-        as_table(model.alone, "symscene_fit_object_score", "object_alone") +
-            as_table(model.among_others, "symscene_fit_object_score", "object_among_others"));
+  const ObjectModels models = fit(all, arguments);
+  for (const TreeModel* model : {&models.alone, &models.among_others}) {
+    print_split_counts(*model);
+    write_model(arguments, *model);
   }
 }
 
@@ -225,11 +214,12 @@ void run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   symscene::bench::Arguments arguments;
-  CLI::App app{"Fits the probability that a proposal is an object to datasets with truth."};
+  CLI::App app{"Fits the probability that a proposal is an object to datasets with ground truth."};
   symscene::bench::add_fit_options(app, arguments);
-  app.add_option("--half-right", arguments.half_right, "target for an IoU from 0.75 to 0.9")
+  app.add_option("--partial-target", arguments.partial_target, "target for an IoU from 0.75 to 0.9")
       ->capture_default_str();
-  app.add_option("--beliefs", arguments.beliefs, "in the confidence of cuts, to compare");
-  return symscene::bench::run_fit(app, argc, argv, "symscene_fit_object_score",
+  app.add_option("--confidence-weights", arguments.confidence_weights,
+                 "weights of the cut's confidence in the combined score, to compare");
+  return symscene::bench::run_fit(app, argc, argv, arguments,
                                   [&] { symscene::bench::run(arguments); });
 }

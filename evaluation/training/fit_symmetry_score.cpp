@@ -1,25 +1,26 @@
-// Fits the probability that a plane or an axis is a symmetry of an object to datasets with truth:
-// see README.md.
-#include "core/parallel.hpp"
-#include "io/atomic_file.hpp"
+// Fits the model axis or plane to datasets with ground truth (benchmarks/README.md).
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fitting.hpp"
+#include "proposals/object_proposals.hpp"
 #include "symmetry/mask_symmetry.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
 #include "symscene/evaluation/symmetry_metrics.hpp"
-#include "symscene/pipeline/pipeline.hpp"
-#include "tree_fitting.hpp"
 
 namespace symscene::bench {
 namespace {
 
-constexpr double min_object_score = 0.25;  // of a proposal whose symmetries are learned from
-constexpr std::size_t most_objects = 40;   // a scene
-constexpr double min_overlap = 0.4;        // of a proposal and the object whose symmetry is right
+constexpr double min_object_score = 0.25;  // of a proposal whose symmetries are samples
+constexpr std::size_t max_objects = 40;    // per scene
+constexpr double min_overlap = 0.4;        // IoU of a proposal and the object of a correct symmetry
 
-/// What differs between the two kinds.
+/// The two kinds of symmetries.
 struct Axes {
   using Symmetry = RotationAxis;
-  using Measures = AxisFeatures;
-  static constexpr const char* table = "axis_score";
+  using Features = AxisFeatures;
+  static constexpr const char* model = "axis";
   static SymmetryMatch match(const SceneTruth& truth, std::span<const RotationAxis> found,
                              const SymmetryTolerance& tolerance) {
     return match_axes(truth, found, tolerance);
@@ -35,8 +36,8 @@ struct Axes {
 
 struct Planes {
   using Symmetry = ReflectionPlane;
-  using Measures = PlaneFeatures;
-  static constexpr const char* table = "plane_score";
+  using Features = PlaneFeatures;
+  static constexpr const char* model = "plane";
   static SymmetryMatch match(const SceneTruth& truth, std::span<const ReflectionPlane> found,
                              const SymmetryTolerance& tolerance) {
     return match_planes(truth, found, tolerance);
@@ -55,8 +56,8 @@ template <class Kind>
 struct Candidate {
   typename Kind::Symmetry symmetry;
   Sample sample;
-  bool is_counted = true;  ///< right or wrong, not neither
-  bool is_chosen = true;   ///< of an object that is chosen
+  bool is_sample = true;  ///< correct or wrong, not in between
+  bool is_chosen = true;  ///< of an object that is chosen
 };
 
 template <class Kind>
@@ -66,10 +67,10 @@ struct CandidatesOfScene {
   std::vector<Candidate<Kind>> candidates;
 };
 
-/// The true object that a proposal overlaps most, by itself.
+/// The object of the ground truth that a proposal overlaps most.
 struct Owner {
-  SceneTruth truth;
-  double overlap = 0.0;
+  SceneTruth truth;      ///< that object alone
+  double overlap = 0.0;  ///< IoU
 };
 
 Owner owner_of(const SceneTruth& truth, const std::vector<PointIndices>& masks,
@@ -84,10 +85,10 @@ Owner owner_of(const SceneTruth& truth, const std::vector<PointIndices>& masks,
   return owner;
 }
 
-/// Of the object that is meant: right within 3 cm, wrong beyond 10 cm.
+/// Correct within 3 cm of a symmetry of the owner, wrong beyond 10 cm.
 template <class Kind>
 Candidate<Kind> judged(const typename Kind::Symmetry& symmetry,
-                       const typename Kind::Measures& features, const Owner& owner,
+                       const typename Kind::Features& features, const Owner& owner,
                        const FitArguments& arguments) {
   SymmetryTolerance near, far;
   near.distance = 0.03;
@@ -98,14 +99,14 @@ Candidate<Kind> judged(const typename Kind::Symmetry& symmetry,
   Candidate<Kind> candidate;
   candidate.symmetry = symmetry;
   candidate.sample = sample_of(features, is_wrong ? 0.0 : 1.0, arguments.without);
-  candidate.is_counted = is_wrong || (match.right > 0 && owner.overlap > min_overlap);
+  candidate.is_sample = is_wrong || (match.right > 0 && owner.overlap > min_overlap);
   return candidate;
 }
 
 template <class Kind>
 CandidatesOfScene<Kind> candidates_of(const FitScene& given, const FitArguments& arguments) {
   LoadedEntry loaded = load(given);
-  const PipelineOptions options;
+  const PipelineOptions options = pipeline_options(arguments);
   const SceneProposals proposals = propose_objects(loaded.scene, options);
   std::vector<Rejection> rejected;
   const std::vector<SceneObject> chosen = probable_objects(proposals, options.selection, rejected);
@@ -118,7 +119,7 @@ CandidatesOfScene<Kind> candidates_of(const FitScene& given, const FitArguments&
     const bool is_chosen = std::any_of(chosen.begin(), chosen.end(), [&](const auto& object) {
       return object.points == proposal.object.points;
     });
-    if (!is_chosen && (proposal.object.score < min_object_score || count >= most_objects)) continue;
+    if (!is_chosen && (proposal.object.score < min_object_score || count >= max_objects)) continue;
     ++count;
     const Owner owner = owner_of(loaded.truth, truth, proposal.object.points);
     for (const auto& [symmetry, features] : Kind::measured(proposals, options, proposal.object)) {
@@ -131,36 +132,34 @@ CandidatesOfScene<Kind> candidates_of(const FitScene& given, const FitArguments&
 }
 
 template <class Kind>
-std::vector<CandidatesOfScene<Kind>> load_all(const FitArguments& arguments) {
-  const std::vector<FitScene> given = fit_scenes(arguments);
-  std::vector<CandidatesOfScene<Kind>> scenes(given.size());
-  parallel_for_each(given.size(),
-                    [&](std::size_t k) { scenes[k] = candidates_of<Kind>(given[k], arguments); });
-  return scenes;
-}
-
-template <class Kind>
 std::vector<Sample> samples_of(const std::vector<CandidatesOfScene<Kind>>& scenes,
                                std::size_t left_out) {
   std::vector<Sample> samples;
   for (const CandidatesOfScene<Kind>& scene : scenes) {
     if (scene.dataset == left_out) continue;
     for (const Candidate<Kind>& candidate : scene.candidates) {
-      if (candidate.is_counted) samples.push_back(candidate.sample);
+      if (candidate.is_sample) samples.push_back(candidate.sample);
     }
   }
   return samples;
 }
 
-/// Every dataset with trees that were fitted to the others.
+template <class Kind>
+TreeModel fit(std::vector<Sample> samples, const FitArguments& arguments) {
+  return fit_model(
+      training_set<typename Kind::Features>(Kind::model, arguments, std::move(samples)),
+      arguments.boosting);
+}
+
+/// Scores each dataset with a model fitted to the others.
 template <class Kind>
 void cross_validate(const std::vector<CandidatesOfScene<Kind>>& scenes,
                     const FitArguments& arguments) {
-  std::vector<BoostedTrees> models(arguments.datasets.size());
-  parallel_for_each(models.size(), [&](std::size_t d) {
-    models[d] = fit_trees(samples_of(scenes, d), arguments.boosting);
+  const auto models = fit_without_each<TreeModel>(arguments, [&](std::size_t left_out) {
+    return fit<Kind>(samples_of(scenes, left_out), arguments);
   });
-  fmt::print("each dataset judged by the others:\nmin probability      P      R      F\n");
+  fmt::print(
+      "each dataset scored by a model of the others:\nmin probability      P      R      F\n");
   SymmetryTolerance tolerance;
   tolerance.distance = 0.1;
   for (int k = 0; k <= 14; ++k) {
@@ -169,7 +168,7 @@ void cross_validate(const std::vector<CandidatesOfScene<Kind>>& scenes,
       std::vector<typename Kind::Symmetry> found;
       for (const Candidate<Kind>& candidate : scene.candidates) {
         if (candidate.is_chosen &&
-            models[scene.dataset].probability(candidate.sample.features) > 0.05 * k)
+            models[scene.dataset]->probability(candidate.sample.features) > 0.05 * k)
           found.push_back(candidate.symmetry);
       }
       score += Kind::match(scene.truth, found, tolerance).score();
@@ -181,18 +180,16 @@ void cross_validate(const std::vector<CandidatesOfScene<Kind>>& scenes,
 
 template <class Kind>
 void run(const FitArguments& arguments) {
-  const std::vector<CandidatesOfScene<Kind>> scenes = load_all<Kind>(arguments);
-  const std::vector<Sample> samples = samples_of(scenes, arguments.datasets.size());
-  fmt::print("{} candidates, {} of them right\n", samples.size(),
+  const auto scenes = extract_all<CandidatesOfScene<Kind>>(
+      arguments, [&](const FitScene& scene) { return candidates_of<Kind>(scene, arguments); });
+  std::vector<Sample> samples = samples_of(scenes, arguments.datasets.size());
+  fmt::print("{} candidates, {} of them correct\n", samples.size(),
              std::count_if(samples.begin(), samples.end(),
                            [](const Sample& sample) { return sample.target > 0.5; }));
   if (arguments.datasets.size() > 1) cross_validate(scenes, arguments);
-  const BoostedTrees model = fit_trees(samples, arguments.boosting);
-  print_use<typename Kind::Measures>(model);
-  if (!arguments.output.empty()) {
-    write_file_atomically(arguments.output,
-                          as_table(model, "symscene_fit_symmetry_score", Kind::table));
-  }
+  const TreeModel model = fit<Kind>(std::move(samples), arguments);
+  print_split_counts(model);
+  write_model(arguments, model);
 }
 
 }  // namespace
@@ -205,12 +202,12 @@ int main(int argc, char** argv) {
   arguments.boosting.rounds = 80;
   CLI::App app{
       "Fits the probability that an axis or a plane is a symmetry of an object to datasets with "
-      "truth."};
+      "ground truth."};
   std::string kind;
   app.add_option("kind", kind, "axes or planes")
       ->required()
       ->check(CLI::IsMember({"axes", "planes"}));
   add_fit_options(app, arguments);
-  return run_fit(app, argc, argv, "symscene_fit_symmetry_score",
+  return run_fit(app, argc, argv, arguments,
                  [&] { kind == "axes" ? run<Axes>(arguments) : run<Planes>(arguments); });
 }

@@ -1,4 +1,7 @@
 #include "core/parallel.hpp"
+#include "proposals/merge.hpp"
+#include "proposals/object_proposals.hpp"
+#include "proposals/selection.hpp"
 #include "symmetry/mask_symmetry.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 

@@ -79,6 +79,9 @@ void PipelineOptions::validate() const {
   reflectional_segmentation.validate();
   continuation.validate();
   merge.validate();
+  object_features.validate();
+  proposal_context.validate();
+  object_score.validate();
   selection.validate();
   object_symmetry.validate();
   completion.validate();
@@ -93,6 +96,9 @@ ProposalOptions PipelineOptions::proposal_options() const {
           reflectional_detection,
           continuation,
           merge,
+          object_features,
+          proposal_context,
+          object_score,
           models.object_alone,
           models.object_among_others};
 }

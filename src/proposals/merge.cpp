@@ -1,8 +1,6 @@
-#include "symscene/proposals/merge.hpp"
+#include "proposals/merge.hpp"
 
 #include <algorithm>
-
-#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
@@ -29,17 +27,10 @@ void add_symmetries(const Hypothesis& from, const Eigen::Vector3d& here,
 
 }  // namespace
 
-void MergeOptions::validate() const {
-  require_option(same_object >= 0.0 && same_object <= 1.0, "same_object", "an IoU in [0, 1]",
-                 same_object);
-  require_option(same_angle >= 0.0, "same_angle", "an angle of at least 0 rad", same_angle);
-  require_option(same_distance >= 0.0, "same_distance", "a distance of at least 0 m",
-                 same_distance);
-}
-
-void append_rated(const std::vector<Hypothesis>& cuts, const HypothesisBounds& bounds,
+void append_rated(const std::vector<Hypothesis>& hypotheses, const HypothesisBounds& bounds,
                   std::vector<RatedHypothesis>& rated) {
-  for (const Hypothesis& cut : cuts) rated.push_back({cut, confidence(cut.scores, bounds)});
+  for (const Hypothesis& hypothesis : hypotheses)
+    rated.push_back({hypothesis, confidence(hypothesis.scores, bounds)});
 }
 
 bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object) {
@@ -50,9 +41,10 @@ bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same
 
 std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypotheses,
                                           const PointCloud& cloud, const MergeOptions& options) {
-  std::stable_sort(
-      hypotheses.begin(), hypotheses.end(),
-      [](const RatedHypothesis& a, const RatedHypothesis& b) { return a.score > b.score; });
+  std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                   [](const RatedHypothesis& a, const RatedHypothesis& b) {
+                     return a.confidence > b.confidence;
+                   });
   std::vector<SceneObject> objects;
   for (RatedHypothesis& rated : hypotheses) {
     PointIndices& points = rated.hypothesis.points;
@@ -63,7 +55,7 @@ std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypothese
     if (same == objects.end()) {
       SceneObject object;
       object.points = std::move(points);
-      object.score = rated.score;
+      object.score = rated.confidence;
       object.centroid = here;
       same = objects.insert(objects.end(), std::move(object));
     }

@@ -9,19 +9,13 @@
 namespace symscene {
 namespace {
 
-constexpr double nearly_all = 0.95, nearly_none = 0.05;  // of the points of the lesser set
-constexpr double clearly_less = 0.9;                     // of the points of a set that holds it
-constexpr double most = 0.85;  // of a set's points, if two are to make it up
-constexpr double good = 0.2;   // estimate of a set that may cover a part
-constexpr std::size_t most_pieces = 9;
-
-/// What lies in a set, best first, and what is told of the set from that.
-class Inside {
+/// The parts of a proposal by falling estimate, and the features that they give it.
+class Parts {
  public:
-  Inside(const SharedCounts& sets, std::span<const double> estimates, std::size_t whole)
-      : sets_(sets), estimates_(estimates), whole_(whole) {
-    for (std::size_t b = 0; b < sets.sets(); ++b) {
-      if (b != whole && sets.holds(whole, b)) parts_.push_back(b);
+  Parts(const SharedCounts& proposals, std::span<const double> estimates, std::size_t whole)
+      : proposals_(proposals), estimates_(estimates), whole_(whole) {
+    for (std::size_t b = 0; b < proposals.count(); ++b) {
+      if (b != whole && proposals.contains(whole, b)) parts_.push_back(b);
     }
     std::stable_sort(parts_.begin(), parts_.end(),
                      [&](std::size_t a, std::size_t b) { return estimates_[a] > estimates_[b]; });
@@ -30,11 +24,12 @@ class Inside {
   std::size_t count() const { return parts_.size(); }
   double best() const { return parts_.empty() ? 0.0 : estimates_[parts_.front()]; }
 
-  /// The greatest estimate of a part that makes the whole up with `other`.
+  /// The greatest estimate of a part that splits the whole with `other`.
   double best_rest(std::size_t other) const {
+    const double min_size = proposals_.options().min_split_share * proposals_.size(whole_);
     for (const std::size_t part : parts_) {
-      if (sets_.are_apart(part, other) &&
-          sets_.size(part) + sets_.size(other) > most * sets_.size(whole_))
+      if (proposals_.are_disjoint(part, other) &&
+          proposals_.size(part) + proposals_.size(other) > min_size)
         return estimates_[part];
     }
     return 0.0;
@@ -50,95 +45,113 @@ class Inside {
   }
 
   void cover(ProposalContext& context) const {
-    std::vector<std::size_t> taken;
+    const ProposalContextOptions& options = proposals_.options();
+    std::vector<std::size_t> pieces;
     for (const std::size_t part : parts_) {
-      if (estimates_[part] < good || taken.size() == most_pieces) break;
-      const bool is_free = std::all_of(taken.begin(), taken.end(), [&](std::size_t other) {
-        return sets_.shared(part, other) <= 0.1 * sets_.size(part);
+      if (estimates_[part] < options.min_piece_estimate ||
+          pieces.size() == static_cast<std::size_t>(options.max_pieces))
+        break;
+      const bool is_free = std::all_of(pieces.begin(), pieces.end(), [&](std::size_t piece) {
+        return proposals_.shared(part, piece) <= options.max_piece_overlap * proposals_.size(part);
       });
       if (!is_free) continue;
-      taken.push_back(part);
-      const double share = sets_.size(part) / sets_.size(whole_);
+      pieces.push_back(part);
+      const double share = proposals_.size(part) / proposals_.size(whole_);
       context.covered += share;
       context.covered_score += estimates_[part] * share;
     }
-    context.pieces = static_cast<double>(taken.size());
+    context.pieces = static_cast<double>(pieces.size());
   }
 
  private:
-  const SharedCounts& sets_;
+  const SharedCounts& proposals_;
   std::span<const double> estimates_;
   std::size_t whole_;
   std::vector<std::size_t> parts_;
 };
 
+/// The index of the best whole, or `a` itself if there is none, and the features of wholes and
+/// conflicts.
+std::size_t compare_with_others(const SharedCounts& proposals, std::span<const double> estimates,
+                                std::size_t a, ProposalContext& context) {
+  std::size_t best_whole = a;
+  double wholes = 0.0;
+  for (std::size_t b = 0; b < proposals.count(); ++b) {
+    if (a == b || proposals.are_disjoint(a, b)) continue;
+    if (proposals.contains(b, a)) {
+      wholes += 1.0;
+      if (estimates[b] > context.whole) {
+        context.whole = estimates[b];
+        best_whole = b;
+      }
+    } else if (proposals.conflict(a, b)) {
+      context.rival = std::max(context.rival, estimates[b]);
+    }
+  }
+  context.wholes = std::log1p(wholes);
+  return best_whole;
+}
+
 }  // namespace
 
-SharedCounts::SharedCounts(std::span<const PointIndices* const> sets)
-    : counts_(sets.size() * sets.size()) {
+SharedCounts::SharedCounts(std::span<const PointIndices* const> proposals,
+                           const ProposalContextOptions& options)
+    : options_(options), counts_(proposals.size() * proposals.size()) {
   Index end = 0;
-  for (const PointIndices* set : sets) {
-    sizes_.push_back(static_cast<std::uint32_t>(set->size()));
-    if (!set->empty()) end = std::max(end, set->back() + 1);
+  for (const PointIndices* points : proposals) {
+    sizes_.push_back(static_cast<std::uint32_t>(points->size()));
+    if (!points->empty()) end = std::max(end, points->back() + 1);
   }
-  std::vector<std::vector<std::uint32_t>> sets_of(end);  // by point
-  for (std::size_t a = 0; a < sets.size(); ++a) {
-    for (const Index i : *sets[a]) sets_of[i].push_back(static_cast<std::uint32_t>(a));
+  std::vector<std::vector<std::uint32_t>> proposals_of(end);  // by point, ascending
+  for (std::size_t a = 0; a < proposals.size(); ++a) {
+    for (const Index i : *proposals[a]) proposals_of[i].push_back(static_cast<std::uint32_t>(a));
   }
-  for (const std::vector<std::uint32_t>& own : sets_of) {
+  for (const std::vector<std::uint32_t>& own : proposals_of) {
     for (const std::uint32_t a : own) {
       for (const std::uint32_t b : own) {
-        if (b > a) break;  // they ascend
-        ++counts_[(a * sets.size()) + b];
+        if (b > a) break;
+        ++counts_[(a * proposals.size()) + b];
       }
     }
   }
-  for (std::size_t a = 0; a < sets.size(); ++a) {
+  for (std::size_t a = 0; a < proposals.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b)
-      counts_[(b * sets.size()) + a] = counts_[(a * sets.size()) + b];
+      counts_[(b * proposals.size()) + a] = counts_[(a * proposals.size()) + b];
   }
 }
 
-bool SharedCounts::holds(std::size_t whole, std::size_t part) const {
-  return size(part) < clearly_less * size(whole) && shared(whole, part) > nearly_all * size(part);
+bool SharedCounts::contains(std::size_t whole, std::size_t part) const {
+  return size(part) < options_.max_part_share * size(whole) &&
+         shared(whole, part) > options_.contained_share * size(part);
 }
 
-bool SharedCounts::are_apart(std::size_t a, std::size_t b) const {
-  return shared(a, b) <= nearly_none * std::min(size(a), size(b));
+bool SharedCounts::are_disjoint(std::size_t a, std::size_t b) const {
+  return shared(a, b) <= options_.disjoint_share * std::min(size(a), size(b));
 }
 
-std::vector<ProposalContext> proposal_contexts(const SharedCounts& sets,
+bool SharedCounts::conflict(std::size_t a, std::size_t b) const {
+  return !are_disjoint(a, b) && !contains(a, b) && !contains(b, a) &&
+         shared(a, b) < options_.max_part_share * std::max(size(a), size(b));
+}
+
+std::vector<ProposalContext> proposal_contexts(const SharedCounts& proposals,
                                                std::span<const double> estimates) {
-  std::vector<std::optional<Inside>> insides(sets.sets());
-  parallel_for_each(sets.sets(), [&](std::size_t a) { insides[a].emplace(sets, estimates, a); });
-  std::vector<ProposalContext> contexts(sets.sets());
-  parallel_for_each(sets.sets(), [&](std::size_t a) {
+  std::vector<std::optional<Parts>> parts(proposals.count());
+  parallel_for_each(parts.size(),
+                    [&](std::size_t a) { parts[a].emplace(proposals, estimates, a); });
+  std::vector<ProposalContext> contexts(proposals.count());
+  parallel_for_each(contexts.size(), [&](std::size_t a) {
     ProposalContext& context = contexts[a];
     context.estimate = estimates[a];
-    std::size_t best_whole = a;
-    for (std::size_t b = 0; b < sets.sets(); ++b) {
-      if (a == b || sets.are_apart(a, b)) continue;
-      if (sets.holds(b, a)) {
-        context.wholes += 1.0;
-        if (estimates[b] > context.whole) {
-          context.whole = estimates[b];
-          best_whole = b;
-        }
-      } else if (!sets.holds(a, b) &&
-                 sets.shared(a, b) < clearly_less * std::max(sets.size(a), sets.size(b))) {
-        context.rival = std::max(context.rival, estimates[b]);
-      }
-    }
-    context.wholes = std::log1p(context.wholes);
+    const std::size_t best_whole = compare_with_others(proposals, estimates, a, context);
     if (best_whole != a) {
-      context.whole_share = sets.size(a) / sets.size(best_whole);
-      context.rest = insides[best_whole]->best_rest(a);
+      context.whole_share = proposals.size(a) / proposals.size(best_whole);
+      context.rest = parts[best_whole]->best_rest(a);
     }
-    const Inside& inside = *insides[a];
-    context.part = inside.best();
-    context.parts = std::log1p(static_cast<double>(inside.count()));
-    context.split = inside.best_split();
-    inside.cover(context);
+    context.part = parts[a]->best();
+    context.parts = std::log1p(static_cast<double>(parts[a]->count()));
+    context.split = parts[a]->best_split();
+    parts[a]->cover(context);
   });
   return contexts;
 }

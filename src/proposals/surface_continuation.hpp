@@ -2,10 +2,11 @@
 
 #include "symscene/core/point_cloud.hpp"
 #include "symscene/occupancy/distance_field.hpp"
+#include "symscene/proposals/proposal_options.hpp"
 
 namespace symscene {
 
-/// A sample of a set of points, to compare it with others.
+/// A sample of a proposal's surface.
 struct SurfaceSample {
   Points positions;
   Points normals;
@@ -13,13 +14,14 @@ struct SurfaceSample {
   float radius = 0.0F;  ///< of the ball about the centre that holds it [m]
 };
 
-SurfaceSample sample_surface(const PointCloud& cloud, const PointIndices& points);
+/// At most `max_points` points, evenly spread over `points`.
+SurfaceSample sample_surface(const PointCloud& cloud, const PointIndices& points, Index max_points);
 
-/// How much of two surfaces continues the other where nothing was seen between them, as that of an
-/// object does which something before it hides in part: the share of points of the one whose
-/// tangent plane is that of a point of the other, the smaller of both. Zero where surfaces are
-/// farther apart than `reach` [m], or the space between those points was mostly seen empty.
+/// How much two surfaces continue each other behind an occluder, in [0, 1]. A point continues the
+/// other surface if some point there has the same tangent plane; the result is the smaller of both
+/// shares of such points. Zero if the surfaces are farther apart than `max_gap`, or if the space
+/// between continuing points was mostly seen empty.
 double continuation(const SurfaceSample& a, const SurfaceSample& b, const DistanceField& field,
-                    float reach);
+                    const ContinuationOptions& options);
 
 }  // namespace symscene

@@ -137,6 +137,39 @@ TEST_F(Command, RefusesBadOptionsOfStagesInOneSentence) {
   expect_refusal("segment scene -o new --config nowhere.json", 1, "nowhere.json");
 }
 
+/// The text of an embedded model without its trees, which estimates one probability for all.
+std::string constant_model(const std::string& name, const std::string& log_odds) {
+  const std::string text = contents(fs::path(SYMSCENE_SOURCE_DIR) / "models" / (name + ".txt"));
+  return text.substr(0, text.find("base ")) + "base " + log_odds + "\ntrees 0\n";
+}
+
+TEST_F(Command, ChoosesObjectsByTheModelsThatAConfigurationNames) {
+  write(file("alone.txt"), constant_model("object_alone", "-20"));
+  write(file("among.txt"), constant_model("object_among_others", "-20"));
+  write(file("models.json"), R"({"models": {"object_alone": "alone.txt",
+      "object_among_others": "among.txt"}, "object_score": {"confidence_weight": 0.0}})");
+  ASSERT_EQ(run("segment scene -o none --config models.json").code, 0);
+  EXPECT_TRUE(objects_without_times("none").at("objects").empty());
+  EXPECT_FALSE(objects_without_times("result").at("objects").empty());
+}
+
+TEST_F(Command, RefusesModelsThatDoNotFit) {
+  write(file("alone.txt"), constant_model("object_alone", "-20"));
+  write(file("cut.txt"), constant_model("axis", "0").substr(0, 60));
+  const std::vector<std::pair<const char*, const char*>> cases = {
+      {R"({"models": {"axis": "nowhere.txt"}})", "nowhere.txt"},
+      {R"({"models": {"axis": "bad.json"}})", "bad.json: line 1: expected a line"},
+      {R"({"models": {"axis": "cut.txt"}})", "cut.txt"},
+      {R"({"models": {"axis": "alone.txt"}})", "alone.txt: expected the model axis"},
+      {R"({"models": {"object_alone": "alone.txt"}})", "object_among_others"},
+      {R"({"models": {"axis": 3}})", "expected a text in quotes for \"models.axis\", found 3"},
+  };
+  for (const auto& [config, sentence] : cases) {
+    write(file("bad.json"), config);
+    expect_refusal("segment scene -o new --config bad.json", 1, sentence);
+  }
+}
+
 TEST_F(Command, NeverWritesOverItsInput) {
   expect_refusal("segment scene -o scene", 1, "outside the input");
   expect_refusal("segment scene -o scene/../scene/result", 1, "outside the input");

@@ -1,4 +1,4 @@
-#include "symscene/proposals/object_features.hpp"
+#include "proposals/object_meter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,10 +45,24 @@ DistanceField seen_around_boxes(const PointCloud& cloud) {
   return distance_field(grid, std::nullopt);
 }
 
+SceneObject object_of(const PointIndices& points) {
+  SceneObject object;
+  object.points = points;
+  return object;
+}
+
+ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
+                           const std::vector<WeightedEdge>& edges, const DistanceField& field,
+                           const std::optional<Plane>& table = {}) {
+  const SurfaceRegions regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
+  const ProposalOptions options;
+  return ObjectMeter({cloud, edges, field, regions, table}, options)
+      .measure(object_of(points), 0.0);
+}
+
 ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
                            const DistanceField& field, const std::optional<Plane>& table = {}) {
-  const std::vector<WeightedEdge> edges = surface_graph(cloud);
-  return ObjectMeter(cloud, edges, field, table).measure(points);
+  return features_of(cloud, points, surface_graph(cloud), field, table);
 }
 
 TEST(ObjectFeatures, HaveAsManyValuesAsNamesInTheirOrder) {
@@ -70,7 +84,7 @@ TEST(ObjectFeatures, HaveAsManyValuesAsNamesInTheirOrder) {
 }
 
 TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
-  // A flat row: of the set {0, 1} the edge to 2 leaves it smoothly and that to 3 bends inwards.
+  // A flat row: from {0, 1}, the edge to 2 leaves smoothly and that to 3 is a crease.
   PointCloud cloud;
   cloud.positions.resize(4, 3);
   cloud.positions << 0.0F, 0.0F, 0.0F, 0.005F, 0.0F, 0.0F, 0.01F, 0.0F, 0.0F, 0.0F, 0.005F, 0.0F;
@@ -78,8 +92,7 @@ TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
   cloud.normals.col(2).setOnes();
   const std::vector<WeightedEdge> edges{{0, 1, 0.75F}, {1, 2, 0.5F}, {0, 3, 0.25F}};
   const DistanceField field = testing::nothing_known(cloud);
-  const ObjectMeter meter(cloud, edges, field, {});
-  const ObjectFeatures features = meter.measure({0, 1});
+  const ObjectFeatures features = features_of(cloud, {0, 1}, edges, field);
   EXPECT_DOUBLE_EQ(features.size, std::log(2.0));
   EXPECT_DOUBLE_EQ(features.broken, 0.75 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(features.rim, 2.0 / std::sqrt(2.0));
@@ -89,11 +102,11 @@ TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
   EXPECT_DOUBLE_EQ(features.unity, 1.0);
   EXPECT_DOUBLE_EQ(features.near_others, 1.0);
 
-  const ObjectFeatures apart = meter.measure({2, 3});
+  const ObjectFeatures apart = features_of(cloud, {2, 3}, edges, field);
   EXPECT_DOUBLE_EQ(apart.unity, 0.5);
   EXPECT_DOUBLE_EQ(apart.bend, 0.0);
 
-  const ObjectFeatures all = meter.measure({0, 1, 2, 3});
+  const ObjectFeatures all = features_of(cloud, {0, 1, 2, 3}, edges, field);
   EXPECT_DOUBLE_EQ(all.broken, 0.0);
   EXPECT_DOUBLE_EQ(all.torn, 0.0);
   EXPECT_DOUBLE_EQ(all.bend, (0.25 + 0.5 + 0.75) / 3.0);
@@ -101,7 +114,7 @@ TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
   EXPECT_DOUBLE_EQ(all.near_others, 0.0);
 }
 
-TEST(ObjectMeter, FindsPointsThatFaceEachOtherNotConvex) {
+TEST(ObjectMeter, CountsPointsThatFaceEachOtherAsNotConvex) {
   PointCloud cloud;
   cloud.positions.resize(2, 3);
   cloud.positions << 0.0F, 0.0F, 0.0F, 0.1F, 0.0F, 0.0F;
@@ -113,7 +126,7 @@ TEST(ObjectMeter, FindsPointsThatFaceEachOtherNotConvex) {
   EXPECT_EQ(features_of(cloud, {0}, testing::nothing_known(cloud)).convexity, 1.0);
 }
 
-TEST(ObjectMeter, OfABoxIsConvexAndOfTwoIsNotAndWasSeenThrough) {
+TEST(ObjectMeter, OfOneBoxIsConvexAndOfTwoIsNotAndIsEmptyBetween) {
   const PointCloud cloud = two_boxes();
   const DistanceField field = seen_around_boxes(cloud);
   PointIndices first = all_of(cloud);
@@ -149,6 +162,29 @@ TEST(ObjectMeter, MeasuresExtentsAndHeightsOverTheTable) {
   EXPECT_EQ(high.top, 0.3);
   const Plane above{Eigen::Vector3d::UnitZ(), -0.1};
   EXPECT_EQ(features_of(cloud, all_of(cloud), field, above).foot, 0.0);
+}
+
+TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
+  const PointCloud cloud = two_boxes();
+  const std::vector<WeightedEdge> edges = surface_graph(cloud);
+  const SurfaceRegions regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
+  const DistanceField field = seen_around_boxes(cloud);
+  const std::optional<Plane> table = Plane{Eigen::Vector3d::UnitZ(), 0.0};
+  const ProposalOptions options;
+  SceneObject box = object_of(all_of(cloud));
+  box.points.resize(cloud.size() / 2);
+  box.reflectional = {{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.0},
+                      {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}, 0.0}};
+  const ObjectMeter meter({cloud, edges, field, regions, table}, options);
+  const ObjectFeatures features = meter.measure(box, 0.7);
+  EXPECT_EQ(features.confidence, 0.7);
+  EXPECT_EQ(features.axes, 0.0);
+  EXPECT_EQ(features.axis_misfit, 1.0);
+  EXPECT_EQ(features.planes, 2.0);
+  EXPECT_GT(features.plane_inlier, 0.8);
+  EXPECT_LT(features.plane_occlusion, 0.05);
+  EXPECT_EQ(features.seam, regions.seam(box.points));
+  EXPECT_EQ(features.continued, 0.0);
 }
 
 }  // namespace

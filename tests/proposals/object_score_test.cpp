@@ -11,20 +11,98 @@
 namespace symscene {
 namespace {
 
-/// What a clear object measures: in one piece, apart from others, under a symmetry that fits.
-ObjectFeatures clear_object() {
+/// A carton apart from others, cut out under two mirror planes.
+ObjectFeatures carton() {
+  return {.size = 7.15,
+          .broken = 0.6,
+          .torn = 0.4,
+          .rim = 0.5,
+          .bend = 0.018,
+          .crease = 0.008,
+          .seam = 0.14,
+          .unity = 1.0,
+          .convexity = 0.87,
+          .empty = 0.0,
+          .length = 0.22,
+          .width = 0.08,
+          .thickness = 0.06,
+          .foot = 0.0005,
+          .top = 0.21,
+          .near_others = 0.07,
+          .planes = 2.0,
+          .plane_inlier = 0.54,
+          .plane_occlusion = 0.0,
+          .continued = 0.01,
+          .confidence = 0.84};
+}
+
+/// A larger object with a concave surface.
+ObjectFeatures toy() {
+  ObjectFeatures features = carton();
+  features.size = 7.8;
+  features.torn = 0.24;
+  features.rim = 0.97;
+  features.bend = 0.034;
+  features.crease = 0.018;
+  features.seam = 0.3;
+  features.convexity = 0.77;
+  features.empty = 0.012;
+  features.length = 0.26;
+  features.width = 0.19;
+  features.thickness = 0.13;
+  features.top = 0.25;
+  features.plane_inlier = 0.5;
+  return features;
+}
+
+/// One face of a carton: a smooth surface continues all around it.
+ObjectFeatures face() {
   ObjectFeatures features;
-  features.size = std::log(2000.0);
+  features.size = 7.4;
+  features.broken = 11.8;
+  features.torn = 0.87;
+  features.rim = 5.3;
+  features.bend = 0.004;
   features.unity = 1.0;
-  features.convexity = 0.95;
-  features.length = 0.2;
-  features.width = 0.12;
-  features.thickness = 0.1;
-  features.foot = 0.005;
-  features.top = 0.2;
-  features.axes = 1.0;
-  features.axis_misfit = 0.01;
-  features.axis_occlusion = 0.001;
+  features.convexity = 0.92;
+  features.length = 0.23;
+  features.width = 0.2;
+  features.thickness = 0.006;
+  features.foot = 0.07;
+  features.top = 0.28;
+  features.near_others = 0.36;
+  return features;
+}
+
+/// Halves of two objects that touch.
+ObjectFeatures halves_of_two() {
+  ObjectFeatures features = face();
+  features.size = 7.1;
+  features.broken = 17.4;
+  features.torn = 0.98;
+  features.rim = 11.7;
+  features.bend = 0.0125;
+  features.convexity = 0.15;
+  features.empty = 0.35;
+  features.length = 0.265;
+  features.width = 0.126;
+  features.thickness = 0.11;
+  features.foot = 0.003;
+  features.top = 0.105;
+  features.near_others = 0.55;
+  return features;
+}
+
+/// A patch of some larger surface.
+ObjectFeatures patch() {
+  ObjectFeatures features = face();
+  features.size = 4.8;
+  features.broken = 16.0;
+  features.torn = 1.0;
+  features.length = 0.05;
+  features.width = 0.05;
+  features.foot = 0.1;
+  features.near_others = 0.93;
   return features;
 }
 
@@ -117,27 +195,44 @@ TEST(ObjectScore, IsAProbabilityForExtremeFeatures) {
   }
 }
 
-TEST(ObjectScore, OfAClearObjectIsHighAndOfOneInPiecesLower) {
-  const ObjectFeatures whole = clear_object();
-  ObjectFeatures pieces = whole;
+TEST(ObjectScore, IsHighForObjectsAndLowForOtherProposals) {
+  for (const ObjectFeatures& object : {carton(), toy()})
+    EXPECT_GT(estimated_probability(object), 0.7);
+  for (const ObjectFeatures& other : {face(), halves_of_two(), patch()})
+    EXPECT_LT(estimated_probability(other), 0.1);
+}
+
+TEST(ObjectScore, IsLowerForAnObjectInPieces) {
+  ObjectFeatures pieces = carton();
   pieces.unity = 0.4;
   pieces.seam = 0.95;
   pieces.crease = 0.1;
-  pieces.convexity = 0.6;
+  pieces.convexity = 0.3;
   pieces.empty = 0.3;
-  EXPECT_GT(estimated_probability(whole), 0.3);
-  EXPECT_LT(estimated_probability(pieces), estimated_probability(whole));
+  EXPECT_LT(estimated_probability(pieces), estimated_probability(carton()) - 0.2);
 }
 
-TEST(ObjectScore, OfAPartFallsWithTheWholeThatHoldsIt) {
-  const ObjectFeatures features = clear_object();
-  ProposalContext alone;
-  alone.estimate = 0.6;
-  ProposalContext part = alone;
+TEST(ObjectScore, AmongOthersIsHighForAnObjectOfUnlikelyParts) {
+  ProposalContext context;
+  context.estimate = 0.94;
+  context.part = 0.2;
+  context.covered = 0.3;
+  context.covered_score = 0.06;
+  context.pieces = 1.0;
+  context.parts = std::log(4.0);
+  EXPECT_GT(estimated_probability(carton(), context), 0.7);
+}
+
+TEST(ObjectScore, AmongOthersIsLowForAPartOfALikelyWhole) {
+  ProposalContext part;
+  part.estimate = 0.1;
   part.whole = 0.97;
   part.whole_share = 0.3;
   part.wholes = std::log(4.0);
-  EXPECT_GT(estimated_probability(features, alone), estimated_probability(features, part));
+  EXPECT_LT(estimated_probability(face(), part), 0.1);
+  ProposalContext alone = part;
+  alone.whole = alone.whole_share = alone.wholes = 0.0;
+  EXPECT_LT(estimated_probability(carton(), part), estimated_probability(carton(), alone));
 }
 
 }  // namespace

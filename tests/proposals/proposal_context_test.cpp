@@ -21,22 +21,25 @@ std::vector<ProposalContext> contexts_of(const std::vector<PointIndices>& sets,
   return proposal_contexts(SharedCounts(pointers), estimates);
 }
 
-TEST(SharedCounts, AreCountedForEveryTwoSets) {
+TEST(SharedCounts, AreCountedForEveryPair) {
   const PointIndices a = range(0, 60), b = range(60, 100), c = range(50, 80), none;
   const SharedCounts shared(std::array{&a, &b, &c, &none});
-  EXPECT_EQ(shared.sets(), 4U);
+  EXPECT_EQ(shared.count(), 4U);
   EXPECT_EQ(shared.size(2), 30.0);
   EXPECT_EQ(shared.shared(0, 0), 60.0);
   EXPECT_EQ(shared.shared(0, 1), 0.0);
   EXPECT_EQ(shared.shared(0, 2), 10.0);
   EXPECT_EQ(shared.shared(2, 1), 20.0);
   EXPECT_EQ(shared.shared(3, 0), 0.0);
-  EXPECT_TRUE(shared.are_apart(0, 1));
-  EXPECT_FALSE(shared.are_apart(0, 2));
+  EXPECT_TRUE(shared.are_disjoint(0, 1));
+  EXPECT_FALSE(shared.are_disjoint(0, 2));
+  EXPECT_TRUE(shared.conflict(0, 2));
+  EXPECT_FALSE(shared.conflict(0, 1));
+  EXPECT_FALSE(shared.contains(0, 2));
 }
 
-TEST(ProposalContext, OfAWholeAndItsParts) {
-  // A whole, two parts that make it up, and a set that crosses both parts.
+TEST(ProposalContext, OfAWholeItsPartsAndAConflict) {
+  // A whole, two parts that split it, and a proposal that conflicts with both.
   const auto contexts = contexts_of({range(0, 100), range(0, 60), range(60, 100), range(50, 80)},
                                     {0.5, 0.8, 0.6, 0.3});
   const ProposalContext& whole = contexts[0];
@@ -64,7 +67,7 @@ TEST(ProposalContext, OfAWholeAndItsParts) {
   EXPECT_EQ(contexts[3].rival, 0.8);
 }
 
-TEST(ProposalContext, OfSetsThatNearlyEqualOrAreApart) {
+TEST(ProposalContext, OfNearlyEqualOrDisjointProposalsIsNone) {
   const auto contexts =
       contexts_of({range(0, 100), range(0, 99), range(200, 300)}, {0.9, 0.8, 0.7});
   for (const ProposalContext& context : contexts) {
@@ -74,7 +77,7 @@ TEST(ProposalContext, OfSetsThatNearlyEqualOrAreApart) {
   }
 }
 
-TEST(ProposalContext, OfNoSets) { EXPECT_TRUE(contexts_of({}, {}).empty()); }
+TEST(ProposalContext, OfNoProposals) { EXPECT_TRUE(contexts_of({}, {}).empty()); }
 
 }  // namespace
 }  // namespace symscene

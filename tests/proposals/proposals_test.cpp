@@ -1,8 +1,12 @@
-#include "core/model_features.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
+#include "core/model_features.hpp"
+#include "proposals/object_score.hpp"
 #include "surfaces.hpp"
 #include "threads.hpp"
 
@@ -11,7 +15,7 @@ namespace {
 
 const Plane table{Eigen::Vector3d::UnitZ(), 0.0};
 
-/// What of a thing on the table can be seen: all but what it stands on.
+/// The visible part of an object on the table: all but its bottom.
 PointCloud standing(const PointCloud& cloud) {
   PointIndices seen;
   for (Index i = 0; i < cloud.size(); ++i) {
@@ -133,7 +137,7 @@ TEST(Choice, LeavesAnImprobableProposalOut) {
   EXPECT_EQ(result.rejected[0].reason, "score");
 }
 
-TEST(Proposals, HoldEachOfTwoThingsOnATableAndComeByFallingScore) {
+TEST(Proposals, ContainBothObjectsOnATableByFallingScore) {
   const Scene scene = box_and_vase();
   const SceneProposals proposals = propose_objects(scene);
   double box = 0.0, vase = 0.0, last = 1.0;
@@ -149,6 +153,65 @@ TEST(Proposals, HoldEachOfTwoThingsOnATableAndComeByFallingScore) {
   }
   EXPECT_GT(box, 0.95);
   EXPECT_GT(vase, 0.95);
+}
+
+TEST(Proposals, ScoreObjectsHighAndFragmentsAndUnionsLow) {
+  const SceneProposals proposals = propose_objects(box_and_vase());
+  PointIndices of_box, of_vase;
+  for (Index i = 0; i < proposals.cloud.size(); ++i)
+    (proposals.cloud.position(i).x() < 0.09F ? of_box : of_vase).push_back(i);
+  double box = 0.0, vase = 0.0;
+  std::size_t others = 0;
+  for (const ObjectProposal& proposal : proposals.objects) {
+    const double of_whole_box = intersection_over_union(proposal.object.points, of_box);
+    const double of_whole_vase = intersection_over_union(proposal.object.points, of_vase);
+    if (of_whole_box > 0.95) box = std::max(box, proposal.object.score);
+    if (of_whole_vase > 0.95) vase = std::max(vase, proposal.object.score);
+    if (of_whole_box > 0.6 || of_whole_vase > 0.6) continue;
+    ++others;
+    EXPECT_LT(proposal.object.score, SelectionOptions{}.min_score)
+        << proposal.object.points.size() << " points";
+  }
+  EXPECT_GT(box, 0.7);
+  EXPECT_GT(vase, 0.7);
+  EXPECT_GT(others, 0U);
+}
+
+TEST(Proposals, HaveOneFieldPerScore) {
+  for (const ObjectProposal& proposal : propose_objects(box_and_vase()).objects) {
+    EXPECT_EQ(proposal.cut_confidence, proposal.features.confidence);
+    EXPECT_GE(proposal.probability, 0.6 * proposal.cut_confidence - 1e-12);
+    EXPECT_DOUBLE_EQ(proposal.object.score, proposal.probability * (1.0 - proposal.discount));
+    EXPECT_GT(proposal.estimate, 0.0);
+    EXPECT_LT(proposal.estimate, 1.0);
+  }
+}
+
+TEST(Proposals, DependOnTheWeightOfTheConfidence) {
+  PipelineOptions options;
+  options.object_score.confidence_weight = 0.0;
+  const SceneProposals weighted = propose_objects(box_and_vase());
+  const SceneProposals unweighted = propose_objects(box_and_vase(), options);
+  EXPECT_LT(unweighted.objects.front().object.score, weighted.objects.front().object.score);
+  for (const ObjectProposal& proposal : unweighted.objects)
+    EXPECT_NEAR(proposal.own_score, proposal.estimate,
+                proposal.features.continued > 0.0 ? 1.0 : 1e-12);
+}
+
+TEST(Proposals, UseTheModelsThatAreGiven) {
+  PipelineOptions options;
+  options.object_score.confidence_weight = 0.0;
+  const auto constant = [](const TreeModel& model) {
+    return std::make_shared<const TreeModel>(model.name(), model.features(), -3.0F,
+                                             std::vector<Tree>{});
+  };
+  options.models.object_alone.model = constant(object_model());
+  EXPECT_THROW(propose_objects(box_and_vase(), options), InputError);  // one of two
+  options.models.object_among_others.model = constant(object_context_model());
+  for (const ObjectProposal& proposal : propose_objects(box_and_vase(), options).objects)
+    EXPECT_NEAR(proposal.probability, 1.0 / (1.0 + std::exp(3.0)), 1e-12);
+  options.models.axis.model = options.models.object_alone.model;
+  EXPECT_THROW(propose_objects(box_and_vase(), options), InputError);  // not an axis model
 }
 
 TEST(Proposals, AreTheSameForAnyNumberOfThreads) {

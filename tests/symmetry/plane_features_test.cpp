@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 
 #include "surfaces.hpp"
+#include "symmetry/mask_symmetry.hpp"
 #include "symmetry/symmetry_score.hpp"
 
 namespace symscene {
@@ -70,7 +72,7 @@ TEST(PlaneFeatures, WhatIsHiddenSpeaksNeitherWay) {
   EXPECT_LT(features.matched, 0.8);
 }
 
-TEST(PlaneScore, IsAProbabilityWhateverIsMeasured) {
+TEST(PlaneScore, IsAProbabilityForAnyFeatures) {
   for (const double value : {-1e300, 0.0, 0.5, 1e300, std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()}) {
     PlaneFeatures features;
@@ -80,20 +82,27 @@ TEST(PlaneScore, IsAProbabilityWhateverIsMeasured) {
   }
 }
 
-TEST(PlaneScore, OfAMirrorIsHigh) {
-  const PointCloud box = testing::box({0.1, 0.16, 0.2});
-  const DistanceField seen = testing::all_seen(box);
-  const auto probability = [&](const Eigen::Vector3d& normal) {
-    PlaneFeatures features = measure(box, seen, {{0.0, 0.0, 0.1}, normal.normalized()});
-    features.object_score = 0.9;
-    features.along_axis = -1.0;
-    features.off_square = -1.0;
-    features.nearest = 0.5 * std::numbers::pi;
-    features.best_matched = features.matched;
-    return plane_probability(features);
-  };
-  EXPECT_GT(probability({1.0, 0.0, 0.0}), 0.8);
-  EXPECT_GT(probability({0.0, 1.0, 0.0}), 0.8);
+TEST(PlaneScore, IsHighForTheMirrorPlanesOfABoxAndLowForItsDiagonals) {
+  const PointCloud box = testing::box({0.06, 0.08, 0.1});
+  const DistanceField field = testing::all_seen(box);
+  const PointCloud seen = testing::seen_from(box, {1.0F, 0.3F, 0.8F});
+  SceneObject object;
+  object.points = testing::all_of(seen);
+  object.score = 0.9;
+  const std::optional<Plane> below = table;
+  const MeasuredSymmetries found = measure_symmetries({seen, field, below}, {}, object);
+  int mirrors = 0, diagonals = 0;
+  for (const MeasuredPlane& plane : found.planes) {
+    const bool is_mirror = plane.plane.normal.cwiseAbs().maxCoeff() > 0.99;
+    ++(is_mirror ? mirrors : diagonals);
+    if (is_mirror) {
+      EXPECT_GT(plane.probability, 0.8);
+    } else {
+      EXPECT_LT(plane.probability, 0.2);
+    }
+  }
+  EXPECT_EQ(mirrors, 3);
+  EXPECT_GE(diagonals, 1);
 }
 
 }  // namespace

@@ -6,26 +6,29 @@
 #include <vector>
 
 #include "symscene/core/types.hpp"
+#include "symscene/proposals/proposal_options.hpp"
 
 namespace symscene {
 
-/// What the other proposals of a scene say of one: a part is known by the whole that it lies in,
-/// and two objects in one by how well each of them does. An estimate is estimated_probability().
+/// Features of a proposal's relations to the others of its scene: those that contain it (wholes),
+/// that it contains (parts), and that cross it (conflicts). An estimate is the
+/// estimated_probability() of a proposal from its own features. The thresholds are
+/// ProposalContextOptions.
 struct ProposalContext {
-  double estimate = 0.0;       ///< of itself, by its own measures
-  double whole = 0.0;          ///< greatest estimate of a set that holds it
-  double whole_share = 0.0;    ///< its size by that set's
-  double part = 0.0;           ///< greatest estimate of a set that it holds
-  double rival = 0.0;          ///< greatest estimate of a set that crosses it
-  double rest = 0.0;           ///< greatest estimate of a set that is the rest of that whole
-  double split = 0.0;          ///< greatest lesser estimate of two sets that make it up
-  double covered = 0.0;        ///< share that good sets in it cover, best first, none over another
-  double covered_score = 0.0;  ///< the same, each by its estimate
-  double pieces = 0.0;         ///< how many these are
-  double wholes = 0.0;         ///< ln(1 + the number of sets that hold it)
-  double parts = 0.0;          ///< ln(1 + the number of sets that it holds)
+  double estimate = 0.0;     ///< its own estimate
+  double whole = 0.0;        ///< greatest estimate of a whole
+  double whole_share = 0.0;  ///< its size by the size of that whole
+  double part = 0.0;         ///< greatest estimate of a part
+  double rival = 0.0;        ///< greatest estimate of a conflicting proposal
+  double rest = 0.0;         ///< greatest estimate of a part that splits that whole with it
+  double split = 0.0;        ///< greatest lesser estimate of two parts that split it
+  double covered = 0.0;      ///< share of its points in pieces: likely, disjoint parts, best first
+  double covered_score = 0.0;  ///< the same, each piece weighted by its estimate
+  double pieces = 0.0;         ///< number of pieces
+  double wholes = 0.0;         ///< ln(1 + number of wholes)
+  double parts = 0.0;          ///< ln(1 + number of parts)
 
-  /// Calls visit(name, value) for every field, in this order.
+  /// Calls visit(name, value) for every feature, in this order, which is that of the models.
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("estimate", self.estimate);
@@ -44,25 +47,31 @@ struct ProposalContext {
   static constexpr std::size_t count = 12;
 };
 
-/// How many points every two of some sets share.
+/// The number of points that every two proposals share.
 class SharedCounts {
  public:
-  /// The sets are ascending.
-  explicit SharedCounts(std::span<const PointIndices* const> sets);
+  /// `proposals` are ascending indices.
+  explicit SharedCounts(std::span<const PointIndices* const> proposals,
+                        const ProposalContextOptions& options = {});
 
-  std::size_t sets() const { return sizes_.size(); }
+  std::size_t count() const { return sizes_.size(); }
+  const ProposalContextOptions& options() const { return options_; }
   double size(std::size_t a) const { return sizes_[a]; }
   double shared(std::size_t a, std::size_t b) const { return counts_[(a * sizes_.size()) + b]; }
-  bool holds(std::size_t whole, std::size_t part) const;  ///< nearly, and is greater
-  bool are_apart(std::size_t a, std::size_t b) const;     ///< nearly
+  /// Whether `part` lies in `whole`, but for a small share, and is clearly smaller.
+  bool contains(std::size_t whole, std::size_t part) const;
+  bool are_disjoint(std::size_t a, std::size_t b) const;
+  /// Whether two proposals overlap, neither contains the other and they are not nearly the same.
+  bool conflict(std::size_t a, std::size_t b) const;
 
  private:
+  ProposalContextOptions options_;
   std::vector<std::uint32_t> sizes_;
   std::vector<std::uint32_t> counts_;  ///< N×N
 };
 
-/// One a set; `estimates` are the sets'.
-std::vector<ProposalContext> proposal_contexts(const SharedCounts& sets,
+/// One context per proposal, from the estimates of all.
+std::vector<ProposalContext> proposal_contexts(const SharedCounts& proposals,
                                                std::span<const double> estimates);
 
 }  // namespace symscene

@@ -6,7 +6,7 @@
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/pipeline/model_options.hpp"
 #include "symscene/proposals/proposals.hpp"
-#include "symscene/proposals/selection.hpp"
+#include "symscene/proposals/selection_options.hpp"
 #include "symscene/segmentation/oversegmentation.hpp"
 #include "symscene/segmentation/reflectional_segmentation.hpp"
 #include "symscene/segmentation/rotational_segmentation.hpp"
@@ -34,6 +34,9 @@ struct PipelineOptions {
   ReflectionalSegmentationOptions reflectional_segmentation;
   ContinuationOptions continuation;
   MergeOptions merge;
+  ObjectFeatureOptions object_features;
+  ProposalContextOptions proposal_context;
+  ObjectScoreOptions object_score;
   SelectionOptions selection;
   ObjectSymmetryBounds object_symmetry;
   CompletionOptions completion;
@@ -60,6 +63,9 @@ struct PipelineOptions {
     visit("reflectional_segmentation", self.reflectional_segmentation);
     visit("continuation", self.continuation);
     visit("merge", self.merge);
+    visit("object_features", self.object_features);
+    visit("proposal_context", self.proposal_context);
+    visit("object_score", self.object_score);
     visit("selection", self.selection);
     visit("object_symmetry", self.object_symmetry);
     visit("completion", self.completion);

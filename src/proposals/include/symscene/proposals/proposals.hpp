@@ -3,10 +3,8 @@
 #include "symscene/core/scene.hpp"
 #include "symscene/core/tree_model.hpp"
 #include "symscene/occupancy/distance_field.hpp"
-#include "symscene/proposals/continuation.hpp"
-#include "symscene/proposals/merge.hpp"
 #include "symscene/proposals/object_features.hpp"
-#include "symscene/proposals/selection.hpp"
+#include "symscene/proposals/proposal_options.hpp"
 #include "symscene/segmentation/hypothesis.hpp"
 #include "symscene/segmentation/surface_parts.hpp"
 #include "symscene/symmetry/object_symmetry_bounds.hpp"
@@ -15,31 +13,36 @@
 
 namespace symscene {
 
-/// A set of points that may be an object, with the symmetries under which it was cut out, if any.
+/// A candidate object: a set of points with the symmetries of its hypotheses, if any, its features
+/// and its scores, each in [0, 1].
 struct ObjectProposal {
-  SceneObject object;  ///< its score is the probability of being one whole object
+  SceneObject object;  ///< its score is `probability` after the discount inside a joined pair
   ObjectFeatures features;
+  double cut_confidence = 0.0;  ///< of its most confident hypothesis (section 4.3.3); 0 for none
+  double estimate = 0.0;        ///< probability from its own features
+  double own_score = 0.0;       ///< the estimate before continuations, combined with the confidence
+  double probability = 0.0;     ///< the same from its relations to other proposals too
+  double discount = 0.0;        ///< the score is probability * (1 - discount)
 };
 
-/// What a scene proposes as objects before anything is decided: every segment that was cut out,
-/// with its scores. Computed once, thresholds can be swept over it.
+/// The proposals of a scene with all that was detected and cut for them, before objects are chosen.
 struct SceneProposals {
-  PointCloud cloud;            ///< the 5 mm cloud that all indices count in
+  PointCloud cloud;            ///< the cloud that all indices refer to
   std::optional<Plane> table;  ///< of the scene, where it is known
   DistanceField field;
-  std::vector<RotationalCandidate> axes;      ///< what the rotational stream detected
-  std::vector<ReflectionalCandidate> planes;  ///< what the reflectional stream detected
-  std::vector<Hypothesis> rotational;         ///< a cut each
-  std::vector<Hypothesis> reflectional;       ///< a cut each that holds its support
+  std::vector<RotationalCandidate> axes;      ///< detections of the rotational stream
+  std::vector<ReflectionalCandidate> planes;  ///< detections of the reflectional stream
+  std::vector<Hypothesis> rotational;         ///< one per cut
+  std::vector<Hypothesis> reflectional;       ///< one per cut that contains its support
   std::vector<Rejection> rejected;            ///< cuts that do not
-  std::vector<ObjectProposal> objects;        ///< distinct cuts and parts, by falling score
+  std::vector<ObjectProposal> objects;        ///< distinct hypotheses and parts, by falling score
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
 
   ObservedScene observed() const { return {cloud, field, table}; }
 };
 
-/// Options of the stages that make proposals of cuts and of the surface's parts.
+/// Options of the stages that turn hypotheses and parts of the surface into proposals.
 struct ProposalOptions {
   SurfacePartsOptions surface_parts;
   HypothesisBounds rotational_bounds;
@@ -48,14 +51,11 @@ struct ProposalOptions {
   ReflectionalDetectionOptions reflectional_detection;
   ContinuationOptions continuation;
   MergeOptions merge;
+  ObjectFeatureOptions object_features;
+  ProposalContextOptions proposal_context;
+  ObjectScoreOptions object_score;
   ModelChoice object_alone;
   ModelChoice object_among_others;
 };
-
-/// The objects that are chosen by probability (select_probable()), with the symmetries under which
-/// they were cut out. What is not is added to `rejected`.
-std::vector<SceneObject> probable_objects(const SceneProposals& proposals,
-                                          const SelectionOptions& options,
-                                          std::vector<Rejection>& rejected);
 
 }  // namespace symscene

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "symscene/core/neighbors.hpp"
+#include "symscene/core/scene.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+#include "symscene/proposals/object_features.hpp"
+#include "symscene/proposals/proposals.hpp"
+#include "symscene/segmentation/graph_cut.hpp"
+#include "symscene/segmentation/surface_parts.hpp"
+
+namespace symscene {
+
+/// The scene whose proposals are measured; the referenced objects must outlive the meter.
+struct MeasuredScene {
+  const PointCloud& cloud;
+  const std::vector<WeightedEdge>& edges;  ///< surface graph of the cloud
+  const DistanceField& field;
+  const SurfaceRegions& regions;
+  const std::optional<Plane>& table;
+};
+
+/// Computes the features of proposals of one scene.
+class ObjectMeter {
+ public:
+  ObjectMeter(const MeasuredScene& scene, const ProposalOptions& options);
+
+  /// All features of an object with the symmetries of its hypotheses and the greatest confidence of
+  /// these. `continued` is 0: continuations are searched among measured proposals. The points are
+  /// ascending and not empty.
+  ObjectFeatures measure(const SceneObject& object, double confidence) const;
+
+ private:
+  using Flags = std::vector<std::uint8_t>;
+  struct Neighbor {
+    Index index;
+    float weight;
+    bool concave;
+  };
+  struct EdgeFeatures {
+    double broken, torn, rim, bend, crease;
+  };
+  struct PairFeatures {
+    double convexity, empty;
+  };
+  struct ExtentFeatures {
+    double length, width, thickness, foot, top;
+  };
+
+  bool is_crease(const Neighbor& neighbor) const;
+  EdgeFeatures edge_features(const PointIndices& points, const Flags& inside) const;
+  PairFeatures pair_features(const PointIndices& points) const;
+  ExtentFeatures extent_features(const PointIndices& points) const;
+  double largest_component(const PointIndices& points, Flags inside) const;
+  double share_near_others(const PointIndices& points, const Flags& inside) const;
+
+  MeasuredScene scene_;
+  const ProposalOptions& options_;
+  std::vector<Index> first_;  ///< N+1: the neighbours of i are [first_[i], first_[i + 1])
+  std::vector<Neighbor> neighbors_;
+  CellList cells_;
+};
+
+}  // namespace symscene

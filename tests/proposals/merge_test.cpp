@@ -1,0 +1,74 @@
+#include "proposals/merge.hpp"
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+PointIndices range(Index begin, Index end) {
+  PointIndices indices(end - begin);
+  std::iota(indices.begin(), indices.end(), begin);
+  return indices;
+}
+
+PointCloud hundred_points() {
+  PointCloud cloud;
+  cloud.positions = Points::Zero(200, 3);
+  for (Index i = 0; i < 200; ++i) cloud.positions(i, 0) = 0.001F * static_cast<float>(i);
+  return cloud;
+}
+
+TEST(Merge, KeepsTheMostConfidentPointsAndAllSymmetries) {
+  const ReflectionPlane x{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
+  const ReflectionPlane y{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()};
+  std::vector<RatedHypothesis> rated(3);
+  rated[0] = {{range(0, 100), {}, {}, {{x, 0.1}}}, 0.5};
+  rated[1] = {{range(0, 99), {}, {}, {{y, 0.2}}}, 0.9};
+  rated[2] = {{range(0, 60), {}, {}, {{x, 0.0}}}, 0.4};
+  const std::vector<SceneObject> objects = merge_hypotheses(rated, hundred_points());
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].points, range(0, 99));
+  EXPECT_EQ(objects[0].score, 0.9);
+  EXPECT_EQ(objects[0].reflectional.size(), 2U);
+  EXPECT_EQ(objects[1].reflectional.size(), 1U);
+}
+
+TEST(Merge, KeepsASymmetryOnce) {
+  const ReflectionPlane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()};
+  const ReflectionPlane nearly{{0.0, 0.002, 0.0}, -Eigen::Vector3d(0.02, 1.0, 0.0).normalized()};
+  std::vector<RatedHypothesis> rated(2);
+  rated[0] = {{range(0, 100), {}, {}, {{plane, 0.1}}}, 0.5};
+  rated[1] = {{range(0, 100), {}, {}, {{nearly, 0.1}}}, 0.4};
+  const std::vector<SceneObject> objects = merge_hypotheses(rated, hundred_points());
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects[0].reflectional.size(), 1U);
+}
+
+TEST(Merge, ComparesSetsByTheirOverlap) {
+  EXPECT_TRUE(is_same_set(range(0, 100), range(0, 100), 0.95));
+  EXPECT_TRUE(is_same_set(range(0, 96), range(0, 100), 0.95));
+  EXPECT_TRUE(is_same_set(range(0, 100), range(0, 96), 0.95));
+  EXPECT_FALSE(is_same_set(range(0, 95), range(0, 100), 0.95));  // 0.95 is not more
+  EXPECT_FALSE(is_same_set(range(0, 100), range(10, 110), 0.95));
+  EXPECT_TRUE(is_same_set(range(0, 100), range(10, 110), 0.8));  // 90 of 110
+  EXPECT_FALSE(is_same_set(range(0, 50), range(50, 100), 0.0));
+  EXPECT_FALSE(is_same_set({}, {}, 0.5));
+}
+
+TEST(Merge, RefusesOptionsOutOfRange) {
+  MergeOptions options;
+  options.same_object = 1.5;
+  try {
+    options.validate();
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "same_object: expected a number in [0, 1] IoU, found 1.5");
+  }
+}
+
+}  // namespace
+}  // namespace symscene
