@@ -201,6 +201,11 @@ class RealFields {
     }
     template <class Value>
     void operator()(const char*, Value&, const char*, const char*) const {}
+    void operator()(const char* name, double& value, const char*, const Range&, const char*) const {
+      all.fields_.emplace_back(prefix + name, &value);
+    }
+    template <class Value>
+    void operator()(const char*, Value&, const char*, const Range&, const char*) const {}
     template <class Group>
     void operator()(const char* name, Group& group) const {
       all.collect(prefix + name + ".", group);
