@@ -59,6 +59,16 @@ void sort_by_own_score(std::vector<ObjectProposal>& proposals) {
       [](const ObjectProposal& a, const ObjectProposal& b) { return a.own_score > b.own_score; });
 }
 
+/// Adds the one feature that depends on other proposals, and estimates anew with it.
+void complete_features(const std::vector<double>& continued, const ProposalOptions& options,
+                       std::vector<ObjectProposal>& proposals) {
+  const TreeModel& model = chosen_model(options.object_alone, object_model());
+  for (std::size_t k = 0; k < proposals.size(); ++k) {
+    proposals[k].features.continued = continued[k];
+    proposals[k].estimate = estimated_probability(proposals[k].features, model);
+  }
+}
+
 /// Sets `probability` from the features and the relations between the proposals.
 void score_among_others(const ProposalOptions& options, std::vector<ObjectProposal>& proposals) {
   const TreeModel& model = chosen_model(options.object_among_others, object_context_model());
@@ -76,6 +86,15 @@ void score_among_others(const ProposalOptions& options, std::vector<ObjectPropos
         combined_score(estimated_probability(proposal.features, contexts[k], model),
                        proposal.cut_confidence, options.object_score.confidence_weight);
   }
+}
+
+void sort_by_final_score(std::vector<ObjectProposal>& proposals) {
+  for (ObjectProposal& proposal : proposals)
+    proposal.object.score = proposal.probability * (1.0 - proposal.discount);
+  std::stable_sort(proposals.begin(), proposals.end(),
+                   [](const ObjectProposal& a, const ObjectProposal& b) {
+                     return a.object.score > b.object.score;
+                   });
 }
 
 }  // namespace
@@ -100,20 +119,10 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
   std::move(joined.begin(), joined.end(), std::back_inserter(objects));
   sort_by_own_score(objects);
   // Joined pairs may be continued by a third proposal.
-  const std::vector<double> continued = continuations(objects).continued;
-  const TreeModel& model = chosen_model(options.object_alone, object_model());
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    objects[k].features.continued = continued[k];
-    objects[k].estimate = estimated_probability(objects[k].features, model);
-  }
+  complete_features(continuations(objects).continued, options, objects);
   score_among_others(options, objects);
   discount_parts(joined_points, options.continuation, objects);
-  for (ObjectProposal& proposal : objects)
-    proposal.object.score = proposal.probability * (1.0 - proposal.discount);
-  std::stable_sort(objects.begin(), objects.end(),
-                   [](const ObjectProposal& a, const ObjectProposal& b) {
-                     return a.object.score > b.object.score;
-                   });
+  sort_by_final_score(objects);
   return objects;
 }
 

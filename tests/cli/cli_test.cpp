@@ -160,7 +160,7 @@ TEST_F(Command, RefusesModelsThatDoNotFit) {
       {R"({"models": {"axis": "nowhere.txt"}})", "nowhere.txt"},
       {R"({"models": {"axis": "bad.json"}})", "bad.json: line 1: expected a line"},
       {R"({"models": {"axis": "cut.txt"}})", "cut.txt"},
-      {R"({"models": {"axis": "alone.txt"}})", "alone.txt: expected the model axis"},
+      {R"({"models": {"axis": "alone.txt"}})", "expected the model axis, found \"object_alone\""},
       {R"({"models": {"object_alone": "alone.txt"}})", "object_among_others"},
       {R"({"models": {"axis": 3}})", "expected a text in quotes for \"models.axis\", found 3"},
   };
