@@ -11,7 +11,7 @@
 #include "session.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
-#include "symscene/symmetry/object_symmetry.hpp"
+#include "symscene/symmetry/single_object.hpp"
 
 namespace symscene::app {
 namespace {
@@ -57,7 +57,7 @@ std::string format_symmetries(const ObjectSymmetries& found) {
 
 struct Symmetry {
   SharedOptions shared;
-  ObjectSymmetryOptions options;
+  SingleObjectOptions options;
   std::filesystem::path model;
 
   OptionFields configure() { return configure_options(options, shared.config); }

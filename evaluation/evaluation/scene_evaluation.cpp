@@ -9,7 +9,7 @@
 #include "core/parallel.hpp"
 #include "proposals/object_proposals.hpp"
 #include "setting_counts.hpp"
-#include "symmetry/mask_symmetry.hpp"
+#include "symmetry/object_symmetry.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/pipeline/detections.hpp"
 
@@ -83,8 +83,8 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
   sweep.settings = all_settings({scores, probabilities});
   sweep.metrics = pipeline_metrics(options.rotational_stream);
   std::vector<std::vector<SceneObject>> chosen(scores.size());
-  std::map<PointIndices, MeasuredSymmetries> symmetries;
-  std::vector<std::pair<const SceneObject*, MeasuredSymmetries*>> unmeasured;
+  std::map<PointIndices, SymmetryCandidates> symmetries;
+  std::vector<std::pair<const SceneObject*, SymmetryCandidates*>> unsearched;
   for (std::size_t k = 0; k < scores.size(); ++k) {
     SelectionOptions selection = options.selection;
     selection.min_score = scores[k];
@@ -92,21 +92,24 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
     chosen[k] = probable_objects(proposals, selection, rejected);
     for (const SceneObject& object : chosen[k]) {
       const auto [own, is_new] = symmetries.try_emplace(object.points);
-      if (is_new) unmeasured.emplace_back(&object, &own->second);
+      if (is_new) unsearched.emplace_back(&object, &own->second);
     }
   }
-  parallel_for_each(unmeasured.size(), [&](std::size_t k) {
-    *unmeasured[k].second = measure_symmetries(proposals.observed(), options.whole_object_options(),
-                                               *unmeasured[k].first);
+  parallel_for_each(unsearched.size(), [&](std::size_t k) {
+    *unsearched[k].second = symmetry_candidates(proposals.observed(), *unsearched[k].first,
+                                                options.symmetry_search_options());
   });
   sweep.counts.resize(sweep.settings.size());
   parallel_for_each(scores.size(), [&](std::size_t k) {
     SettingCounts* const own = &sweep.counts[k * probabilities.size()];
     for (std::size_t p = 0; p < probabilities.size(); ++p) {
-      ObjectSymmetryBounds bounds = options.object_symmetry;
+      ObjectSymmetryOptions bounds = options.object_symmetry;
       bounds.min_axis_probability = bounds.min_plane_probability = probabilities[p];
-      for (SceneObject& object : chosen[k])
-        list_symmetries(symmetries.at(object.points), bounds, object);
+      for (SceneObject& object : chosen[k]) {
+        ListedSymmetries listed = list_symmetries(symmetries.at(object.points), bounds);
+        object.rotational = std::move(listed.rotational);
+        object.reflectional = std::move(listed.reflectional);
+      }
       own[p] = p == 0 ? context.count(chosen[k]) : context.recount(own[0], chosen[k]);
     }
   });

@@ -5,7 +5,7 @@
 
 #include "fitting.hpp"
 #include "proposals/object_proposals.hpp"
-#include "symmetry/mask_symmetry.hpp"
+#include "symmetry/object_symmetry.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
 #include "symscene/evaluation/symmetry_metrics.hpp"
 
@@ -27,8 +27,8 @@ struct Axes {
   }
   static std::vector<std::pair<RotationAxis, AxisFeatures>> measured(
       const SceneProposals& proposals, const PipelineOptions& options, const SceneObject& object) {
-    const std::optional<MeasuredAxis> axis =
-        measured_axis(proposals.observed(), options.whole_object_options(), object);
+    const std::optional<AxisCandidate> axis =
+        axis_candidate(proposals.observed(), object, options.symmetry_search_options());
     if (!axis) return {};
     return {{axis->axis, axis->features}};
   }
@@ -45,8 +45,9 @@ struct Planes {
   static std::vector<std::pair<ReflectionPlane, PlaneFeatures>> measured(
       const SceneProposals& proposals, const PipelineOptions& options, const SceneObject& object) {
     std::vector<std::pair<ReflectionPlane, PlaneFeatures>> planes;
-    for (const MeasuredPlane& plane :
-         measure_symmetries(proposals.observed(), options.whole_object_options(), object).planes)
+    for (const PlaneCandidate& plane :
+         symmetry_candidates(proposals.observed(), object, options.symmetry_search_options())
+             .planes)
       planes.emplace_back(plane.plane, plane.features);
     return planes;
   }

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 #include <Eigen/Dense>
 
 #include "core/voxel_sampling.hpp"
-#include "symscene/core/error.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
 namespace {
 
-/// A growing list of oriented, maybe coloured points.
+/// Collects oriented points, with colours if wanted.
 class CloudBuilder {
  public:
   explicit CloudBuilder(bool with_colors) : with_colors_(with_colors) {}
@@ -66,14 +66,14 @@ PointCloud joined(const PointCloud& a, const PointCloud& b) {
 }
 
 /// One point of the curve whose rotation is the surface: height along the axis, distance from it,
-/// and its normal's parts along and away from it.
+/// and the components of its normal along the axis and away from it.
 struct ProfilePoint {
   double height = 0.0, radius = 0.0, normal_along = 0.0, normal_away = 0.0;
   std::size_t count = 0;
   Index example = 0;
 };
 
-/// The profile in cells of `spacing`; the two faces of a thin wall stay apart.
+/// The profile, averaged in cells of `spacing`; the two faces of a thin wall have separate cells.
 std::vector<ProfilePoint> profile_of(const PointCloud& cloud, const RotationAxis& axis,
                                      double spacing) {
   std::map<std::tuple<int, int, bool>, ProfilePoint> cells;
@@ -130,7 +130,7 @@ PointCloud reflected_images(const PointCloud& cloud, const ReflectionPlane& plan
   return images.build();
 }
 
-/// The images that nothing speaks against and that the observed points do not show already.
+/// The images that are not in observed free space and not near a point of `observed`.
 PointCloud admissible(const PointCloud& images, const PointCloud& observed,
                       const DistanceField& field, const CompletionOptions& options) {
   const auto spacing = static_cast<float>(options.spacing);
@@ -145,27 +145,25 @@ PointCloud admissible(const PointCloud& images, const PointCloud& observed,
   return select(images, kept);
 }
 
-/// The solution along the directions that the matrix determines, zero along the others. Two planes
-/// a few degrees apart meet far off: along their meeting line's way there they determine nothing.
+/// The solution along the eigenvectors whose eigenvalues reach `min_eigenvalue`, zero along the
+/// others: two planes a few degrees apart do not determine the direction of their bisector.
 Eigen::Vector3d solve_where_determined(const Eigen::Matrix3d& matrix,
-                                       const Eigen::Vector3d& right_side) {
-  constexpr double least_eigenvalue = 0.02;  // two planes 11° apart
+                                       const Eigen::Vector3d& right_side, double min_eigenvalue) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
   Eigen::Vector3d solution = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d direction = solver.eigenvectors().col(k);
     const double eigenvalue = solver.eigenvalues()[k];
-    if (eigenvalue > least_eigenvalue)
-      solution += direction.dot(right_side) / eigenvalue * direction;
+    if (eigenvalue > min_eigenvalue) solution += direction.dot(right_side) / eigenvalue * direction;
   }
   return solution;
 }
 
-/// The best planes that stand at right angles to each other, at most three: their reflections and
-/// products are a finite set of eight images. Planes at other angles would multiply without end
-/// unless they fit to the last degree.
-std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ScoredPlane>& planes) {
-  constexpr double tolerance = radians(10.0);
+/// At most three planes at right angles to each other, those of lowest residual first. Their
+/// reflections and products are a finite group of eight. Planes at other angles generate an
+/// infinite group unless the angles are exact.
+std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ScoredPlane>& planes,
+                                                  double tolerance) {
   std::vector<ReflectionPlane> chosen;
   for (const ScoredPlane& candidate : planes) {
     const bool fits = std::all_of(chosen.begin(), chosen.end(), [&](const ReflectionPlane& other) {
@@ -178,55 +176,46 @@ std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ScoredPlane>
 
 }  // namespace
 
-void CompletionOptions::validate() const {
-  require_option(spacing >= 1e-4 && spacing <= 1.0, "spacing", "a length from 0.0001 to 1 m",
-                 spacing);
-  require_option(free_tolerance >= 0.0, "free_tolerance", "a distance of at least 0 m",
-                 free_tolerance);
-}
-
 PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredAxis>& axes,
                            const std::vector<ScoredPlane>& planes, const DistanceField& field,
                            const CompletionOptions& options) {
   options.validate();
-  PointCloud body =
-      observed;  // the observed points and the images so far, so that planes also reflect images
+  PointCloud body = observed;  // grows by the images, so that later planes reflect them too
   const auto extend = [&](const PointCloud& images) {
     const PointCloud added = admissible(images, body, field, options);
     body = joined(body, voxel_downsample(added, options.spacing));
   };
   for (const ScoredAxis& rotational : axes)
     extend(rotated_images(observed, rotational.axis, options.spacing));
-  for (const ReflectionPlane& plane : perpendicular_planes(planes))
+  for (const ReflectionPlane& plane : perpendicular_planes(planes, options.square_tolerance))
     extend(reflected_images(body, plane));
   PointIndices added;
   for (Index i = observed.size(); i < body.size(); ++i) added.push_back(i);
   return select(body, added);
 }
 
-Eigen::Vector3d centre_of_mass(const PointCloud& observed, const PointCloud& added,
-                               const std::vector<ScoredAxis>& axes,
-                               const std::vector<ScoredPlane>& planes) {
-  const auto observed_count = static_cast<double>(observed.size());
-  const auto added_count = static_cast<double>(added.size());
-  const Eigen::Vector3d mean =
-      (centroid(observed.positions) * observed_count + centroid(added.positions) * added_count) /
-      std::max(1.0, observed_count + added_count);
+Eigen::Vector3d centre_of_mass(const CompletedObject& object, const CompletionOptions& options) {
+  options.validate();
+  const auto observed_count = static_cast<double>(object.observed.size());
+  const auto added_count = static_cast<double>(object.added.size());
+  const Eigen::Vector3d mean = (centroid(object.observed.positions) * observed_count +
+                                centroid(object.added.positions) * added_count) /
+                               std::max(1.0, observed_count + added_count);
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-  const auto hold = [&](const Eigen::Matrix3d& across, const Eigen::Vector3d& point) {
+  const auto attract = [&](const Eigen::Matrix3d& across, const Eigen::Vector3d& point) {
     matrix += across;
     right_side += across * (point - mean);
   };
-  for (const ScoredAxis& rotational : axes) {
+  for (const ScoredAxis& rotational : object.axes) {
     const Eigen::Vector3d& d = rotational.axis.direction;
-    hold(Eigen::Matrix3d::Identity() - d * d.transpose(), rotational.axis.point);
+    attract(Eigen::Matrix3d::Identity() - d * d.transpose(), rotational.axis.point);
   }
-  for (const ScoredPlane& reflectional : planes) {
+  for (const ScoredPlane& reflectional : object.planes) {
     const Eigen::Vector3d& n = reflectional.plane.normal;
-    hold(n * n.transpose(), reflectional.plane.point);
+    attract(n * n.transpose(), reflectional.plane.point);
   }
-  return mean + solve_where_determined(matrix, right_side);
+  return mean + solve_where_determined(matrix, right_side, options.min_determined);
 }
 
 }  // namespace symscene

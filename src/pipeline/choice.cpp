@@ -2,7 +2,7 @@
 #include "proposals/merge.hpp"
 #include "proposals/object_proposals.hpp"
 #include "proposals/selection.hpp"
-#include "symmetry/mask_symmetry.hpp"
+#include "symmetry/object_symmetry.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 namespace symscene {
@@ -46,13 +46,15 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
 
 void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
                      SegmentationResult& result) {
-  const WholeObjectOptions whole = options.whole_object_options();
+  const SymmetrySearchOptions search = options.symmetry_search_options();
   result.rejected = proposals.rejected;
   result.objects = probable_objects(proposals, options.selection, result.rejected);
   parallel_for_each(result.objects.size(), [&](std::size_t k) {
     SceneObject& object = result.objects[k];
-    list_symmetries(measure_symmetries(proposals.observed(), whole, object),
-                    options.object_symmetry, object);
+    ListedSymmetries listed = list_symmetries(
+        symmetry_candidates(proposals.observed(), object, search), options.object_symmetry);
+    object.rotational = std::move(listed.rotational);
+    object.reflectional = std::move(listed.reflectional);
   });
 }
 

@@ -52,7 +52,8 @@ void complete_objects(const DistanceField& field, const CompletionOptions& optio
     const PointCloud observed = select(result.cloud, object.points);
     PointCloud added =
         complete_object(observed, object.rotational, object.reflectional, field, options);
-    object.centroid = centre_of_mass(observed, added, object.rotational, object.reflectional);
+    object.centroid =
+        centre_of_mass({observed, added, object.rotational, object.reflectional}, options);
     result.completed.push_back(std::move(added));
   }
 }
@@ -103,7 +104,7 @@ ProposalOptions PipelineOptions::proposal_options() const {
           models.object_among_others};
 }
 
-WholeObjectOptions PipelineOptions::whole_object_options() const {
+SymmetrySearchOptions PipelineOptions::symmetry_search_options() const {
   return {rotational_stream, rotational_detection, reflectional_detection,
           object_symmetry,   models.axis,          models.plane};
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "symmetry/reflectional_scores.hpp"
+#include "symmetry/rotational_scores.hpp"
 #include "symscene/core/neighbors.hpp"
-#include "symscene/symmetry/point_scores.hpp"
 
 namespace symscene {
 namespace {
@@ -31,7 +32,7 @@ SymmetryFit symmetry_fit(const SceneObject& object, const PointCloud& cloud,
   const PointIndices sample =
       evenly_spread(points.size(), static_cast<Index>(options.reflectional_detection.max_points));
   for (const ScoredPlane& own : object.reflectional) {
-    const ReflectionalScores scores = reflectional_scores(points, cells, sample, own.plane, field,
+    const ReflectionalScores scores = reflectional_scores({points, cells}, sample, own.plane, field,
                                                           options.reflectional_detection);
     fit.plane_inlier = std::max(fit.plane_inlier, scores.inlier_score);
     fit.plane_occlusion = std::min(fit.plane_occlusion, scores.occlusion_residual);

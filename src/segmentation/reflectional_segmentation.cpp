@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "core/parallel.hpp"
+#include "symmetry/plane_fit.hpp"
+#include "symmetry/point_scores.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -90,7 +92,7 @@ class ReflectionalCutter {
 
   PlaneCut cut(const ReflectionPlane& plane, const PointIndices& support) const {
     PlaneCut result;
-    result.matches = reflect_onto(cloud_, cells_, all_points_, plane, options_.matching);
+    result.matches = reflect_onto({cloud_, cells_}, all_points_, plane, options_.matching);
     const std::vector<WeightedEdge> joined = edges_with_pairs(result.matches);
     result.is_object = cut_graph(affinities(plane, support, result.matches), joined).is_object;
     keep_components_of(support, joined, result.is_object);
@@ -137,7 +139,7 @@ class ReflectionalCutter {
     const CellList cells(part.positions, cell_size);
     PointIndices sources(members.size());
     std::iota(sources.begin(), sources.end(), Index{0});
-    const PlaneFit fit = fit_plane(part, cells, sources, plane, fit_);
+    const PlaneFit fit = fit_plane({part, cells}, sources, plane, fit_);
     return is_usable(fit.status) ? fit.plane : plane;
   }
 

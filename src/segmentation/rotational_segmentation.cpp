@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "core/parallel.hpp"
+#include "symmetry/axis_fit.hpp"
+#include "symmetry/point_scores.hpp"
+#include "symmetry/rotational_scores.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

@@ -10,9 +10,7 @@
 namespace symscene {
 namespace {
 
-constexpr double across_cosine = 0.17, along_cosine = 0.9;
-
-/// Points about an axis.
+/// Cylindrical coordinates of points about an axis. [m]
 struct Profile {
   std::vector<double> heights, radii;
   double low = std::numeric_limits<double>::infinity();
@@ -32,17 +30,19 @@ Profile profile_of(const PointCloud& points, const RotationAxis& axis) {
   return profile;
 }
 
-/// Over rings as wide as the cloud's points are apart. Flat ends are wide in radius there, so that
-/// only what faces away from the axis counts.
-double mean_residual(const PointCloud& points, const RotationAxis& axis, const Profile& profile) {
-  constexpr double ring = 0.005;  // [m]
+/// The mean difference of radii from the mean of their ring. Rings across flat ends span many
+/// radii, so that only points that face away from the axis count. [m]
+double mean_residual(const PointCloud& points, const RotationAxis& axis, const Profile& profile,
+                     const AxisFeatureOptions& options) {
+  const double ring = options.ring_height;
   const auto rings = static_cast<std::size_t>((profile.high - profile.low) / ring) + 1;
   std::vector<double> sums(rings), counts(rings);
   const auto ring_of = [&](std::size_t i) {
     return std::min(rings - 1, static_cast<std::size_t>((profile.heights[i] - profile.low) / ring));
   };
   const auto faces_away = [&](std::size_t i) {
-    return std::abs(points.normal(static_cast<Index>(i)).cast<double>().dot(axis.direction)) < 0.5;
+    return std::abs(points.normal(static_cast<Index>(i)).cast<double>().dot(axis.direction)) <
+           options.max_side_cosine;
   };
   for (std::size_t i = 0; i < profile.radii.size(); ++i) {
     if (!faces_away(i)) continue;
@@ -60,23 +60,24 @@ double mean_residual(const PointCloud& points, const RotationAxis& axis, const P
 
 }  // namespace
 
-AxisFeatures measure_axis(const PointCloud& points, const RotationAxis& axis,
-                          const RotationalScores& scores, const std::optional<Plane>& table) {
+AxisFeatures axis_features(const PointCloud& points, const RotationAxis& axis,
+                           const RotationalScores& scores, const std::optional<Plane>& table,
+                           const AxisFeatureOptions& options) {
   AxisFeatures m;
   m.symmetry = scores.symmetry_residual;
   m.perpendicularity = scores.perpendicularity;
   m.coverage = scores.coverage;
   m.occlusion = scores.occlusion_residual;
   const Profile profile = profile_of(points, axis);
-  m.residual = mean_residual(points, axis, profile);
+  m.residual = mean_residual(points, axis, profile, options);
   m.height = profile.high - profile.low;
   m.radius = *std::max_element(profile.radii.begin(), profile.radii.end());
   m.off_centre = m.radius > 0.0 ? axis.distance(centroid(points.positions)) / m.radius : 0.0;
   const Eigen::ArrayXd cosines =
       (points.normals * axis.direction.cast<float>()).cwiseAbs().cast<double>().array();
   const auto count = static_cast<double>(points.size());
-  m.across = static_cast<double>((cosines < across_cosine).count()) / count;
-  m.along = static_cast<double>((cosines > along_cosine).count()) / count;
+  m.across = static_cast<double>((cosines < options.max_across_cosine).count()) / count;
+  m.along = static_cast<double>((cosines > options.min_along_cosine).count()) / count;
   m.roundness = distance_off_sphere(points.positions);
   m.upright = table ? std::abs(table->normal.dot(axis.direction)) : -1.0;
   m.size = std::log(count);

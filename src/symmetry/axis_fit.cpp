@@ -1,10 +1,8 @@
-#include "symscene/symmetry/axis_fit.hpp"
+#include "symmetry/axis_fit.hpp"
 
 #include <cmath>
 
 #include <Eigen/Dense>
-
-#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
@@ -37,8 +35,8 @@ struct NormalEquations {
   double cost = 0.0;
 };
 
-/// The angular residual of one point: r = n · u with u the unit vector across the plane of axis and
-/// point.
+/// The angular residual of one point (sine of the angle of Fig. 3.4): r = n · u with u the unit
+/// normal of the plane through axis and point.
 struct Residual {
   double sine;
   double across_length;
@@ -74,7 +72,7 @@ class AxisProblem {
     double cost = 0.0;
     for (std::size_t i = 0; i < points_.positions.size(); ++i) {
       const Residual r = residual(axis, points_.positions[i], points_.normals[i]);
-      cost += trust(r) * loss_.cost(r.sine);
+      cost += proximity_weight(r) * loss_.cost(r.sine);
     }
     return cost / static_cast<double>(points_.positions.size());
   }
@@ -91,18 +89,19 @@ class AxisProblem {
       const Eigen::Vector3d g = (points_.normals[i] - r.sine * r.across) / r.across_length;
       Eigen::Vector4d jacobian;
       jacobian << basis.transpose() * q.cross(g), -basis.transpose() * g.cross(axis.direction);
-      const double weight = trust(r) * loss_.weight(r.sine);
+      const double weight = proximity_weight(r) * loss_.weight(r.sine);
       equations.hessian += weight * jacobian * jacobian.transpose();
       equations.gradient += weight * r.sine * jacobian;
-      equations.cost += trust(r) * loss_.cost(r.sine);
+      equations.cost += proximity_weight(r) * loss_.cost(r.sine);
     }
     equations.cost /= static_cast<double>(points_.positions.size());
     return equations;
   }
 
  private:
-  /// Noise in a position turns the plane of a point near the axis: its angle is trusted less.
-  double trust(const Residual& r) const {
+  /// Noise in a position turns the plane of a point near the axis, so that its angle has less
+  /// weight.
+  double proximity_weight(const Residual& r) const {
     const double squared = r.across_length * r.across_length;
     return squared / (squared + 4.0 * squared_noise_);
   }
@@ -122,8 +121,8 @@ RotationAxis moved(const RotationAxis& axis, const Eigen::Matrix<double, 3, 2>& 
   return result;
 }
 
-/// The place of an axis of known direction: the normals' lines meet it, n · (d × (p − c)) = 0,
-/// linear in c.
+/// The axis of known direction that the lines of the normals come nearest to: n · (d × (p − c)) =
+/// 0, linear in c.
 RotationAxis place_axis(const FitPoints& points, const Eigen::Vector3d& direction) {
   const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(direction);
   Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
@@ -133,15 +132,16 @@ RotationAxis place_axis(const FitPoints& points, const Eigen::Vector3d& directio
     normal_matrix += a * a.transpose();
     right_side += a * a.dot(basis.transpose() * points.positions[i]);
   }
-  // A flat patch leaves one direction open: hold it near the centroid.
+  // A flat patch does not determine one direction: the axis stays near the centroid there.
   const double hold = 1e-6 * static_cast<double>(points.positions.size());
   normal_matrix += hold * Eigen::Matrix2d::Identity();
   return {basis * normal_matrix.ldlt().solve(right_side), direction};
 }
 
-/// The direction about which a helical motion best slides the surface along itself: with velocity v
-/// + ω × p, minimises Σ (n · v + (p × n) · ω)² over |ω| = 1, v eliminated.
-Eigen::Vector3d sliding_motion_direction(const FitPoints& points) {
+/// The direction of the helical motion under which the surface is most nearly invariant (Pottmann
+/// and Randrup 1998): with velocity v + ω × p, minimises Σ (n · v + (p × n) · ω)² over |ω| = 1, v
+/// eliminated.
+Eigen::Vector3d invariant_motion_direction(const FitPoints& points) {
   Matrix6d matrix = Matrix6d::Zero();
   double squared_size = 0.0;
   for (const Eigen::Vector3d& p : points.positions) squared_size += p.squaredNorm();
@@ -165,16 +165,6 @@ RotationAxis translated(RotationAxis axis, const Eigen::Vector3d& offset) {
 }
 
 }  // namespace
-
-void AxisFitOptions::validate() const {
-  require_option(residual_scale > 0.0 && residual_scale < std::numbers::pi / 2, "residual_scale",
-                 "an angle in (0, pi/2) rad", residual_scale);
-  require_option(position_noise >= 0.0, "position_noise", "a length of at least 0 m",
-                 position_noise);
-  require_option(max_iterations >= 1, "max_iterations", "at least 1", max_iterations);
-  require_option(max_points >= static_cast<int>(min_points), "max_points", "at least 8 points",
-                 max_points);
-}
 
 AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
                  const AxisFitOptions& options) {
@@ -200,7 +190,8 @@ AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
     }
     const RotationAxis candidate = moved(axis, basis, step);
     const double candidate_cost = problem.cost(candidate);
-    const bool settled = step.head<2>().norm() < 1e-5 && step.tail<2>().norm() < 1e-6;
+    const bool settled = step.head<2>().norm() < options.angle_tolerance &&
+                         step.tail<2>().norm() < options.distance_tolerance;
     if (candidate_cost < cost) {
       axis = candidate;
       cost = candidate_cost;
@@ -223,7 +214,7 @@ std::vector<RotationAxis> initial_axes(const PointCloud& cloud,
   if (cloud.size() < min_points) return {};
   const FitPoints points = thinned(cloud, options.max_points);
   const Eigen::Matrix3d principal = principal_axes(cloud.positions);
-  std::vector<Eigen::Vector3d> directions{sliding_motion_direction(points), principal.col(0),
+  std::vector<Eigen::Vector3d> directions{invariant_motion_direction(points), principal.col(0),
                                           principal.col(1), principal.col(2)};
   directions.insert(directions.end(), more_directions.begin(), more_directions.end());
   std::vector<RotationAxis> axes;

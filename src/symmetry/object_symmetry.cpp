@@ -1,155 +1,194 @@
-#include "symscene/symmetry/object_symmetry.hpp"
+#include "symmetry/object_symmetry.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <optional>
+#include <utility>
 
-#include <Eigen/Dense>
-
-#include "core/voxel_sampling.hpp"
-#include "symscene/core/error.hpp"
+#include "core/model_features.hpp"
+#include "symmetry/rotational_scores.hpp"
+#include "symmetry/symmetry_score.hpp"
 
 namespace symscene {
 namespace {
 
-/// Maps between the object's frame and the normalised one: x = origin + scale · x'.
-struct Normalization {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  double scale = 1.0;
+bool is_implied(const ReflectionPlane& plane, const RotationAxis& axis, const Eigen::Vector3d& here,
+                const ObjectSymmetryOptions& options) {
+  const SymmetryDifference apart = difference(plane, axis, here);
+  return apart.angle < options.plane_in_axis_angle &&
+         apart.distance < options.plane_in_axis_distance;
+}
 
-  Eigen::Vector3d restored(const Eigen::Vector3d& p) const { return origin + scale * p; }
+bool is_plausible(const ImageFeatures& images, const ObjectSymmetryOptions& options) {
+  const double judged = images.matched + images.contradicted();
+  return images.matched > options.min_plane_matched &&
+         images.contradicted() < options.max_plane_contradicted * judged;
+}
+
+/// By rising residual, without planes that nearly repeat one of lower residual.
+std::vector<MatchedPlane> distinct_planes(std::vector<MatchedPlane> planes, double same_angle) {
+  std::stable_sort(planes.begin(), planes.end(), [](const MatchedPlane& a, const MatchedPlane& b) {
+    return a.images.plane_residual() < b.images.plane_residual();
+  });
+  std::vector<MatchedPlane> distinct;
+  for (const MatchedPlane& plane : planes) {
+    const bool repeats =
+        std::any_of(distinct.begin(), distinct.end(), [&](const MatchedPlane& other) {
+          return line_angle(plane.plane.normal, other.plane.normal) < same_angle;
+        });
+    if (!repeats) distinct.push_back(plane);
+  }
+  return distinct;
+}
+
+/// The options with the detectors' bounds replaced by those of candidates: which candidates are
+/// symmetries is decided later, by their features.
+SymmetrySearchOptions with_candidate_bounds(SymmetrySearchOptions options) {
+  const ObjectSymmetryOptions& bounds = options.object_symmetry;
+  RotationalDetectionOptions& axes = options.rotational_detection;
+  axes.max_symmetry_residual = bounds.max_axis_residual;
+  axes.max_occlusion_residual = bounds.max_axis_occlusion;
+  axes.min_coverage = bounds.min_axis_coverage;
+  ReflectionalDetectionOptions& planes = options.reflectional_detection;
+  planes.min_symmetry_score = bounds.min_plane_symmetry;
+  planes.min_inlier_score = bounds.min_plane_inlier;
+  planes.max_occlusion_residual = bounds.max_plane_occlusion;
+  for (CorrespondenceOptions* matching : {&planes.fit.matching, &planes.scoring})
+    matching->min_plane_distance = bounds.plane_features.min_plane_distance;
+  return options;
+}
+
+/// Searches the symmetries of an object, its points being one segment.
+class SymmetrySearch {
+ public:
+  SymmetrySearch(const ObservedScene& scene, const SceneObject& object,
+                 const SymmetrySearchOptions& options)
+      : scene_(scene),
+        object_(object),
+        options_(with_candidate_bounds(options)),
+        points_(select(scene.cloud, object.points)),
+        segment_{evenly_spread(points_.size(), points_.size())} {
+    if (scene.table) up_ = scene.table->normal;
+  }
+
+  /// At most one: a bounded body with two axes is a sphere.
+  std::optional<AxisCandidate> axis() const {
+    if (!options_.rotational_stream) return std::nullopt;
+    std::optional<RotationAxis> best;
+    RotationalScores best_scores;
+    for (const RotationAxis& axis : proposed_axes()) {
+      const RotationalScores scores =
+          rotational_scores(points_, axis, scene_.field, options_.rotational_detection);
+      if (!is_within_bounds(scores)) continue;
+      if (best && scores.symmetry_residual >= best_scores.symmetry_residual) continue;
+      best = axis;
+      best_scores = scores;
+    }
+    if (!best) return std::nullopt;
+    const AxisFeatures features = axis_features(points_, *best, best_scores, scene_.table,
+                                                options_.object_symmetry.axis_features);
+    return AxisCandidate{
+        *best, features,
+        axis_probability(features, chosen_model(options_.axis_model, axis_model()))};
+  }
+
+  /// By rising residual, distinct, without those that `axis` implies.
+  std::vector<PlaneCandidate> planes(const std::optional<RotationAxis>& axis) const {
+    const std::vector<ReflectionPlane> proposed = proposed_planes();
+    if (proposed.empty()) return {};
+    const PlaneFeatureExtractor extractor(points_, scene_.field, scene_.table,
+                                          options_.object_symmetry.plane_features);
+    const std::vector<MatchedPlane> matched = plausible_planes(proposed, axis, extractor);
+    const TreeModel& model = chosen_model(options_.plane_model, plane_model());
+    std::vector<PlaneCandidate> candidates;
+    for (std::size_t k = 0; k < matched.size(); ++k) {
+      const PlaneFeatures features =
+          extractor.features(matched[k], {object_.score, axis, std::span(matched).first(k)});
+      candidates.push_back({matched[k].plane, features, plane_probability(features, model)});
+    }
+    return candidates;
+  }
+
+ private:
+  /// Those under which the object was segmented, then those that its points propose.
+  std::vector<RotationAxis> proposed_axes() const {
+    std::vector<RotationAxis> axes;
+    for (const ScoredAxis& own : object_.rotational) axes.push_back(own.axis);
+    const RotationalDetection detection =
+        detect_rotational(points_, segment_, scene_.field, up_, options_.rotational_detection);
+    for (const RotationalCandidate& candidate : detection.candidates)
+      axes.push_back(candidate.axis);
+    return axes;
+  }
+  std::vector<ReflectionPlane> proposed_planes() const {
+    std::vector<ReflectionPlane> planes;
+    for (const ScoredPlane& own : object_.reflectional) planes.push_back(own.plane);
+    const ReflectionalDetection detection =
+        detect_reflectional(points_, segment_, scene_.field, up_, options_.reflectional_detection);
+    for (const ReflectionalCandidate& candidate : detection.candidates)
+      planes.push_back(candidate.plane);
+    return planes;
+  }
+
+  std::vector<MatchedPlane> plausible_planes(const std::vector<ReflectionPlane>& proposed,
+                                             const std::optional<RotationAxis>& axis,
+                                             const PlaneFeatureExtractor& extractor) const {
+    const ObjectSymmetryOptions& bounds = options_.object_symmetry;
+    const Eigen::Vector3d here = centroid(points_.positions);
+    std::vector<MatchedPlane> plausible;
+    for (const ReflectionPlane& plane : proposed) {
+      if (axis && is_implied(plane, *axis, here, bounds)) continue;
+      const MatchedPlane matched = extractor.match(plane);
+      if (is_plausible(matched.images, bounds)) plausible.push_back(matched);
+    }
+    return distinct_planes(std::move(plausible), bounds.same_plane_angle);
+  }
+
+  bool is_within_bounds(const RotationalScores& scores) const {
+    const ObjectSymmetryOptions& bounds = options_.object_symmetry;
+    return scores.symmetry_residual < bounds.max_axis_residual &&
+           scores.occlusion_residual < bounds.max_axis_occlusion &&
+           scores.perpendicularity < options_.rotational_detection.max_perpendicularity &&
+           scores.coverage > bounds.min_axis_coverage;
+  }
+
+  ObservedScene scene_;
+  const SceneObject& object_;
+  SymmetrySearchOptions options_;
+  PointCloud points_;
+  std::vector<PointIndices> segment_;
+  std::optional<Eigen::Vector3d> up_;
 };
-
-Normalization normalize(const ObjectSymmetryOptions& options, PointCloud& cloud) {
-  const Eigen::Vector3d extent = bounding_box(cloud.positions).extent().cast<double>();
-  if (cloud.empty() || !(extent.norm() > 0.0) || !extent.allFinite()) {
-    throw InputError("object", "points that span a finite extent",
-                     std::to_string(cloud.size()) + " points that do not");
-  }
-  const Normalization normalization{centroid(cloud.positions),
-                                    extent.norm() / options.normalized_diagonal};
-  for (Index i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d p =
-        (cloud.position(i).cast<double>() - normalization.origin) / normalization.scale;
-    cloud.positions.row(i) = p.cast<float>().transpose();
-  }
-  return normalization;
-}
-
-/// Outwards is away from the middle, which holds on the whole for any closed or convex surface.
-OutwardVote away_from_centre() {
-  return [](const Eigen::Vector3f& p, const Eigen::Vector3f& n) { return double{p.dot(n)}; };
-}
-
-void complete_normals(const ObjectSymmetryOptions& options, PointCloud& cloud) {
-  if (oriented_points(cloud).empty())
-    cloud.normals = estimate_normals(cloud.positions, away_from_centre(), options.normals);
-  const PointIndices oriented = oriented_points(cloud);
-  cloud = select(cloud, oriented);
-  if (cloud.empty()) throw InputError("object", "a surface with normals", "points that span none");
-}
-
-/// The point that the lines of all normals come nearest to: Σ (I − n nᵀ)(p − c) = 0.
-Eigen::Vector3d meeting_point_of_normals(const PointCloud& cloud) {
-  Eigen::Matrix3d matrix = 1e-9 * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-  for (Index i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d n = cloud.normal(i).cast<double>();
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - n * n.transpose();
-    matrix += across;
-    right_side += across * cloud.position(i).cast<double>();
-  }
-  return matrix.ldlt().solve(right_side);
-}
-
-/// The centre if the surface is a ball's: normals along the radii, all radii alike.
-std::optional<Eigen::Vector3d> centre_of_sphere(const PointCloud& cloud) {
-  constexpr double max_mean_angle = radians(8.0);
-  constexpr double max_radius_deviation = 0.05;
-  const Eigen::Vector3d centre = meeting_point_of_normals(cloud);
-  double angles = 0.0;
-  double radii = 0.0;
-  double squared_radii = 0.0;
-  for (Index i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d radius = cloud.position(i).cast<double>() - centre;
-    angles += line_angle(radius, cloud.normal(i).cast<double>());
-    radii += radius.norm();
-    squared_radii += radius.squaredNorm();
-  }
-  const auto count = static_cast<double>(cloud.size());
-  const double mean = radii / count;
-  const double deviation = std::sqrt(std::max(0.0, squared_radii / count - mean * mean));
-  const bool is_sphere = angles / count < max_mean_angle && deviation < max_radius_deviation * mean;
-  return is_sphere ? std::optional(centre) : std::nullopt;
-}
-
-/// A plane that contains the axis says nothing that the axis does not.
-bool contains(const ReflectionPlane& plane, const RotationAxis& axis,
-              const ReflectionalDetectionOptions& options) {
-  const double off_axis = std::abs(plane.signed_distance(axis.point));
-  return std::abs(line_angle(plane.normal, axis.direction) - std::numbers::pi / 2) <
-             options.same_angle &&
-         off_axis < options.same_distance;
-}
 
 }  // namespace
 
-void ObjectSymmetryOptions::validate() const {
-  require_option(normalized_diagonal > 0.0, "normalized_diagonal", "a length above 0 m",
-                 normalized_diagonal);
-  require_option(voxel_size > 0.0 && voxel_size < normalized_diagonal, "voxel_size",
-                 "a length in (0, normalized_diagonal) m", voxel_size);
-  normals.validate();
-  rotational.validate();
-  reflectional.validate();
+std::optional<AxisCandidate> axis_candidate(const ObservedScene& scene, const SceneObject& object,
+                                            const SymmetrySearchOptions& options) {
+  return SymmetrySearch(scene, object, options).axis();
 }
 
-ObjectSymmetries detect_object_symmetries(const PointCloud& cloud,
-                                          const ObjectSymmetryOptions& options) {
-  options.validate();
-  PointCloud object = select(cloud, finite_points(cloud.positions));
-  const Normalization normalization = normalize(options, object);
-  object = voxel_downsample(object, options.voxel_size);
-  complete_normals(options, object);
+SymmetryCandidates symmetry_candidates(const ObservedScene& scene, const SceneObject& object,
+                                       const SymmetrySearchOptions& options) {
+  const SymmetrySearch search(scene, object, options);
+  SymmetryCandidates candidates;
+  candidates.axis = search.axis();
+  std::optional<RotationAxis> probable;
+  if (candidates.axis &&
+      candidates.axis->probability > options.object_symmetry.min_implying_probability)
+    probable = candidates.axis->axis;
+  candidates.planes = search.planes(probable);
+  return candidates;
+}
 
-  const DistanceField unknown = unknown_distance_field(
-      bounding_box(object.positions), static_cast<float>(options.voxel_size), std::nullopt);
-  PointIndices everything(object.size());
-  std::iota(everything.begin(), everything.end(), Index{0});
-  const std::vector<PointIndices> segments{everything};
-
-  ObjectSymmetries symmetries;
-  symmetries.points = object.size();
-  symmetries.centroid = normalization.restored(centroid(object.positions));
-  if (const auto centre = centre_of_sphere(object)) {
-    symmetries.sphere = true;
-    symmetries.centroid = normalization.restored(*centre);
-    return symmetries;
+ListedSymmetries list_symmetries(const SymmetryCandidates& candidates,
+                                 const ObjectSymmetryOptions& options) {
+  ListedSymmetries listed;
+  const std::optional<AxisCandidate>& axis = candidates.axis;
+  if (axis && axis->probability > options.min_axis_probability)
+    listed.rotational.push_back({axis->axis, axis->features.symmetry});
+  for (const PlaneCandidate& plane : candidates.planes) {
+    if (plane.probability > options.min_plane_probability)
+      listed.reflectional.push_back({plane.plane, plane.features.images.plane_residual()});
   }
-  const RotationalDetection axes =
-      detect_rotational(object, segments, unknown, std::nullopt, options.rotational);
-  const ReflectionalDetection planes =
-      detect_reflectional(object, segments, unknown, std::nullopt, options.reflectional);
-  for (const RotationalCandidate& candidate : axes.candidates) {
-    symmetries.rotational.push_back(
-        {{normalization.restored(candidate.axis.point), candidate.axis.direction},
-         candidate.scores.symmetry_residual});
-  }
-  for (const ReflectionalCandidate& candidate : planes.candidates) {
-    const bool implied =
-        std::any_of(axes.candidates.begin(), axes.candidates.end(), [&](const auto& axis) {
-          return contains(candidate.plane, axis.axis, options.reflectional);
-        });
-    if (implied) continue;
-    symmetries.reflectional.push_back(
-        {{normalization.restored(candidate.plane.point), candidate.plane.normal},
-         1.0 - candidate.scores.inlier_score});
-  }
-  std::stable_sort(
-      symmetries.reflectional.begin(), symmetries.reflectional.end(),
-      [](const ScoredPlane& a, const ScoredPlane& b) { return a.residual < b.residual; });
-  return symmetries;
+  return listed;
 }
 
 }  // namespace symscene

@@ -1,25 +1,35 @@
-#include "symscene/symmetry/plane_fit.hpp"
+#include "symmetry/plane_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <Eigen/Dense>
 
-#include "symscene/core/error.hpp"
+#include "symmetry/point_scores.hpp"
 
 namespace symscene {
 namespace {
 
 constexpr std::size_t min_correspondences = 6;
 
-/// The angle between normals; nearly opposite ones are the two sides of a thin wall and count as
-/// equal.
-float folded_angle(float cosine) {
-  constexpr float fold = -0.70710678F;  // cos 135°
-  return safe_acos(cosine < fold ? -cosine : cosine);
-}
+/// The angle between normals of cosine `cosine`. Nearly opposite ones are the two sides of a thin
+/// wall and count as equal where fold_thin_walls is set.
+class MatchAngle {
+ public:
+  explicit MatchAngle(const CorrespondenceOptions& options)
+      : folds_(options.fold_thin_walls),
+        fold_cosine_(static_cast<float>(std::cos(options.min_fold_angle))) {}
+  float operator()(float cosine) const {
+    return safe_acos(folds_ && cosine < fold_cosine_ ? -cosine : cosine);
+  }
 
-/// A plane as normal and offset from a reference point, about which its rotation is measured.
+ private:
+  bool folds_;
+  float fold_cosine_;
+};
+
+/// A plane by its normal and its offset from a reference point, the centre of its rotations.
 struct LocalPlane {
   Eigen::Vector3d normal;
   double offset;  ///< n · (x − reference) = offset
@@ -27,8 +37,8 @@ struct LocalPlane {
   double distance(const Eigen::Vector3d& q) const { return normal.dot(q) - offset; }
 };
 
-/// The step (two rotations, one shift) that best brings reflections onto the tangent planes of
-/// their matches.
+/// The step (two rotations, one shift) that minimises the distances of reflections from the tangent
+/// planes of their matches (Eq. 3.7).
 Eigen::Vector3d solve_step(const PointCloud& cloud, const std::vector<Correspondence>& matches,
                            const Eigen::Vector3d& reference, const LocalPlane& plane,
                            const Eigen::Matrix<double, 3, 2>& basis) {
@@ -55,27 +65,12 @@ Eigen::Vector3d solve_step(const PointCloud& cloud, const std::vector<Correspond
 
 }  // namespace
 
-void CorrespondenceOptions::validate() const {
-  require_option(max_distance > 0.0, "max_distance", "a distance above 0 m", max_distance);
-  require_option(max_angle > 0.0 && max_angle <= std::numbers::pi, "max_angle",
-                 "an angle in (0, pi] rad", max_angle);
-  require_option(min_plane_distance >= 0.0, "min_plane_distance", "a distance of at least 0 m",
-                 min_plane_distance);
-}
-
-void PlaneFitOptions::validate() const {
-  matching.validate();
-  require_option(max_iterations >= 1, "max_iterations", "at least 1", max_iterations);
-  require_option(angle_tolerance > 0.0, "angle_tolerance", "an angle above 0 rad", angle_tolerance);
-  require_option(distance_tolerance > 0.0, "distance_tolerance", "a distance above 0 m",
-                 distance_tolerance);
-}
-
-std::vector<Correspondence> reflect_onto(const PointCloud& cloud, const CellList& cells,
-                                         std::span<const Index> sources,
+std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<const Index> sources,
                                          const ReflectionPlane& plane,
                                          const CorrespondenceOptions& options) {
+  const PointCloud& cloud = target.cloud;
   const PlaneReflector reflector(plane);
+  const MatchAngle match_angle(options);
   const auto radius = static_cast<float>(options.max_distance);
   const auto min_plane_distance = static_cast<float>(options.min_plane_distance);
   const auto max_angle = static_cast<float>(options.max_angle);
@@ -83,10 +78,10 @@ std::vector<Correspondence> reflect_onto(const PointCloud& cloud, const CellList
   for (const Index from : sources) {
     const Eigen::Vector3f p = cloud.position(from);
     if (std::abs(reflector.signed_distance(p)) < min_plane_distance) continue;
-    const auto [to, squared_distance] = cells.nearest(reflector.point(p), radius);
+    const auto [to, squared_distance] = target.cells.nearest(reflector.point(p), radius);
     if (to == CellList::none) continue;
     const float cosine = reflector.direction(cloud.normal(from)).dot(cloud.normal(to));
-    const float angle = options.fold_thin_walls ? folded_angle(cosine) : safe_acos(cosine);
+    const float angle = match_angle(cosine);
     if (angle <= max_angle) correspondences.push_back({from, to, squared_distance, angle});
   }
   return correspondences;
@@ -106,9 +101,10 @@ std::vector<Correspondence> one_to_one(std::vector<Correspondence> correspondenc
   return correspondences;
 }
 
-PlaneFit fit_plane(const PointCloud& cloud, const CellList& cells, std::span<const Index> sources,
+PlaneFit fit_plane(const IndexedCloud& target, std::span<const Index> sources,
                    const ReflectionPlane& initial, const PlaneFitOptions& options) {
   options.validate();
+  const PointCloud& cloud = target.cloud;
   const Eigen::Vector3d reference = centroid(cloud.positions, sources);
   LocalPlane plane{initial.normal, initial.normal.dot(initial.point - reference)};
   const auto as_plane = [&] {
@@ -118,7 +114,7 @@ PlaneFit fit_plane(const PointCloud& cloud, const CellList& cells, std::span<con
   fit.status = FitStatus::iteration_limit;
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
     const std::vector<Correspondence> matches =
-        one_to_one(reflect_onto(cloud, cells, sources, as_plane(), options.matching));
+        one_to_one(reflect_onto(target, sources, as_plane(), options.matching));
     fit.correspondences = matches.size();
     if (matches.size() < min_correspondences) {
       fit.status = FitStatus::too_few_points;

@@ -5,9 +5,25 @@
 
 #include <Eigen/Dense>
 
-#include "symscene/core/point_cloud.hpp"
+#include "symscene/core/geometry.hpp"
 
 namespace symscene {
+namespace {
+
+/// The point nearest to the lines of all normals: Σ (I − n nᵀ)(p − c) = 0.
+Eigen::Vector3d meeting_point_of_normals(const PointCloud& cloud) {
+  Eigen::Matrix3d matrix = 1e-9 * Eigen::Matrix3d::Identity();
+  Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d n = cloud.normal(i).cast<double>();
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - n * n.transpose();
+    matrix += across;
+    right_side += across * cloud.position(i).cast<double>();
+  }
+  return matrix.ldlt().solve(right_side);
+}
+
+}  // namespace
 
 double distance_off_sphere(const Points& points) {
   constexpr double max_radius = 2.0;  // in diagonals of the points: beyond, they are nearly flat
@@ -31,6 +47,26 @@ double distance_off_sphere(const Points& points) {
     sum += std::abs((p - middle).norm() - radius);
   }
   return std::min(1.0, sum / (static_cast<double>(points.rows()) * radius));
+}
+
+std::optional<Eigen::Vector3d> sphere_center(const PointCloud& cloud,
+                                             const SphereOptions& options) {
+  const Eigen::Vector3d center = meeting_point_of_normals(cloud);
+  double angles = 0.0;
+  double radii = 0.0;
+  double squared_radii = 0.0;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d radius = cloud.position(i).cast<double>() - center;
+    angles += line_angle(radius, cloud.normal(i).cast<double>());
+    radii += radius.norm();
+    squared_radii += radius.squaredNorm();
+  }
+  const auto count = static_cast<double>(cloud.size());
+  const double mean = radii / count;
+  const double deviation = std::sqrt(std::max(0.0, squared_radii / count - mean * mean));
+  const bool is_sphere =
+      angles / count < options.max_angle && deviation < options.max_radius_deviation * mean;
+  return is_sphere ? std::optional(center) : std::nullopt;
 }
 
 }  // namespace symscene

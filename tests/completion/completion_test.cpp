@@ -40,12 +40,12 @@ double worst_distance(const PointCloud& added, const PointCloud& whole) {
   return worst;
 }
 
-TEST(Completion, TurnsTheSeenSideOfAVaseIntoTheWhole) {
+TEST(Completion, RotatesTheObservedSideOfAVaseIntoTheWhole) {
   const PointCloud whole = testing::vase();
   const PointCloud seen = testing::seen_from(whole, {1.0F, 0.2F, 0.7F});
   const PointCloud added = complete_object(seen, {{RotationAxis{}, 0.0}}, {}, nothing_known());
   EXPECT_LT(worst_distance(added, whole), 0.006);
-  PointIndices sides;  // the foot was not seen and no turn shows it
+  PointIndices sides;  // the foot was not observed and no rotation adds it
   for (Index i = 0; i < whole.size(); ++i) {
     if (whole.normals(i, 2) > -0.5F) sides.push_back(i);
   }
@@ -67,13 +67,13 @@ TEST(Completion, ReflectsByThePlanesAndTheirProducts) {
   for (Index i = 0; i < added.size(); ++i) EXPECT_NEAR(added.normal(i).norm(), 1.0F, 1e-4F);
 }
 
-TEST(Completion, AddsNothingWhereTheObjectWasSeen) {
+TEST(Completion, AddsNothingWhereTheObjectWasObserved) {
   const PointCloud whole = testing::vase();
   const PointCloud added = complete_object(whole, {{RotationAxis{}, 0.0}}, {}, nothing_known());
   EXPECT_LT(added.size(), whole.size() / 100);
 }
 
-TEST(Completion, AddsNothingInSpaceSeenEmpty) {
+TEST(Completion, AddsNothingInFreeSpace) {
   OccupancyGrid grid = rasterize(
       OccupancyMap{}, {Eigen::Vector3f::Constant(-0.3F), Eigen::Vector3f::Constant(0.3F)});
   std::fill(grid.states.begin(), grid.states.end(), VoxelState::free);
@@ -86,15 +86,25 @@ TEST(Completion, AddsNothingInSpaceSeenEmpty) {
 TEST(CentreOfMass, LiesOnEverySymmetry) {
   const PointCloud seen = testing::seen_from(testing::vase(), {1.0F, 0.3F, 0.5F});
   const RotationAxis axis;
-  EXPECT_LT(axis.distance(centre_of_mass(seen, PointCloud{}, {{axis, 0.0}}, {})), 1e-9);
+  EXPECT_LT(axis.distance(centre_of_mass({seen, PointCloud{}, {{axis, 0.0}}, {}})), 1e-9);
   const ReflectionPlane a{{0.01, 0.0, 0.0}, Eigen::Vector3d(1.0, 0.2, 0.0).normalized()};
   const ReflectionPlane b{{0.0, 0.02, 0.0}, Eigen::Vector3d(0.1, 1.0, 0.3).normalized()};
-  const Eigen::Vector3d centre = centre_of_mass(seen, PointCloud{}, {}, {{a, 0.0}, {b, 0.0}});
+  const Eigen::Vector3d centre = centre_of_mass({seen, PointCloud{}, {}, {{a, 0.0}, {b, 0.0}}});
   EXPECT_NEAR(a.signed_distance(centre), 0.0, 1e-9);
   EXPECT_NEAR(b.signed_distance(centre), 0.0, 1e-9);
 }
 
-TEST(Completion, RefusesASpacingOfNothing) {
+TEST(CentreOfMass, IsNotMovedByPlanesThatBarelyDifferAlongTheirBisector) {
+  const PointCloud seen = testing::seen_from(testing::vase(), {1.0F, 0.3F, 0.5F});
+  const ReflectionPlane a{{0.0, 0.0, 0.0}, Eigen::Vector3d(1.0, 0.04, 0.0).normalized()};
+  const ReflectionPlane b{{0.004, 0.0, 0.0}, Eigen::Vector3d(1.0, -0.04, 0.0).normalized()};
+  const Eigen::Vector3d mean = centroid(seen.positions);
+  const Eigen::Vector3d centre = centre_of_mass({seen, PointCloud{}, {}, {{a, 0.0}, {b, 0.0}}});
+  EXPECT_NEAR(centre.y(), mean.y(), 0.005);
+  EXPECT_NEAR(centre.x(), 0.002, 0.005);
+}
+
+TEST(Completion, RefusesASpacingOfZero) {
   CompletionOptions options;
   options.spacing = 0.0;
   EXPECT_THROW(complete_object(testing::vase(), {}, {}, nothing_known(), options), InputError);

@@ -12,7 +12,7 @@
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/simulation/simulation.hpp"
-#include "symscene/symmetry/object_symmetry.hpp"
+#include "symscene/symmetry/single_object.hpp"
 #include "threads.hpp"
 
 namespace symscene {
@@ -238,8 +238,8 @@ TEST(PipelineOptions, RefuseNanInEveryFieldOfEveryStage) {
   expect_nan_refused_in_every_field<PipelineOptions>();
 }
 
-TEST(ObjectSymmetryOptions, RefuseNanInEveryFieldOfEveryStage) {
-  expect_nan_refused_in_every_field<ObjectSymmetryOptions>();
+TEST(SingleObjectOptions, RefuseNanInEveryFieldOfEveryStage) {
+  expect_nan_refused_in_every_field<SingleObjectOptions>();
 }
 
 std::filesystem::path real_scene() {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "surfaces.hpp"
+#include "symmetry/rotational_scores.hpp"
 #include "symmetry/sphere_fit.hpp"
 #include "symmetry/symmetry_score.hpp"
 
@@ -13,11 +14,11 @@ namespace {
 
 const Plane table{Eigen::Vector3d::UnitZ(), 0.0};
 
-AxisFeatures measure(const PointCloud& cloud, const RotationAxis& axis,
-                     const std::optional<Plane>& below = table) {
+AxisFeatures features_of(const PointCloud& cloud, const RotationAxis& axis,
+                         const std::optional<Plane>& below = table) {
   const RotationalScores scores =
       rotational_scores(cloud, axis, testing::nothing_known(cloud), RotationalDetectionOptions{});
-  return measure_axis(cloud, axis, scores, below);
+  return axis_features(cloud, axis, scores, below);
 }
 
 PointCloud ball() {
@@ -26,7 +27,7 @@ PointCloud ball() {
 }
 
 TEST(AxisFeatures, OfAVaseAndItsAxis) {
-  const AxisFeatures features = measure(testing::vase(), {});
+  const AxisFeatures features = features_of(testing::vase(), {});
   EXPECT_LT(features.symmetry, 0.01);
   EXPECT_LT(features.residual, 0.001);  // its sides lean, within a ring too
   EXPECT_NEAR(features.height, 0.2, 0.003);
@@ -38,17 +39,17 @@ TEST(AxisFeatures, OfAVaseAndItsAxis) {
 }
 
 TEST(AxisFeatures, OfAnAxisBesideTheVase) {
-  const AxisFeatures beside = measure(testing::vase(), {{0.02, 0.0, 0.0}, {0.0, 0.0, 1.0}});
+  const AxisFeatures beside = features_of(testing::vase(), {{0.02, 0.0, 0.0}, {0.0, 0.0, 1.0}});
   EXPECT_GT(beside.residual, 0.008);
   EXPECT_GT(beside.off_centre, 0.15);
-  EXPECT_EQ(measure(testing::vase(), {}, std::nullopt).upright, -1.0);
+  EXPECT_EQ(features_of(testing::vase(), {}, std::nullopt).upright, -1.0);
 }
 
 TEST(AxisFeatures, OfABall) {
-  const AxisFeatures features = measure(ball(), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+  const AxisFeatures features = features_of(ball(), {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
   EXPECT_LT(features.roundness, 0.01);
   EXPECT_NEAR(features.upright, 0.0, 1e-9);
-  EXPECT_GT(measure(testing::vase(), {}).roundness, 0.05);
+  EXPECT_GT(features_of(testing::vase(), {}).roundness, 0.05);
 }
 
 TEST(AxisFeatures, OfPointsOffASphere) {
@@ -73,10 +74,10 @@ TEST(AxisScore, IsAProbabilityForAnyFeatures) {
 }
 
 TEST(AxisScore, IsHighForTheAxisOfABodyOfRevolution) {
-  EXPECT_GT(axis_probability(measure(testing::vase(), {})), 0.8);
+  EXPECT_GT(axis_probability(features_of(testing::vase(), {})), 0.8);
 }
 
-// The model was fitted to axes within ObjectSymmetryBounds, as these are: others never reach it.
+// The model was fitted to axes within ObjectSymmetryOptions, as these are: others never reach it.
 
 /// The axis of a bottle that is seen from one side.
 AxisFeatures bottle() {

@@ -1,4 +1,4 @@
-#include "symscene/symmetry/axis_fit.hpp"
+#include "symmetry/axis_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(AxisFit, FindsTheAxisFromOneSide) {
               centroid(seen.positions), radians(1.0), 0.002);
 }
 
-TEST(AxisFit, ForgetsAQuarterOfOutliers) {
+TEST(AxisFit, IgnoresAQuarterOfOutliers) {
   PointCloud cloud = testing::vase();
   std::mt19937 generator(3);
   for (Index i = 0; i < cloud.size(); i += 4) {
@@ -74,7 +74,7 @@ TEST(AxisFit, ConvergesFromTwentyDegreesAndTwoCentimetres) {
   }
 }
 
-TEST(AxisFit, SaysWhenThereIsTooLittleToFit) {
+TEST(AxisFit, ReportsTooFewPoints) {
   const PointCloud cloud = select(testing::vase(), PointIndices{0, 1, 2});
   EXPECT_EQ(fit_axis(cloud, {}).status, FitStatus::too_few_points);
   EXPECT_TRUE(initial_axes(cloud, {}).empty());

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "surfaces.hpp"
+#include "symmetry/rotational_scores.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
 #include "symscene/symmetry/rotational_detection.hpp"
@@ -30,7 +31,7 @@ TEST(RotationalDetection, MovesWithTheScene) {
   }
 }
 
-TEST(RotationalDetection, RefusesAxesThatTurnTheSurfaceIntoSpaceSeenEmpty) {
+TEST(RotationalDetection, RefusesAxesThatRotateTheSurfaceIntoFreeSpace) {
   const PointCloud half = testing::seen_from(testing::vase(), {1.0F, 0.0F, 0.3F});
   EXPECT_EQ(
       detect_rotational(half, {all_of(half)}, nothing_known(half), std::nullopt).candidates.size(),
@@ -48,7 +49,7 @@ TEST(RotationalDetection, RefusesABoxAndAFlatPatch) {
                   .candidates.empty());
 }
 
-TEST(RotationalDetection, MergesTheProposalsOfTwoParts) {
+TEST(RotationalDetection, MergesTheCandidatesOfTwoSegments) {
   const PointCloud cloud = testing::vase();
   PointIndices lower;
   PointIndices upper;
@@ -137,12 +138,12 @@ TEST(Detection, OfNothingFindsNothing) {
       detect_reflectional(cloud, {}, nothing_known(cloud), std::nullopt).candidates.empty());
 }
 
-TEST(Detection, RefusesOptionsWithoutMeaning) {
+TEST(Detection, RefusesInvalidOptions) {
   RotationalDetectionOptions rotational;
   rotational.max_angle = 0.0;
   EXPECT_THROW(rotational.validate(), InputError);
   ReflectionalDetectionOptions reflectional;
-  reflectional.azimuth_steps = 0;
+  reflectional.placement.azimuth_steps = 0;
   EXPECT_THROW(reflectional.validate(), InputError);
 }
 

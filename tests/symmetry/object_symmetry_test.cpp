@@ -1,4 +1,4 @@
-#include "symscene/symmetry/object_symmetry.hpp"
+#include "symmetry/object_symmetry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,46 +8,89 @@
 namespace symscene {
 namespace {
 
-TEST(ObjectSymmetry, OfAVaseIsItsAxisAtAnyScaleAndPlace) {
-  for (const double scale : {0.001, 1.0, 800.0}) {
-    std::mt19937 generator(9);
-    const Eigen::Isometry3d motion = testing::random_motion(generator);
-    PointCloud cloud = testing::moved(testing::vase(), motion);
-    cloud.positions *= static_cast<float>(scale);
-    const ObjectSymmetries found = detect_object_symmetries(cloud);
-    ASSERT_EQ(found.rotational.size(), 1U) << "scale " << scale;
-    const RotationAxis truth{scale * motion.translation(),
-                             motion.linear() * Eigen::Vector3d::UnitZ()};
-    const SymmetryDifference apart = difference(found.rotational[0].axis, truth, found.centroid);
-    EXPECT_LT(apart.angle, radians(1.0));
-    EXPECT_LT(apart.distance, 0.003 * scale);
-    EXPECT_TRUE(found.reflectional.empty());
-    EXPECT_FALSE(found.sphere);
+SymmetryCandidates likely_and_unlikely() {
+  SymmetryCandidates candidates;
+  candidates.axis = AxisCandidate{{}, {}, 0.3};
+  const Eigen::Vector3d here = Eigen::Vector3d::Zero();
+  candidates.planes.push_back({{here, Eigen::Vector3d::UnitX()}, {}, 0.9});
+  candidates.planes.push_back({{here, Eigen::Vector3d::UnitY()}, {}, 0.4});
+  return candidates;
+}
+
+TEST(ListSymmetries, ThatAreProbableEnough) {
+  ObjectSymmetryOptions options;
+  options.min_axis_probability = 0.2;
+  options.min_plane_probability = 0.5;
+  const ListedSymmetries listed = list_symmetries(likely_and_unlikely(), options);
+  EXPECT_EQ(listed.rotational.size(), 1U);
+  ASSERT_EQ(listed.reflectional.size(), 1U);
+  EXPECT_EQ(listed.reflectional[0].plane.normal, Eigen::Vector3d::UnitX());
+  options.min_axis_probability = options.min_plane_probability = 1.0;
+  const ListedSymmetries none = list_symmetries(likely_and_unlikely(), options);
+  EXPECT_TRUE(none.rotational.empty());
+  EXPECT_TRUE(none.reflectional.empty());
+}
+
+/// An object that is all of a scene's points.
+struct WholeScene {
+  explicit WholeScene(PointCloud points) : cloud(std::move(points)) {
+    object.points = testing::all_of(cloud);
+    object.score = 0.9;
   }
-}
-
-TEST(ObjectSymmetry, OfABoxIsItsThreePlanesWithAndWithoutNormals) {
-  PointCloud cloud = testing::box({0.1, 0.16, 0.23});
-  for (const bool with_normals : {true, false}) {
-    if (!with_normals) cloud.normals.resize(0, 3);
-    const ObjectSymmetries found = detect_object_symmetries(cloud);
-    EXPECT_EQ(found.reflectional.size(), 3U) << with_normals;
-    EXPECT_TRUE(found.rotational.empty());
+  SymmetryCandidates candidates(const SymmetrySearchOptions& options) const {
+    return symmetry_candidates({cloud, field, table}, object, options);
   }
+
+  PointCloud cloud;
+  DistanceField field = testing::all_seen(cloud);
+  std::optional<Plane> table = Plane{Eigen::Vector3d::UnitZ(), 0.0};
+  SceneObject object;
+};
+
+TEST(SymmetryCandidates, OfABoxAreItsThreePlanesComparedWithOneAnother) {
+  const WholeScene scene(testing::box({0.1, 0.16, 0.21}));
+  const SymmetryCandidates found = scene.candidates({});
+  ASSERT_GE(found.planes.size(), 3U);
+  double last = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PlaneFeatures& features = found.planes[k].features;
+    EXPECT_GT(found.planes[k].probability, 0.5);
+    EXPECT_GE(features.images.plane_residual(), last);
+    last = features.images.plane_residual();
+    EXPECT_EQ(features.rank, static_cast<double>(k));
+    EXPECT_NEAR(features.nearest, radians(90.0), radians(2.0));
+    EXPECT_NEAR(features.off_square, k == 0 ? -1.0 : 0.0, 0.03);
+    EXPECT_EQ(features.best_matched, found.planes[0].features.images.matched);
+    EXPECT_EQ(features.along_axis, -1.0);
+  }
+  for (std::size_t k = 3; k < found.planes.size(); ++k) EXPECT_LT(found.planes[k].probability, 0.5);
 }
 
-TEST(ObjectSymmetry, OfABallIsASphere) {
-  const std::vector<Ellipsoid> ball{{{0.0, 0.0, 0.1}, {0.05, 0.05, 0.05}}};
-  const ObjectSymmetries found =
-      detect_object_symmetries(testing::as_cloud(make_mirrored_body(ball, 0.001, 0.005)));
-  EXPECT_TRUE(found.sphere);
-  EXPECT_LT((found.centroid - Eigen::Vector3d(0.0, 0.0, 0.1)).norm(), 0.002);
+TEST(SymmetryCandidates, OfAVaseAreItsAxisWithoutThePlanesThatItImplies) {
+  const WholeScene scene(testing::vase());
+  SymmetrySearchOptions options;
+  const SymmetryCandidates found = scene.candidates(options);
+  ASSERT_TRUE(found.axis);
+  EXPECT_GT(found.axis->probability, 0.5);
+  EXPECT_LT(line_angle(found.axis->axis.direction, Eigen::Vector3d::UnitZ()), radians(1.0));
+  for (const PlaneCandidate& plane : found.planes)
+    EXPECT_GT(plane.features.along_axis, std::sin(options.object_symmetry.plane_in_axis_angle));
+  options.rotational_stream = false;
+  const SymmetryCandidates planes_alone = scene.candidates(options);
+  EXPECT_FALSE(planes_alone.axis);
+  EXPECT_GT(planes_alone.planes.size(), found.planes.size());
 }
 
-TEST(ObjectSymmetry, OfOnePointIsRefused) {
-  PointCloud cloud = select(testing::vase(), PointIndices{0});
-  EXPECT_THROW(detect_object_symmetries(cloud), InputError);
-  EXPECT_THROW(detect_object_symmetries(PointCloud{}), InputError);
+TEST(ObjectSymmetryOptions, RefuseValuesOutOfRange) {
+  for (const auto& spoil : std::vector<std::function<void(ObjectSymmetryOptions&)>>{
+           [](auto& o) { o.min_plane_probability = 1.5; },
+           [](auto& o) { o.min_axis_probability = -0.1; },
+           [](auto& o) { o.min_axis_coverage = 1.2; }, [](auto& o) { o.max_axis_residual = 2.0; },
+           [](auto& o) { o.plane_features.max_image_offset = -0.001; }}) {
+    ObjectSymmetryOptions options;
+    spoil(options);
+    EXPECT_THROW(options.validate(), InputError);
+  }
 }
 
 }  // namespace

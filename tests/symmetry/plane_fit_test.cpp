@@ -1,4 +1,4 @@
-#include "symscene/symmetry/plane_fit.hpp"
+#include "symmetry/plane_fit.hpp"
 
 #include <set>
 
@@ -14,7 +14,7 @@ using testing::moved;
 
 PlaneFit fitted(const PointCloud& cloud, const ReflectionPlane& initial) {
   const CellList cells(cloud.positions, 0.01F);
-  return fit_plane(cloud, cells, all_of(cloud), initial);
+  return fit_plane({cloud, cells}, all_of(cloud), initial);
 }
 
 TEST(PlaneFit, RecoversEachPlaneOfABoxWhereverItLies) {
@@ -37,7 +37,7 @@ TEST(PlaneFit, RecoversEachPlaneOfABoxWhereverItLies) {
   }
 }
 
-TEST(PlaneFit, SaysWhenNothingMatches) {
+TEST(PlaneFit, ReportsWhenNothingMatches) {
   const PointCloud cloud = testing::box({0.1, 0.1, 0.1});
   const ReflectionPlane far_off{{1.0, 0.0, 0.0}, Eigen::Vector3d::UnitX()};
   EXPECT_EQ(fitted(cloud, far_off).status, FitStatus::too_few_points);
@@ -49,7 +49,7 @@ TEST(Correspondences, OfASymmetricCloudPairEveryPointAwayFromThePlane) {
   const ReflectionPlane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
   const CorrespondenceOptions options;
   const std::vector<Correspondence> matches =
-      reflect_onto(cloud, cells, all_of(cloud), plane, options);
+      reflect_onto({cloud, cells}, all_of(cloud), plane, options);
   std::size_t away = 0;
   for (Index i = 0; i < cloud.size(); ++i) away += std::abs(cloud.positions(i, 0)) >= 0.01F ? 1 : 0;
   EXPECT_GT(static_cast<double>(matches.size()), 0.98 * static_cast<double>(away));
@@ -76,9 +76,9 @@ TEST(Correspondences, FoldOppositeNormalsOnlyWhereTold) {
   const CellList cells(cloud.positions, 0.01F);
   const ReflectionPlane plane;
   CorrespondenceOptions options;
-  EXPECT_EQ(reflect_onto(cloud, cells, all_of(cloud), plane, options).size(), 2U);
+  EXPECT_EQ(reflect_onto({cloud, cells}, all_of(cloud), plane, options).size(), 2U);
   options.fold_thin_walls = false;
-  EXPECT_TRUE(reflect_onto(cloud, cells, all_of(cloud), plane, options).empty());
+  EXPECT_TRUE(reflect_onto({cloud, cells}, all_of(cloud), plane, options).empty());
 }
 
 }  // namespace

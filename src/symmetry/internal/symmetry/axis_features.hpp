@@ -5,18 +5,17 @@
 
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/point_cloud.hpp"
-#include "symscene/symmetry/rotational_detection.hpp"
+#include "symscene/symmetry/object_symmetry_options.hpp"
 
 namespace symscene {
 
-/// What speaks for and against an object whose points are known being a body of revolution about an
-/// axis.
+/// Features of an axis as a rotational symmetry of an object whose points are known.
 struct AxisFeatures {
-  double symmetry = 0.0;          ///< as in RotationalScores
+  double symmetry = 0.0;          ///< RotationalScores::symmetry_residual
   double perpendicularity = 0.0;  ///< as in RotationalScores
   double coverage = 0.0;          ///< as in RotationalScores
-  double occlusion = 0.0;         ///< as in RotationalScores
-  double residual = 0.0;    ///< mean distance of points off the mean radius at their height [m]
+  double occlusion = 0.0;         ///< RotationalScores::occlusion_residual
+  double residual = 0.0;    ///< mean difference of points' radii from the mean at their height [m]
   double height = 0.0;      ///< extent along the axis [m]
   double radius = 0.0;      ///< greatest distance from the axis [m]
   double off_centre = 0.0;  ///< distance of the axis from the points' mean, by the radius
@@ -26,7 +25,7 @@ struct AxisFeatures {
   double upright = 0.0;     ///< |cosine| of the axis and the table's normal; -1 without a table
   double size = 0.0;        ///< natural logarithm of the number of points
 
-  /// Calls visit(name, value) for every measure, in this order.
+  /// Calls visit(name, value) for every feature, in this order.
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("symmetry", self.symmetry);
@@ -46,8 +45,10 @@ struct AxisFeatures {
   static constexpr std::size_t count = 13;
 };
 
-/// `points` has normals and is not empty.
-AxisFeatures measure_axis(const PointCloud& points, const RotationAxis& axis,
-                          const RotationalScores& scores, const std::optional<Plane>& table);
+/// The features of `axis` on `points`, which has unit normals and is not empty; `scores` are the
+/// axis' on the same points.
+AxisFeatures axis_features(const PointCloud& points, const RotationAxis& axis,
+                           const RotationalScores& scores, const std::optional<Plane>& table,
+                           const AxisFeatureOptions& options = {});
 
 }  // namespace symscene

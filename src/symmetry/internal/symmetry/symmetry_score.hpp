@@ -8,7 +8,7 @@ namespace symscene {
 
 /// The embedded models models/axis.txt and models/plane.txt, parsed on first use. They were fitted
 /// by `symscene_fit_symmetry_score` to simulated scenes of the training split, to axes and planes
-/// within ObjectSymmetryBounds alone: others may get any probability, so check the bounds first.
+/// within ObjectSymmetryOptions alone: others may get any probability, so check the bounds first.
 const TreeModel& axis_model();
 const TreeModel& plane_model();
 

@@ -11,7 +11,7 @@
 #include "symscene/segmentation/reflectional_segmentation.hpp"
 #include "symscene/segmentation/rotational_segmentation.hpp"
 #include "symscene/segmentation/surface_graph.hpp"
-#include "symscene/symmetry/object_symmetry_bounds.hpp"
+#include "symscene/symmetry/object_symmetry_options.hpp"
 
 namespace symscene {
 
@@ -38,7 +38,7 @@ struct PipelineOptions {
   ProposalContextOptions proposal_context;
   ObjectScoreOptions object_score;
   SelectionOptions selection;
-  ObjectSymmetryBounds object_symmetry;
+  ObjectSymmetryOptions object_symmetry;
   CompletionOptions completion;
   ModelOptions models;
 
@@ -75,7 +75,7 @@ struct PipelineOptions {
   void validate() const;
 
   ProposalOptions proposal_options() const;
-  WholeObjectOptions whole_object_options() const;
+  SymmetrySearchOptions symmetry_search_options() const;
 };
 
 /// The cuts of both streams of section 4.4 without the bounds of section 4.3.3, and the parts of

@@ -7,7 +7,7 @@
 #include "symscene/proposals/proposal_options.hpp"
 #include "symscene/segmentation/hypothesis.hpp"
 #include "symscene/segmentation/surface_parts.hpp"
-#include "symscene/symmetry/object_symmetry_bounds.hpp"
+#include "symscene/symmetry/observed_scene.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
 #include "symscene/symmetry/rotational_detection.hpp"
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "symscene/core/scene.hpp"
-#include "symscene/symmetry/plane_fit.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+#include "symscene/symmetry/plane_fit_options.hpp"
+#include "symscene/symmetry/score_range.hpp"
 
 namespace symscene {
 
@@ -15,58 +18,108 @@ struct ReflectionalScores {
   double occlusion_residual = 0.0;  ///< mean ramp of distances into free space (Eq. 4.7), in [0, 1]
 };
 
+/// How planes are placed before they are fitted (section 3.5.3).
+struct PlanePlacementOptions {
+  int azimuth_steps = 5;
+  int max_points = 200;
+  double shift_radius = 0.01;
+  double shift_angle = radians(10.0);
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("azimuth_steps", self.azimuth_steps, "", between(1.0, 90.0),
+          "orientations: a half turn in this many steps in both spherical angles (section 3.5.3)");
+    visit("max_points", self.max_points, "points", at_least(2),
+          "points of a segment whose pairs vote for the offset of a plane (Eq. 3.8)");
+    visit("shift_radius", self.shift_radius, "m", above(0.0),
+          "greatest distance across the normal between two points that vote (Eq. 3.8)");
+    visit("shift_angle", self.shift_angle, "rad", strictly_between(0.0, std::numbers::pi),
+          "greatest angle between one's reflected normal and the other's normal (Eq. 3.8)");
+  }
+  void validate() const { check_fields(*this); }
+};
+
+/// How the many placed planes of a segment are fitted: a few rounds each, then only the distinct
+/// ones to the end.
+struct PlaneSearchOptions {
+  int coarse_iterations = 4;
+  double coarse_same_angle = radians(2.0);
+  double coarse_same_distance = 0.003;
+  double fine_same_angle = radians(1.0);
+  double fine_same_distance = 0.002;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("coarse_iterations", self.coarse_iterations, "", at_least(1),
+          "rounds of fitting after which nearly equal planes are dropped");
+    visit("coarse_same_angle", self.coarse_same_angle, "rad", at_least(0.0),
+          "planes closer than this and coarse_same_distance after these rounds are one");
+    visit("coarse_same_distance", self.coarse_same_distance, "m", at_least(0.0),
+          "planes closer than this and coarse_same_angle after these rounds are one");
+    visit("fine_same_angle", self.fine_same_angle, "rad", at_least(0.0),
+          "fitted planes closer than this and fine_same_distance are scored once");
+    visit("fine_same_distance", self.fine_same_distance, "m", at_least(0.0),
+          "fitted planes closer than this and fine_same_angle are scored once");
+  }
+  void validate() const { check_fields(*this); }
+};
+
 struct ReflectionalDetectionOptions {
+  PlanePlacementOptions placement;
+  PlaneSearchOptions search;
   PlaneFitOptions fit;
   CorrespondenceOptions scoring;
-  int azimuth_steps = 5;  ///< orientations: steps of 180°/5 = 36° in both angles (section 3.5.3)
-  int max_points = 400;   ///< larger segments are thinned evenly for fitting and scoring
-  double shift_radius =
-      0.01;  ///< reach of the cylinder in which a point seeks partners for Eq. 3.8 [m]
-  double shift_angle = radians(10.0);  ///< normals of such partners [rad]
-  double min_angle = radians(15.0);    ///< angles up to here fit perfectly (Eq. 3.9) [rad]
-  double max_angle = radians(20.0);    ///< and from here not at all [rad]
-  double min_occlusion = 0.01;  ///< distances into free space up to here are noise (Eq. 4.7) [m]
-  double max_occlusion = 0.03;  ///< and from here contradict fully [m]
-  double min_symmetry_score = 0.8;  ///< table 4.1 as used
-  double min_inlier_score = 0.3;    ///< table 4.1 as used
+  int max_points = 400;
+  double min_angle = radians(15.0);
+  double max_angle = radians(20.0);
+  double min_occlusion = 0.01;
+  double max_occlusion = 0.03;
+  double min_symmetry_score = 0.8;
+  double min_inlier_score = 0.3;
   double max_occlusion_residual = 0.01;
-  double same_angle = radians(7.0);  ///< planes closer than this [rad]
-  double same_distance = 0.01;       ///< and this, at their segment, are one [m]
+  double same_angle = radians(7.0);
+  double same_distance = 0.01;
+  double max_support_distance = 0.3;
 
   ScoreRange angle_range() const { return {min_angle, max_angle}; }
   ScoreRange occlusion_range() const { return {min_occlusion, max_occlusion}; }
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
+    visit("placement", self.placement);
+    visit("search", self.search);
     visit("fit", self.fit);
     visit("scoring", self.scoring);
-    visit("azimuth_steps", self.azimuth_steps, "",
-          "orientations tried: a half turn in so many steps, both ways");
-    visit("max_points", self.max_points, "points", "larger segments are thinned evenly");
-    visit("shift_radius", self.shift_radius, "m",
-          "reach across the normal when a plane is first placed");
-    visit("shift_angle", self.shift_angle, "rad", "angle of normals when a plane is first placed");
-    visit("min_angle", self.min_angle, "rad",
-          "angles between matched normals up to here fit perfectly");
-    visit("max_angle", self.max_angle, "rad", "and from here not at all");
-    visit("min_occlusion", self.min_occlusion, "m",
-          "distances into free space up to here are noise");
-    visit("max_occlusion", self.max_occlusion, "m", "and from here contradict the plane fully");
-    visit("min_symmetry_score", self.min_symmetry_score, "",
-          "least mean agreement of matched normals");
-    visit("min_inlier_score", self.min_inlier_score, "", "least agreement summed over all points");
-    visit("max_occlusion_residual", self.max_occlusion_residual, "",
-          "greatest mean occlusion score");
-    visit("same_angle", self.same_angle, "rad",
-          "planes closer than this and same_distance are one");
-    visit("same_distance", self.same_distance, "m",
-          "planes closer than this and same_angle are one");
+    visit("max_points", self.max_points, "points", at_least(8),
+          "larger segments are subsampled evenly for fitting and scoring");
+    visit("min_angle", self.min_angle, "rad", at_least(0.0),
+          "the agreement is 1 at angles between matched normals up to this (Eq. 3.9)");
+    visit("max_angle", self.max_angle, "rad", above_up_to(0.0, std::numbers::pi),
+          "the agreement is 0 at angles between matched normals from this (Eq. 3.9)");
+    visit("min_occlusion", self.min_occlusion, "m", at_least(0.0),
+          "the occlusion residual is 0 at distances into free space up to this (Eq. 4.7)");
+    visit("max_occlusion", self.max_occlusion, "m", above(0.0),
+          "the occlusion residual is 1 at distances into free space from this (Eq. 4.7)");
+    visit("min_symmetry_score", self.min_symmetry_score, "", between(0.0, 1.0),
+          "lower bound of the mean agreement of matched normals (Eq. 3.9, table 4.1)");
+    visit("min_inlier_score", self.min_inlier_score, "", between(0.0, 1.0),
+          "lower bound of the agreement summed over all points (Eq. 3.10, table 4.1)");
+    visit("max_occlusion_residual", self.max_occlusion_residual, "", between(0.0, 1.0),
+          "upper bound of the mean occlusion residual (Eq. 4.7)");
+    visit("same_angle", self.same_angle, "rad", at_least(0.0),
+          "planes closer than this and same_distance are one (Eq. 3.11)");
+    visit("same_distance", self.same_distance, "m", at_least(0.0),
+          "planes closer than this, at their segment, and same_angle are one (Eq. 3.12)");
+    visit("max_support_distance", self.max_support_distance, "m", at_least(0.0),
+          "equal planes of segments whose centroids are farther apart are two: objects in a row");
   }
-  /// Throws InputError on a range that is empty or a bound outside its values.
-  void validate() const;
+  void validate() const {
+    check_fields(*this);
+    require_score_ranges(*this);
+  }
 };
 
-/// A plane with the segment that proposed it.
+/// A plane and the segment that proposed it.
 struct ReflectionalCandidate {
   ReflectionPlane plane;
   ReflectionalScores scores;
@@ -78,17 +131,12 @@ struct ReflectionalDetection {
   std::vector<FunnelStep> funnel;
 };
 
-/// The scores of `plane` on the points `members` of `cloud`, matched among the points that `cells`
-/// holds.
-ReflectionalScores reflectional_scores(const PointCloud& cloud, const CellList& cells,
-                                       std::span<const Index> members, const ReflectionPlane& plane,
-                                       const DistanceField& field,
-                                       const ReflectionalDetectionOptions& options);
-
 /// The reflection planes that the smooth segments of a scene propose (section 3.5.3): orientations
-/// sampled about each segment's principal axes (and, where `up` is known, upright ones), placed by
-/// the votes of pairs of points, fitted, filtered and merged. `cloud` has unit normals. Equal for
-/// any number of threads.
+/// are sampled about each segment's principal axes (and, where `up` is known, upright ones), placed
+/// by votes of pairs of points (Eq. 3.8), fitted (Eq. 3.7), filtered and merged. `cloud` has unit
+/// normals, `segments` holds indices into it, `field` is in the same frame, `up` is the table's
+/// unit normal. The result does not depend on the number of threads. Throws InputError on invalid
+/// options.
 ReflectionalDetection detect_reflectional(const PointCloud& cloud,
                                           const std::vector<PointIndices>& segments,
                                           const DistanceField& field,

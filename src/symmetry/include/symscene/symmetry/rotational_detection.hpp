@@ -1,11 +1,13 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "symscene/core/scene.hpp"
-#include "symscene/symmetry/axis_fit.hpp"
-#include "symscene/symmetry/point_scores.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+#include "symscene/symmetry/axis_fit_options.hpp"
+#include "symscene/symmetry/score_range.hpp"
 
 namespace symscene {
 
@@ -19,16 +21,18 @@ struct RotationalScores {
 
 struct RotationalDetectionOptions {
   AxisFitOptions fit;
-  double min_angle = radians(10.0);  ///< angles up to here fit perfectly (Eq. 3.5) [rad]
-  double max_angle = radians(60.0);  ///< and from here not at all [rad]
-  double min_occlusion = 0.01;  ///< distances into free space up to here are noise (Eq. 4.3) [m]
-  double max_occlusion = 0.03;  ///< and from here contradict fully [m]
-  double max_symmetry_residual = 0.02;  ///< table 4.1
-  double max_perpendicularity = 0.6;    ///< table 4.1
-  double min_coverage = 0.3;            ///< of a full turn
+  double rim_radius = 0.01;
+  double rim_offset = 0.31;
+  double min_angle = radians(10.0);
+  double max_angle = radians(60.0);
+  double min_occlusion = 0.01;
+  double max_occlusion = 0.03;
+  double max_symmetry_residual = 0.02;
+  double max_perpendicularity = 0.6;
+  double min_coverage = 0.3;
   double max_occlusion_residual = 0.012;
-  double same_angle = radians(10.0);  ///< axes closer than this [rad]
-  double same_distance = 0.01;        ///< and this, at their segment, are one [m]
+  double same_angle = radians(10.0);
+  double same_distance = 0.01;
 
   ScoreRange angle_range() const { return {min_angle, max_angle}; }
   ScoreRange occlusion_range() const { return {min_occlusion, max_occlusion}; }
@@ -36,27 +40,40 @@ struct RotationalDetectionOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("fit", self.fit);
-    visit("min_angle", self.min_angle, "rad",
-          "angles between normal and axis plane up to here fit perfectly");
-    visit("max_angle", self.max_angle, "rad", "and from here not at all");
-    visit("min_occlusion", self.min_occlusion, "m",
-          "distances into free space up to here are noise");
-    visit("max_occlusion", self.max_occlusion, "m", "and from here contradict the axis fully");
-    visit("max_symmetry_residual", self.max_symmetry_residual, "",
-          "greatest mean angle score of an axis");
-    visit("max_perpendicularity", self.max_perpendicularity, "",
-          "greatest mean score of normals along the axis");
-    visit("min_coverage", self.min_coverage, "turn", "least share of the full turn that is seen");
-    visit("max_occlusion_residual", self.max_occlusion_residual, "",
-          "greatest mean occlusion score");
-    visit("same_angle", self.same_angle, "rad", "axes closer than this and same_distance are one");
-    visit("same_distance", self.same_distance, "m", "axes closer than this and same_angle are one");
+    visit("rim_radius", self.rim_radius, "m", above(0.0),
+          "radius of the neighbourhood that tells rim points of a segment, which are not fitted");
+    visit(
+        "rim_offset", self.rim_offset, "", above(0.0),
+        "a point is on the rim if the mean of its neighbours is at least this share of rim_radius "
+        "away; 0.31 is that of a sector of 225 degrees");
+    visit("min_angle", self.min_angle, "rad", at_least(0.0),
+          "the symmetry residual is 0 at angles up to this (Eq. 3.5)");
+    visit("max_angle", self.max_angle, "rad", above_up_to(0.0, std::numbers::pi / 2),
+          "the symmetry residual is 1 at angles from this (Eq. 3.5)");
+    visit("min_occlusion", self.min_occlusion, "m", at_least(0.0),
+          "the occlusion residual is 0 at distances into free space up to this (Eq. 4.3)");
+    visit("max_occlusion", self.max_occlusion, "m", above(0.0),
+          "the occlusion residual is 1 at distances into free space from this (Eq. 4.3)");
+    visit("max_symmetry_residual", self.max_symmetry_residual, "", between(0.0, 1.0),
+          "upper bound of the mean symmetry residual of an axis (Eq. 3.5, table 4.1)");
+    visit("max_perpendicularity", self.max_perpendicularity, "", between(0.0, 1.0),
+          "upper bound of the mean perpendicularity of an axis (Eq. 3.6, table 4.1)");
+    visit("min_coverage", self.min_coverage, "turn", between(0.0, 1.0),
+          "lower bound of the share of the full turn that is observed");
+    visit("max_occlusion_residual", self.max_occlusion_residual, "", between(0.0, 1.0),
+          "upper bound of the mean occlusion residual of an axis (Eq. 4.3)");
+    visit("same_angle", self.same_angle, "rad", at_least(0.0),
+          "axes closer than this and same_distance are one (Eq. 3.11)");
+    visit("same_distance", self.same_distance, "m", at_least(0.0),
+          "axes closer than this, at their segment, and same_angle are one (Eq. 3.12)");
   }
-  /// Throws InputError on a range that is empty or a bound outside its values.
-  void validate() const;
+  void validate() const {
+    check_fields(*this);
+    require_score_ranges(*this);
+  }
 };
 
-/// An axis with the segment that proposed it.
+/// An axis and the segment that proposed it.
 struct RotationalCandidate {
   RotationAxis axis;
   RotationalScores scores;
@@ -64,26 +81,15 @@ struct RotationalCandidate {
 };
 
 struct RotationalDetection {
-  std::vector<RotationalCandidate> candidates;  ///< distinct, best supported first
+  std::vector<RotationalCandidate> candidates;  ///< distinct, largest support first
   std::vector<FunnelStep> funnel;
 };
 
-/// The scores of `axis` on the points of `cloud`, which has normals.
-RotationalScores rotational_scores(const PointCloud& cloud, const RotationAxis& axis,
-                                   const DistanceField& field,
-                                   const RotationalDetectionOptions& options);
-
-/// The share of the full turn about `axis` that the points span: 1 − largest gap / 2π.
-double angular_coverage(const Points& points, const RotationAxis& axis);
-
-/// The points of a segment that are not on its rim, where normals are worst: those whose neighbours
-/// (of the whole cloud, fixed radius) that belong to the segment lie all around them.
-PointIndices interior_points(const PointCloud& cloud, const PointIndices& segment, float radius);
-
 /// The rotation axes that the smooth segments of a scene propose (section 3.5.2): every segment is
 /// fitted from several initial axes, the accepted fit of lowest occlusion stays, and nearly equal
-/// axes are merged. `up` (unit) is the table's normal where known: most things stand. `cloud` has
-/// unit normals. Equal for any number of threads.
+/// axes are merged. `cloud` has unit normals, `segments` holds indices into it, `field` is in the
+/// same frame. `up` is the table's unit normal where known; it is one more initial direction.
+/// The result does not depend on the number of threads. Throws InputError on invalid options.
 RotationalDetection detect_rotational(const PointCloud& cloud,
                                       const std::vector<PointIndices>& segments,
                                       const DistanceField& field,

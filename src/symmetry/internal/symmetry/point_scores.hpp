@@ -3,39 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
-#include "symscene/core/error.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/types.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 
-/// How well single points agree with a symmetry: the inner loops of detection and segmentation, in
-/// float.
+/// Scores of single points under a symmetry, in float: the inner loops of detection and
+/// segmentation.
 namespace symscene {
 
-/// The least and the greatest value between which a score runs from 0 to 1.
-struct ScoreRange {
-  double min = 0.0;
-  double max = 1.0;
-
-  float operator()(float value) const {
-    return ramp(value, static_cast<float>(min), static_cast<float>(max));
-  }
-};
-
-/// Throws InputError if a range that detection and cuts share, of angles or of occlusion, is empty
-/// or begins below 0.
-template <class Options>
-void require_score_ranges(const Options& options) {
-  require_option(options.min_angle >= 0.0 && options.min_angle < options.max_angle, "max_angle",
-                 "an angle above min_angle", options.max_angle);
-  require_option(options.min_occlusion >= 0.0 && options.min_occlusion < options.max_occlusion,
-                 "max_occlusion", "a distance above min_occlusion", options.max_occlusion);
-}
-
-/// The angle whose sine is `sine`, which rounding may have put outside [−1, 1]. [rad]
+/// Arc sine and cosine of values that rounding may have put outside [−1, 1]. [rad]
 inline float safe_asin(float sine) { return std::asin(std::clamp(sine, -1.0F, 1.0F)); }
 inline float safe_acos(float cosine) { return std::acos(std::clamp(cosine, -1.0F, 1.0F)); }
 
@@ -67,8 +47,8 @@ class AxisScorer {
     return safe_acos(std::abs(n.dot(direction_)));
   }
 
-  /// The farthest that the rotated point gets from where an object can be (Eq. 4.3, before its
-  /// range). [m]
+  /// The greatest distance into free space over all rotations of the point (Eq. 4.3, before its
+  /// ramp). [m]
   float free_distance(const Eigen::Vector3f& p, const DistanceField& field) const {
     const Eigen::Vector3f offset = p - point_;
     float farthest = 0.0F;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "symscene/core/geometry.hpp"
+#include "symscene/core/point_cloud.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+
+namespace symscene {
+
+/// What was observed of the scene that an object is part of. The referents must outlive this.
+struct ObservedScene {
+  const PointCloud& cloud;  ///< unit normals; the points of objects are indices into it
+  const DistanceField& field;
+  const std::optional<Plane>& table;
+};
+
+}  // namespace symscene

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "symscene/core/error.hpp"
+#include "symscene/core/geometry.hpp"
+
+namespace symscene {
+
+/// The interval [min, max] that a score maps to [0, 1], clamped outside it (ramp()).
+struct ScoreRange {
+  double min = 0.0;
+  double max = 1.0;
+
+  float operator()(float value) const {
+    return ramp(value, static_cast<float>(min), static_cast<float>(max));
+  }
+};
+
+/// Throws InputError unless min_angle < max_angle and min_occlusion < max_occlusion, the intervals
+/// of the symmetry and occlusion scores that detection and segmentation share.
+template <class Options>
+void require_score_ranges(const Options& options) {
+  require_option(options.min_angle >= 0.0 && options.min_angle < options.max_angle, "max_angle",
+                 "an angle above min_angle", options.max_angle);
+  require_option(options.min_occlusion >= 0.0 && options.min_occlusion < options.max_occlusion,
+                 "max_occlusion", "a distance above min_occlusion", options.max_occlusion);
+}
+
+}  // namespace symscene

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "symmetry/axis_features.hpp"
+#include "symmetry/plane_features.hpp"
+#include "symscene/core/scene.hpp"
+#include "symscene/symmetry/object_symmetry_options.hpp"
+#include "symscene/symmetry/observed_scene.hpp"
+
+/// The symmetries of an object whose points are known: candidates are detected on its points alone,
+/// their features computed, and the probable ones listed. segment_scene() does so for every object
+/// of a scene, detect_object_symmetries() for a single object without a scene.
+namespace symscene {
+
+/// A candidate for the rotational symmetry of an object.
+struct AxisCandidate {
+  RotationAxis axis;
+  AxisFeatures features;
+  double probability = 0.0;  ///< axis_probability()
+};
+
+/// A candidate for a reflectional symmetry of an object.
+struct PlaneCandidate {
+  ReflectionPlane plane;
+  PlaneFeatures features;
+  double probability = 0.0;  ///< plane_probability()
+};
+
+struct SymmetryCandidates {
+  std::optional<AxisCandidate> axis;
+  std::vector<PlaneCandidate> planes;  ///< distinct, by rising residual
+};
+
+/// The axis of lowest residual within the bounds, of those under which the object was segmented and
+/// those that its points propose; none without such an axis or without the rotational stream.
+/// Throws InputError on invalid detection options.
+std::optional<AxisCandidate> axis_candidate(const ObservedScene& scene, const SceneObject& object,
+                                            const SymmetrySearchOptions& options);
+
+/// That axis, and the distinct planes under which the object was segmented or that its points
+/// propose. Planes that hold a sufficiently probable axis are implied by it and left out.
+SymmetryCandidates symmetry_candidates(const ObservedScene& scene, const SceneObject& object,
+                                       const SymmetrySearchOptions& options);
+
+/// The symmetries of an object, by rising residual.
+struct ListedSymmetries {
+  std::vector<ScoredAxis> rotational;
+  std::vector<ScoredPlane> reflectional;
+};
+
+/// The candidates that are sufficiently probable.
+ListedSymmetries list_symmetries(const SymmetryCandidates& candidates,
+                                 const ObjectSymmetryOptions& options);
+
+}  // namespace symscene

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "symmetry/fit_status.hpp"
+#include "symscene/core/geometry.hpp"
+#include "symscene/core/neighbors.hpp"
+#include "symscene/core/point_cloud.hpp"
+#include "symscene/symmetry/plane_fit_options.hpp"
+
+namespace symscene {
+
+/// A cloud with unit normals and the cell list of its positions. Both must outlive this.
+struct IndexedCloud {
+  const PointCloud& cloud;
+  const CellList& cells;
+};
+
+/// A point and the point that its reflection corresponds to.
+struct Correspondence {
+  Index from;
+  Index to;
+  float squared_distance;  ///< between the reflected point and `to` [m²]
+  float angle;             ///< between their normals, folded where walls are thin [rad]
+};
+
+/// For every point of `sources` (indices into `target.cloud`) whose reflection lies near a point of
+/// the target: the nearest such point. Several sources may share one.
+std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<const Index> sources,
+                                         const ReflectionPlane& plane,
+                                         const CorrespondenceOptions& options);
+
+/// Keeps one correspondence per `to`: the nearest reflection; ties go to the lower source.
+std::vector<Correspondence> one_to_one(std::vector<Correspondence> correspondences);
+
+struct PlaneFit {
+  ReflectionPlane plane;
+  std::size_t correspondences = 0;
+  FitStatus status = FitStatus::too_few_points;
+};
+
+/// The plane near `initial` that reflects `sources` onto `target`: alternates matching and
+/// point-to-plane least squares (Eq. 3.7) in the plane's three degrees of freedom. Steps that the
+/// correspondences do not determine (a flat face slid in its own plane) are not taken. The plane's
+/// point is the foot of the sources' centroid. Throws InputError on invalid options.
+PlaneFit fit_plane(const IndexedCloud& target, std::span<const Index> sources,
+                   const ReflectionPlane& initial, const PlaneFitOptions& options = {});
+
+}  // namespace symscene

@@ -1,0 +1,128 @@
+#include "plane_placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace symscene {
+namespace {
+
+/// Drops each normal that nearly repeats an earlier one.
+std::vector<Eigen::Vector3d> without_repeats(const std::vector<Eigen::Vector3d>& normals) {
+  std::vector<Eigen::Vector3d> distinct;
+  for (const Eigen::Vector3d& normal : normals) {
+    const bool repeats =
+        std::any_of(distinct.begin(), distinct.end(),
+                    [&](const Eigen::Vector3d& n) { return line_angle(n, normal) < radians(1.0); });
+    if (!repeats) distinct.push_back(normal);
+  }
+  return distinct;
+}
+
+/// Plane normals in even steps of both spherical angles about the principal axes (section 3.5.3).
+std::vector<Eigen::Vector3d> sphere_normals(const Eigen::Matrix3d& axes, int steps) {
+  std::vector<Eigen::Vector3d> normals;
+  const double step = std::numbers::pi / steps;
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      const double polar = i * step;
+      const double azimuth = j * step;
+      normals.emplace_back(axes * Eigen::Vector3d(std::cos(polar),
+                                                  std::sin(polar) * std::cos(azimuth),
+                                                  std::sin(polar) * std::sin(azimuth)));
+    }
+  }
+  return normals;
+}
+
+/// Normals of upright planes, beginning with the segment's longest horizontal extent.
+std::vector<Eigen::Vector3d> upright_normals(const Eigen::Matrix3d& axes, const Eigen::Vector3d& up,
+                                             int steps) {
+  Eigen::Vector3d first = axes.col(0) - up.dot(axes.col(0)) * up;
+  if (first.norm() < 0.1) first = axes.col(1) - up.dot(axes.col(1)) * up;
+  first.normalize();
+  const Eigen::Vector3d second = up.cross(first);
+  std::vector<Eigen::Vector3d> normals;
+  for (int i = 0; i < 2 * steps; ++i) {
+    const double angle = i * std::numbers::pi / (2 * steps);
+    normals.emplace_back(std::cos(angle) * first + std::sin(angle) * second);
+  }
+  return normals;
+}
+
+/// The offset of a plane of known normal: pairs of points that such a plane could swap vote for it.
+class OffsetVotes {
+ public:
+  OffsetVotes(const PointCloud& points, const Eigen::Vector3d& reference, double min_plane_distance,
+              const PlanePlacementOptions& options)
+      : min_cosine_(static_cast<float>(std::cos(options.shift_angle))),
+        min_gap_(2.0F * static_cast<float>(min_plane_distance)),
+        points_(
+            select(points, evenly_spread(points.size(), static_cast<Index>(options.max_points)))),
+        radius_(reach(points, points_, options.shift_radius)) {
+    points_.positions.rowwise() -= reference.cast<float>().transpose();
+  }
+
+  /// The median offset of the planes that swap two points, each (p_i + p_j) · n / 2 (Eq. 3.2,
+  /// corrected); zero if there are none.
+  double median(const Eigen::Vector3d& plane_normal) const {
+    const Eigen::Vector3f n = plane_normal.cast<float>();
+    const Eigen::VectorXf heights = points_.positions * n;
+    const Eigen::VectorXf facing = points_.normals * n;
+    std::vector<float> offsets;
+    for (Index i = 0; i < points_.size(); ++i) {
+      for (Index j = 0; j < i; ++j) {
+        const float gap = heights[i] - heights[j];
+        if (std::abs(gap) < min_gap_) continue;
+        const float squared_across =
+            (points_.positions.row(i) - points_.positions.row(j)).squaredNorm() - gap * gap;
+        if (squared_across > radius_ * radius_) continue;
+        const float cosine =
+            points_.normals.row(i).dot(points_.normals.row(j)) - 2.0F * facing[i] * facing[j];
+        if (cosine > min_cosine_) offsets.push_back(0.5F * (heights[i] + heights[j]));
+      }
+    }
+    if (offsets.empty()) return 0.0;
+    const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+    std::nth_element(offsets.begin(), middle, offsets.end());
+    return double{*middle};
+  }
+
+ private:
+  /// Subsampled points have fewer partners, so that the radius grows with their spacing.
+  static float reach(const PointCloud& all, const PointCloud& subsampled, double radius) {
+    const double thinning = static_cast<double>(all.size()) / subsampled.size();
+    return static_cast<float>(radius * std::sqrt(std::max(1.0, 0.25 * thinning)));
+  }
+
+  float min_cosine_;
+  float min_gap_;
+  PointCloud points_;
+  float radius_;
+};
+
+std::vector<Eigen::Vector3d> sampled_normals(const PointCloud& points,
+                                             const std::optional<Eigen::Vector3d>& up, int steps) {
+  const Eigen::Matrix3d axes = principal_axes(points.positions);
+  std::vector<Eigen::Vector3d> normals = sphere_normals(axes, steps);
+  if (up) {
+    const std::vector<Eigen::Vector3d> upright = upright_normals(axes, *up, steps);
+    normals.insert(normals.end(), upright.begin(), upright.end());
+  }
+  return without_repeats(normals);
+}
+
+}  // namespace
+
+std::vector<ReflectionPlane> placed_planes(const PointCloud& points,
+                                           const std::optional<Eigen::Vector3d>& up,
+                                           double min_plane_distance,
+                                           const PlanePlacementOptions& options) {
+  const Eigen::Vector3d reference = centroid(points.positions);
+  const OffsetVotes votes(points, reference, min_plane_distance, options);
+  std::vector<ReflectionPlane> planes;
+  for (const Eigen::Vector3d& normal : sampled_normals(points, up, options.azimuth_steps))
+    planes.push_back({reference + votes.median(normal) * normal, normal});  // Eq. 3.8
+  return planes;
+}
+
+}  // namespace symscene

@@ -1,0 +1,29 @@
+#include "symmetry/reflectional_scores.hpp"
+
+#include "symmetry/point_scores.hpp"
+
+namespace symscene {
+
+ReflectionalScores reflectional_scores(const IndexedCloud& target, std::span<const Index> members,
+                                       const ReflectionPlane& plane, const DistanceField& field,
+                                       const ReflectionalDetectionOptions& options) {
+  if (members.empty()) return {0.0, 0.0, 1.0};
+  const std::vector<Correspondence> matches =
+      one_to_one(reflect_onto(target, members, plane, options.scoring));
+  const ScoreRange angle_range = options.angle_range();
+  double agreement = 0.0;
+  for (const Correspondence& match : matches)
+    agreement += 1.0 - double{angle_range(match.angle)};  // Eq. 3.9
+  const PlaneReflector reflector(plane);
+  const ScoreRange occlusion_range = options.occlusion_range();
+  double occlusion = 0.0;
+  for (const Index i : members) {
+    occlusion +=
+        double{occlusion_range(field.at(reflector.point(target.cloud.position(i))))};  // Eq. 4.7
+  }
+  const auto count = static_cast<double>(members.size());
+  const double symmetry = matches.empty() ? 0.0 : agreement / static_cast<double>(matches.size());
+  return {symmetry, agreement / count, occlusion / count};  // Eqs. 3.9, 3.10, 4.12
+}
+
+}  // namespace symscene
