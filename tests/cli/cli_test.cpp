@@ -127,6 +127,9 @@ TEST_F(Command, RefusesBadOptionsOfStagesInOneSentence) {
       {R"({"completely different": 1})", "completely different"},
       {R"({"voxel_size": "5 mm"})", "expected a number for \"voxel_size\", found \"5 mm\""},
       {R"({"voxel_size": -1})", "bad.json"},
+      {R"({"object_symmetry": {"min_axis_probability": 7}})",
+       "bad.json: expected a number in [0, 1] for \"object_symmetry.min_axis_probability\", found "
+       "7"},
       {R"({"normals": 3})", "expected a group of options in braces for \"normals\", found 3"},
       {R"({"voxel_size": 1e999})", "out of range"},
   };
