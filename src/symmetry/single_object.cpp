@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/voxel_sampling.hpp"
 #include "sphere_fit.hpp"
@@ -77,6 +78,7 @@ SingleObjectOptions::SingleObjectOptions() {
 
 void SingleObjectOptions::validate() const {
   check_fields(*this);
+  search.validate();
   require_option(voxel_size < normalized_diagonal, "voxel_size",
                  "a length in (0, normalized_diagonal) m", voxel_size);
 }

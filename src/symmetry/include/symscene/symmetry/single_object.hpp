@@ -29,7 +29,20 @@ struct SingleObjectOptions {
     visit("voxel_size", self.voxel_size, "m", above(0.0), "spacing of points after scaling");
     visit("normals", self.normals);
     visit("sphere", self.sphere);
-    visit("search", self.search);
+    // Only what decides without free space: the detectors' other bounds are those of
+    // object_symmetry.
+    auto& axes = self.search.rotational_detection;
+    auto& planes = self.search.reflectional_detection;
+    visit("axis_fit", axes.fit);
+    visit("max_perpendicularity", axes.max_perpendicularity, "", between(0.0, 1.0),
+          "upper bound of the mean perpendicularity of an axis (Eq. 3.6, table 4.1)");
+    visit("plane_placement", planes.placement);
+    visit("plane_search", planes.search);
+    visit("plane_fit", planes.fit);
+    visit("plane_scoring", planes.scoring);
+    visit("max_points", planes.max_points, "points", at_least(8),
+          "points of the object that planes are fitted to and scored on");
+    visit("object_symmetry", self.search.object_symmetry);
   }
   /// Throws InputError on a field out of its range, or voxels not smaller than the object.
   void validate() const;
