@@ -10,9 +10,10 @@
 namespace symscene {
 namespace {
 
-constexpr std::uint64_t shake_stream = std::uint64_t{2} << 32U;  // apart from those of the frames
+constexpr std::uint64_t shake_stream = std::uint64_t{2}
+                                       << 32U;  // distinct from the streams of the frames
 
-/// A camera at `eye` that looks at `target` with the table's up in its image.
+/// The pose of a camera at `eye` that looks at `target`, upright. Table frame.
 Eigen::Isometry3d looking_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
   const Eigen::Vector3d forward = (target - eye).normalized();
   const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -33,7 +34,8 @@ Eigen::Isometry3d arc_pose(const CameraArcOptions& options, int frame) {
   return looking_at(target + options.radius * back, target);
 }
 
-/// A sum of waves, one in each part of a band; of variance one, below four.
+/// Band-limited noise: a sum of sine waves, one in each part of the band. Its variance is one, its
+/// magnitude at most four.
 class BandNoise {
  public:
   BandNoise(double low, double high, Random& random) {
@@ -62,15 +64,9 @@ class BandNoise {
 }  // namespace
 
 void CameraArcOptions::validate() const {
-  require_option(frames >= 1 && frames <= 100000, "frames", "1 to 100000", frames);
-  require_option(arc >= 0, "arc", "an angle not below zero", arc);
-  require_option(radius > 0, "radius", "a positive number", radius);
-  require_option(min_elevation > 0, "min_elevation", "a positive angle", min_elevation);
-  require_option(max_elevation >= min_elevation && max_elevation < radians(89), "max_elevation",
-                 "at least min_elevation and below 89 degrees", max_elevation);
-  require_option(width >= 16, "width", "at least 16 px", width);
-  require_option(height >= 16, "height", "at least 16 px", height);
-  require_option(focal_length > 0, "focal_length", "a positive number", focal_length);
+  check_fields(*this);
+  require_option(max_elevation >= min_elevation, "max_elevation", "at least min_elevation",
+                 max_elevation);
 }
 
 CameraIntrinsics CameraArcOptions::intrinsics() const {
@@ -86,9 +82,7 @@ std::vector<Eigen::Isometry3d> camera_arc(const CameraArcOptions& options) {
 }
 
 void HandShakeOptions::validate() const {
-  require_option(translation >= 0, "translation", "a number not below zero", translation);
-  require_option(rotation >= 0, "rotation", "an angle not below zero", rotation);
-  require_option(min_frequency > 0, "min_frequency", "a positive number", min_frequency);
+  check_fields(*this);
   require_option(max_frequency >= min_frequency, "max_frequency", "at least min_frequency",
                  max_frequency);
 }

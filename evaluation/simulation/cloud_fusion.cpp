@@ -41,14 +41,6 @@ FusedCloud to_cloud(const std::vector<Surfel>& surfels) {
 
 }  // namespace
 
-void CloudFusionOptions::validate() const {
-  require_option(voxel_size > 0, "voxel_size", "a positive number", voxel_size);
-  require_option(min_frames >= 1, "min_frames", "at least 1", min_frames);
-  require_option(edge_step > 0, "edge_step", "a positive number", edge_step);
-  require_option(normal_radius >= 1, "normal_radius", "at least 1", normal_radius);
-  require_option(smoothing > 0, "smoothing", "a positive number", smoothing);
-}
-
 FusedCloud fuse_cloud(std::span<const SensorFrame> frames, const CameraIntrinsics& camera,
                       const OrientedBox& region, const CloudFusionOptions& options) {
   options.validate();

@@ -1,4 +1,4 @@
-#include "symscene/simulation/convex_parts_cache.hpp"
+#include "convex_parts_cache.hpp"
 
 #include <utility>
 

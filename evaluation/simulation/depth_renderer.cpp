@@ -69,8 +69,8 @@ SensorFrame DepthRenderer::render(const CameraIntrinsics& camera,
       const RTCHit hit = implementation_->cast(origin, ray);
       if (hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
       const TriangleMesh& mesh = implementation_->mesh(hit.geomID);
-      // The caster says which triangle; the depth is computed here, in double, because the caster's
-      // own differs in its last bits with the processor.
+      // Embree finds the triangle; the depth is computed here in double precision, as Embree's own
+      // depends on the processor in its last bits.
       const auto [a, b, c] = implementation_->corners(hit.geomID, hit.primID);
       const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
       const double along = normal.dot(ray);

@@ -8,16 +8,16 @@
 
 namespace symscene {
 
-/// Casts rays at meshes. Rendering is const and may run from many threads at once.
+/// Renders depth images of meshes by ray casting. render() may be called from many threads at once.
 class DepthRenderer {
  public:
-  /// Keeps what it needs of the meshes; their positions in the span name them in frames.
+  /// Copies the meshes; frames refer to them by their number in the span.
   explicit DepthRenderer(std::span<const TriangleMesh> meshes);
   ~DepthRenderer();
   DepthRenderer(DepthRenderer&&) noexcept;
   DepthRenderer& operator=(DepthRenderer&&) noexcept;
 
-  /// The exact image from a pose: depth at pixel centres, colours shaded by a lamp at the camera.
+  /// The image without noise: depth at pixel centres, colours shaded by a light at the camera.
   SensorFrame render(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera) const;
 
  private:

@@ -14,7 +14,7 @@
 
 namespace symscene {
 
-/// Meshes and the ray caster's tree over them. Geometry k of the tree is mesh k.
+/// Meshes and Embree's tree over them. Geometry k of the tree is mesh k.
 class EmbreeScene {
  public:
   explicit EmbreeScene(std::span<const TriangleMesh> meshes);

@@ -10,7 +10,7 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// The least gap that `b` keeps from the lines through the edges of `a`, over the best edge.
+/// The largest distance of `b` from a line through an edge of `a`. [m]
 double gap_over_edges(const Footprint& a, const Footprint& b) {
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -7,7 +7,7 @@
 namespace symscene {
 namespace {
 
-/// Reads one frame's pixels with the checks that depth edges need.
+/// Makes surfels of the pixels of one frame and rejects flying pixels at depth edges.
 class FrameReader {
  public:
   FrameReader(const SensorFrame& frame, const CameraIntrinsics& camera,
@@ -16,7 +16,7 @@ class FrameReader {
 
   std::size_t pixel(Index u, Index v) const { return std::size_t{v} * camera_.width + u; }
 
-  /// Whether a neighbour lies so much nearer or farther that the pixel may mix two surfaces.
+  /// Whether the depth of a neighbour differs so much that the pixel may mix two surfaces.
   bool may_fly(Index u, Index v) const {
     const float z = frame_.depth[pixel(u, v)];
     for (Index y = v - 1; y <= v + 1; ++y) {
@@ -89,7 +89,7 @@ std::vector<Surfel> frame_surfels(const SensorFrame& frame, std::size_t frame_in
           !reader.fit_normal(u, v, normal)) {
         continue;
       }
-      // Depth errs with its square, and along the surface more the more it slants.
+      // The error of the depth grows with its square, and with the slant of the surface.
       const double weight = -normal.dot(point.normalized()) / (z * z);
       Surfel surfel;
       surfel.position = (frame.T_world_camera * point).cast<float>();

@@ -17,7 +17,7 @@ TruePlane plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, boo
   return {{point, normal.normalized()}, strict};
 }
 
-/// The mesh, outline and height that every kind has.
+/// An object of a kind with its mesh, outline and height.
 HouseholdObject standing(ObjectKind kind, TriangleMesh mesh) {
   HouseholdObject object;
   object.name = to_string(kind);
@@ -48,9 +48,9 @@ Eigen::Vector3d box_size(Random& random) {
   }
 }
 
-/// Every pair of nearly equal edges brings two diagonal planes, which are right but weak: points
-/// are off the surface after the reflection by at most 0.02 of the box' diagonal in the mean, the
-/// bound up to which planes of scanned meshes are weak.
+/// Every pair of nearly equal edges adds two diagonal planes, which are weak symmetries: the mean
+/// distance of the reflected points from the surface is at most 0.02 of the diagonal of the box,
+/// the bound of weak planes of scanned meshes.
 void add_box_symmetries(HouseholdObject& object, const Eigen::Vector3d& size) {
   constexpr double most_off = 0.02;
   const double area = size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
@@ -166,7 +166,7 @@ HouseholdObject make_cup(Random& random, double scale) {
   return revolved(ObjectKind::cup, profile);
 }
 
-/// A bear that sits: body, head, ears, arms and legs; y = 0 is its mirror plane.
+/// A sitting bear: body, head, ears, arms and legs; y = 0 is its mirror plane.
 HouseholdObject make_toy(Random& random, double scale) {
   const double s = scale * random.uniform(0.8, 1.25);
   const auto vary = [&](double x, double y, double z) {

@@ -9,7 +9,7 @@
 namespace symscene {
 namespace {
 
-/// About the distance to an ellipsoid: exact on its surface, good near it.
+/// Approximate distance to an ellipsoid: zero on its surface, accurate near it.
 double distance_to(const Ellipsoid& part, const Eigen::Vector3d& p) {
   const Eigen::Vector3d scaled = (p - part.center).cwiseQuotient(part.radii);
   const double length = scaled.norm();
@@ -88,7 +88,8 @@ class HalfBodyMesher {
           corners[later + 1][axis_orders[k][step]] += 1;
         }
       }
-      if (k >= 3) std::swap(corners[2], corners[3]);  // odd permutations are turned inside out
+      if (k >= 3)
+        std::swap(corners[2], corners[3]);  // odd permutations have the opposite orientation
       add_tetrahedron(corners);
     }
   }

@@ -9,12 +9,12 @@
 namespace symscene {
 namespace {
 
-/// One frame as occupancy sees it.
+/// A frame with the depths that decide about voxels.
 struct View {
   Eigen::Isometry3d T_camera_world;
   Eigen::Vector3d position;            ///< of the camera in the world [m]
   const std::vector<float>* measured;  ///< [m]
-  std::vector<float> nearest;  ///< the least depth of a pixel and its eight neighbours: a voxel
+  std::vector<float> nearest;          ///< least depth of a pixel and its eight neighbours: a voxel
                                ///< beside an edge is not free because its pixel looks past it [m]
 };
 
@@ -46,7 +46,7 @@ std::vector<View> make_views(std::span<const SensorFrame> frames, const CameraIn
   return views;
 }
 
-/// In how many frames a voxel was looked through, and in how many a point was measured in it.
+/// The number of frames that look through a voxel, and of those that measure a point in it.
 struct Votes {
   int free = 0;
   int hits = 0;
@@ -121,13 +121,6 @@ VoxelBlock covering_block(const OrientedBox& region, double resolution) {
 }
 
 }  // namespace
-
-void OccupancyFusionOptions::validate() const {
-  require_option(resolution > 0, "resolution", "a positive number", resolution);
-  require_option(free_margin > 0, "free_margin", "a positive number", free_margin);
-  require_option(min_free_frames >= 1, "min_free_frames", "at least 1", min_free_frames);
-  require_option(min_hit_frames >= 1, "min_hit_frames", "at least 1", min_hit_frames);
-}
 
 OccupancyMap fuse_occupancy(std::span<const SensorFrame> frames, const CameraIntrinsics& camera,
                             const OrientedBox& region, const OccupancyFusionOptions& options) {

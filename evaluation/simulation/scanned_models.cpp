@@ -13,7 +13,7 @@
 namespace symscene {
 namespace {
 
-/// The mean distance of a surface from itself when it is turned about an axis through its centre.
+/// The mean distance of a surface from itself after rotations about an axis through its centre.
 double mean_change(const PointCloud& surface, const CellList& cells, const RotationAxis& axis,
                    double reach) {
   constexpr std::array angles{30.0, 60.0, 90.0, 135.0, 180.0};
@@ -35,7 +35,7 @@ double mean_change(const PointCloud& surface, const CellList& cells, const Rotat
 }  // namespace
 
 bool is_ball(const TriangleMesh& mesh) {
-  constexpr double strict = 0.008;  // of the diagonal, as symmetries were searched for
+  constexpr double strict = 0.008;  // of the diagonal, the bound of strict symmetries
   constexpr double far = 0.05;      // of the diagonal
   constexpr int axes = 40;
   const PointCloud surface = sample_surface(mesh, 6000);

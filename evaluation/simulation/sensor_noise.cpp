@@ -9,7 +9,7 @@
 namespace symscene {
 namespace {
 
-/// Normal noise of variance one that neighbours share: drawn on a grid and interpolated.
+/// Correlated normal noise of variance one: drawn on a grid and interpolated.
 class GrainyNoise {
  public:
   GrainyNoise(const CameraIntrinsics& camera, double grain, Random& random)
@@ -67,16 +67,9 @@ double with_axial_error(double z, double unit_noise, const SensorNoiseOptions& o
 }  // namespace
 
 void SensorNoiseOptions::validate() const {
-  require_option(axial >= 0, "axial", "a number not below zero", axial);
-  require_option(grain >= 1, "grain", "at least 1 px", grain);
-  require_option(disparity_step >= 0, "disparity_step", "a number not below zero", disparity_step);
-  require_option(lateral >= 0, "lateral", "a number not below zero", lateral);
+  check_fields(*this);
   require_option(grazing_end > grazing_begin, "grazing_end", "more than grazing_begin",
                  grazing_end);
-  require_option(edge_step > 0, "edge_step", "a positive number", edge_step);
-  require_option(edge_dropout >= 0 && edge_dropout <= 1, "edge_dropout", "a share in [0, 1]",
-                 edge_dropout);
-  require_option(max_depth > 0, "max_depth", "a positive number", max_depth);
 }
 
 SensorFrame add_sensor_noise(const SensorFrame& exact, const CameraIntrinsics& camera,

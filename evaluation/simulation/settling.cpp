@@ -7,19 +7,19 @@
 
 #include <fmt/format.h>
 
-#include "core/log.hpp"
+#include "convex_parts_cache.hpp"
 #include "core/random.hpp"
 #include "core/surface_sampling.hpp"
 #include "paint.hpp"
-#include "physics/physics_world.hpp"
 #include "shapes.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr double glance = 0.05;  // simulated between two looks at what moves [s]
-constexpr std::uint64_t drop_stream = std::uint64_t{1} << 32U;  // apart from those of the frames
+constexpr double check_interval = 0.05;  // simulated between two checks for rest [s]
+constexpr std::uint64_t drop_stream = std::uint64_t{1}
+                                      << 32U;  // distinct from the streams of the frames
 
 Points moved(const Points& points, const Eigen::Isometry3d& pose) {
   const Eigen::Isometry3f T = pose.cast<float>();
@@ -30,30 +30,30 @@ double thickness(const ObjectModel& model) {
   return bounding_box(model.mesh.vertices).extent().minCoeff();
 }
 
-/// Things that fall onto the table and lie there.
+/// Objects that fall onto the table and rest there.
 class Pile {
  public:
   Pile(std::span<const ObjectModel> models, const DropOptions& options,
        std::span<const ConvexParts* const> parts)
-      : options_(options), world_(parts) {
+      : options_(options), world_(parts, options.physics) {
     constexpr std::size_t samples = 1500;
     for (const ObjectModel& model : models)
       surfaces_.push_back(sample_surface(model.mesh, samples).positions);
   }
 
-  /// Lets a thing fall from this pose, as low as what lies there allows.
+  /// Drops an object in this orientation and at this place, as low as the objects below it allow.
   void drop(std::size_t i, const Eigen::Isometry3d& T_table_object) {
     const Points falling = moved(surfaces_[i], T_table_object);
     const double rise = top_under(falling) + options_.drop_height - falling.col(2).minCoeff();
     world_.put(i, Eigen::Translation3d(0, 0, rise) * T_table_object);
   }
 
-  /// Simulates until everything lies still, but not for longer than this.
+  /// Simulates until all objects are at rest, but not for longer than `seconds`.
   void wait(double seconds) {
-    int still_looks = 0;
-    for (double t = 0.0; t < seconds && still_looks < 3; t += glance) {
-      world_.advance(glance);
-      still_looks = all_still() ? still_looks + 1 : 0;
+    int still_checks = 0;
+    for (double t = 0.0; t < seconds && still_checks < 3; t += check_interval) {
+      world_.advance(check_interval);
+      still_checks = all_still() ? still_checks + 1 : 0;
     }
   }
 
@@ -68,7 +68,7 @@ class Pile {
     return middle.head<2>().norm() < options_.area && surface.col(2).minCoeff() > -0.01F;
   }
 
-  bool lies_well(std::size_t i) const {
+  bool rests_well(std::size_t i) const {
     return is_on_table(i) && is_still(i) && world_.penetration(i) <= options_.max_penetration;
   }
 
@@ -82,7 +82,7 @@ class Pile {
     return true;
   }
 
-  /// The highest point of what lies within the box around `falling`, seen from above.
+  /// The highest point of the objects inside the box around `falling`, seen from above. [m]
   double top_under(const Points& falling) const {
     const Box box = bounding_box(falling).padded(0.003F);
     float top = 0.0F;
@@ -103,7 +103,7 @@ class Pile {
   std::vector<Points> surfaces_;
 };
 
-/// The orientation and place, but for the height, from which a thing falls.
+/// The orientation and place, but for the height, from which an object falls.
 Eigen::Isometry3d random_pose(const ObjectModel& model, const DropOptions& options,
                               Random& random) {
   const auto turn = [&] { return random.uniform(0.0, 2.0 * std::numbers::pi); };
@@ -127,24 +127,28 @@ Eigen::Isometry3d random_pose(const ObjectModel& model, const DropOptions& optio
   return Eigen::Translation3d(place) * orientation * Eigen::Translation3d(-middle);
 }
 
-/// Whether a model can be dropped and is thick enough to be seen.
-bool is_usable(const ObjectModel& model, double min_thickness) {
-  if (is_solid(model.mesh)) return thickness(model) >= min_thickness;
-  log(LogLevel::warning, fmt::format("{} is no solid and is not used", model.name));
-  return false;
-}
-
-/// Which models fall, the largest first.
-std::vector<ObjectModel> chosen_models(std::span<const ObjectModel> models, int count,
-                                       double min_thickness, Random& random) {
+/// The models that can be dropped and are thick enough to be seen.
+std::vector<const ObjectModel*> usable_models(std::span<const ObjectModel> models,
+                                              double min_thickness,
+                                              std::vector<std::string>& warnings) {
   std::vector<const ObjectModel*> usable;
   for (const ObjectModel& model : models) {
-    if (is_usable(model, min_thickness)) usable.push_back(&model);
+    if (!is_solid(model.mesh)) {
+      warnings.push_back(fmt::format("{} is no solid and is not used", model.name));
+    } else if (thickness(model) >= min_thickness) {
+      usable.push_back(&model);
+    }
   }
   if (usable.empty()) {
     throw InputError("the meshes", fmt::format("a solid {} m thick or more", min_thickness),
                      fmt::format("none in {}", models.size()));
   }
+  return usable;
+}
+
+/// Draws `count` models, the largest first, and paints those without colours.
+std::vector<ObjectModel> drawn_models(const std::vector<const ObjectModel*>& usable, int count,
+                                      Random& random) {
   std::vector<ObjectModel> chosen;
   for (auto left = usable; chosen.size() < static_cast<std::size_t>(count);) {
     if (left.empty()) left = usable;
@@ -162,7 +166,7 @@ std::vector<ObjectModel> chosen_models(std::span<const ObjectModel> models, int 
   return chosen;
 }
 
-/// Drops all that is not there, one after the other.
+/// Drops the objects that are not on the table, one after the other.
 void drop_missing(Pile& pile, std::span<const ObjectModel> models, const DropOptions& options,
                   Random& random) {
   for (std::size_t i = 0; i < pile.size(); ++i) {
@@ -173,18 +177,19 @@ void drop_missing(Pile& pile, std::span<const ObjectModel> models, const DropOpt
   pile.wait(options.settle_time);
 }
 
-/// Takes away what does not lie well; whether there was such a thing.
+/// Takes away the objects that do not rest well. Returns whether there were any.
 bool clear_away(Pile& pile) {
   bool any = false;
   for (std::size_t i = 0; i < pile.size(); ++i) {
-    if (!pile.is_there(i) || pile.lies_well(i)) continue;
+    if (!pile.is_there(i) || pile.rests_well(i)) continue;
     pile.take_away(i);
     any = true;
   }
   return any;
 }
 
-/// The things of a pile where they lie, the middle of all at the table's origin.
+/// Places the objects where they rest, with the middle of their bounding box at the origin of the
+/// table.
 void put_on_table(const Pile& pile, std::vector<ObjectModel> models, Tabletop& tabletop) {
   Box box;
   for (std::size_t i = 0; i < pile.size(); ++i) {
@@ -197,7 +202,7 @@ void put_on_table(const Pile& pile, std::vector<ObjectModel> models, Tabletop& t
   middle.z() = 0.0;
   for (std::size_t i = 0; i < pile.size(); ++i) {
     if (!pile.is_there(i)) {
-      log(LogLevel::warning,
+      tabletop.warnings.push_back(
           fmt::format("{} found no place to rest and is left out", models[i].name));
       continue;
     }
@@ -210,40 +215,30 @@ void put_on_table(const Pile& pile, std::vector<ObjectModel> models, Tabletop& t
 }  // namespace
 
 void DropOptions::validate() const {
-  require_option(spread >= 0, "spread", "a number not below zero", spread);
-  require_option(drop_height > 0, "drop_height", "a positive number", drop_height);
-  require_option(upright >= 0 && upright <= 1, "upright", "a share in [0, 1]", upright);
-  require_option(tilt >= 0, "tilt", "an angle not below zero", tilt);
+  check_fields(*this);
   require_option(area > spread, "area", "more than spread", area);
-  require_option(min_thickness >= 0, "min_thickness", "a number not below zero", min_thickness);
-  require_option(fall_time > 0, "fall_time", "a positive number", fall_time);
-  require_option(settle_time > 0, "settle_time", "a positive number", settle_time);
-  require_option(still_speed > 0, "still_speed", "a positive number", still_speed);
-  require_option(max_penetration > 0, "max_penetration", "a positive number", max_penetration);
-  require_option(attempts >= 1, "attempts", "at least 1", attempts);
-  parts.validate();
 }
 
 Tabletop drop_tabletop(std::span<const ObjectModel> models, const TabletopOptions& tabletop,
-                       const DropOptions& options, ConvexPartsCache* cache) {
+                       const DropOptions& options) {
   tabletop.validate();
   options.validate();
   Random random(tabletop.seed, drop_stream);
-  std::vector<ObjectModel> chosen =
-      chosen_models(models, tabletop.objects, options.min_thickness, random);
-  ConvexPartsCache own(options.parts);
-  Pile pile(chosen, options, (cache != nullptr ? *cache : own).of(chosen));
+  Tabletop result = empty_tabletop(tabletop);
+  std::vector<ObjectModel> chosen = drawn_models(
+      usable_models(models, options.min_thickness, result.warnings), tabletop.objects, random);
+  ConvexPartsCache cache(options.parts);
+  Pile pile(chosen, options, cache.of(chosen));
   bool is_complete = false;
   for (int attempt = 0; attempt < options.attempts && !is_complete; ++attempt) {
     drop_missing(pile, chosen, options, random);
     is_complete = !clear_away(pile);
   }
-  // What lay on something that was cleared away may have moved.
+  // Objects that lay on one that was taken away may have moved.
   while (!is_complete) {
     pile.wait(options.settle_time);
     is_complete = !clear_away(pile);
   }
-  Tabletop result = empty_tabletop(tabletop);
   put_on_table(pile, std::move(chosen), result);
   return result;
 }
@@ -253,7 +248,7 @@ Tabletop settle(std::span<const ObjectModel> models, std::span<const Eigen::Isom
   options.validate();
   ConvexPartsCache cache(options.parts);
   const std::vector<const ConvexParts*> parts = cache.of(models);
-  PhysicsWorld world(parts);
+  PhysicsWorld world(parts, options.physics);
   for (std::size_t i = 0; i < models.size(); ++i) world.put(i, poses[i]);
   world.advance(options.settle_time);
   Tabletop result;

@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-/// Welds the vertices of a box' grid: a vertex is known by its place in the lattice.
+/// Welds the vertices of the grid of a box by their place in the lattice.
 class BoxBuilder {
  public:
   BoxBuilder(const Eigen::Vector3d& size, double max_edge) : size_(size) {

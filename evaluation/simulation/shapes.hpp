@@ -24,7 +24,7 @@ struct ProfilePoint {
 /// over the rim and down the inside. Its lines are cut into steps of at most `max_edge`. [m]
 TriangleMesh make_revolution(std::span<const ProfilePoint> profile, int segments, double max_edge);
 
-/// A part of a soft body.
+/// A part of a mirrored body.
 struct Ellipsoid {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d radii = Eigen::Vector3d::Ones();   ///< [m]
@@ -32,14 +32,14 @@ struct Ellipsoid {
 
 /// The smooth union of ellipsoids and of their mirror images in y = 0, cut off flat below z = 0.
 /// One half is meshed by marching tetrahedra and mirrored, so that the mesh is its own reflection
-/// to the last bit. `blend` is the width over which parts melt into each other, `cell` the edge of
+/// to the last bit. `blend` is the width over which parts blend, `cell` the edge of
 /// the grid. [m]
 TriangleMesh make_mirrored_body(std::span<const Ellipsoid> parts, double blend, double cell);
 
-/// `mesh` with every vertex moved.
+/// The mesh with its vertices and normals transformed.
 TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& transform);
 
-/// The centre of mass of a closed mesh that is filled evenly. [m]
+/// The centre of mass of a closed mesh of uniform density. [m]
 Eigen::Vector3d volume_centroid(const TriangleMesh& mesh);
 
 /// Whether a point is inside a closed mesh, by its winding number (Jacobson et al. 2013).

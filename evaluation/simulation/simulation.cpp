@@ -57,16 +57,8 @@ void add_truth(const Tabletop& tabletop, const FusedCloud& fused, int min_points
 }  // namespace
 
 void SimulationOptions::validate() const {
-  tabletop.validate();
-  camera.validate();
+  check_fields(*this);
   require_option(camera.frames <= 64, "frames", "1 to 64", camera.frames);
-  sensor.validate();
-  cloud.validate();
-  occupancy.validate();
-  require_option(margin >= 0, "margin", "a number not below zero", margin);
-  require_option(table_clearance >= 0, "table_clearance", "a number not below zero",
-                 table_clearance);
-  require_option(min_object_points >= 1, "min_object_points", "at least 1", min_object_points);
 }
 
 std::vector<SensorFrame> capture_frames(const Tabletop& tabletop,

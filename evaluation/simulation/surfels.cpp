@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t block_size = 4096;
 
-/// A surfel's voxel, packed so that sorting goes by z, y, x.
+/// The voxel of a surfel, packed so that keys sort by z, y, x.
 std::uint64_t voxel_key(const Eigen::Vector3f& p, double voxel_size) {
-  constexpr std::int64_t middle = 1 << 20;  // voxels have 21 bits an axis
+  constexpr std::int64_t middle = 1 << 20;  // voxels have 21 bits per axis
   const auto cell = [&](float x) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / voxel_size)) +
                                       middle);
@@ -32,7 +32,7 @@ std::vector<KeyedIndex> sorted_by_voxel(const std::vector<Surfel>& surfels, doub
       keys[i] = {voxel_key(surfels[i].position, voxel_size), static_cast<Index>(i)};
     }
   });
-  tbb::parallel_sort(keys.begin(), keys.end());  // no two are equal: one order for any threads
+  tbb::parallel_sort(keys.begin(), keys.end());  // keys are unique, so the order is too
   return keys;
 }
 
@@ -91,8 +91,8 @@ std::vector<Surfel> averaged_in_voxels(const std::vector<Surfel>& surfels, doubl
   const std::vector<KeyedIndex> keys = sorted_by_voxel(surfels, voxel_size);
   std::vector<Surfel> means;
   for (std::size_t begin = 0; begin < keys.size();) {
-    // A thin wall shows both its sides in one voxel: what faces against the first is averaged
-    // apart.
+    // A voxel may hold both sides of a thin wall: surfels that face away from the first are
+    // averaged separately.
     const Eigen::Vector3f facing = surfels[keys[begin].second].normal;
     SurfelMean front;
     SurfelMean back;

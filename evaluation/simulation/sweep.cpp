@@ -19,8 +19,8 @@ template <class Make, class Use>
 void make_in_parallel_use_in_order(std::size_t count, const Make& make, const Use& use) {
   const std::size_t tokens =
       2 + tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  // Only numbers flow: a pipeline that ends by an exception does not free what is in it. Item i is
-  // used before i + tokens is begun.
+  // Only numbers flow through the pipeline, as it does not free its items after an exception. Item
+  // i is used before item i + tokens begins.
   std::vector<std::optional<decltype(make(std::size_t{}))>> items(tokens);
   std::size_t next = 0;
   const auto number = [&](tbb::flow_control& flow) -> std::size_t {
@@ -44,15 +44,6 @@ void make_in_parallel_use_in_order(std::size_t count, const Make& make, const Us
 }
 
 }  // namespace
-
-void SweepOptions::validate() const {
-  tabletop.validate();
-  drop.validate();
-  camera.validate();
-  shake.validate();
-  sensor.validate();
-  require_option(frame_rate > 0, "frame_rate", "a positive number", frame_rate);
-}
 
 void capture_sweep(const Tabletop& tabletop, const SweepOptions& options, const FrameSink& sink) {
   options.validate();

@@ -12,8 +12,7 @@
 namespace symscene {
 namespace {
 
-constexpr double contact_gap = 0.0005;  // between objects that touch [m]
-constexpr double max_stack = 0.35;      // highest that a stacked object may reach [m]
+constexpr double contact_gap = TabletopOptions::contact_gap;
 
 /// Where an object would stand, in the table's frame.
 struct Place {
@@ -22,7 +21,7 @@ struct Place {
   Index supporter = PlacedObject::on_table;
 };
 
-/// An object that stands, with what collision checks need.
+/// An object at its place, with the quantities of the collision check.
 struct Standing {
   HouseholdObject object;
   Place place;
@@ -56,7 +55,8 @@ class Arranger {
     standing_.push_back({std::move(object), place, std::move(outline), low, high, false});
   }
 
-  /// Whether an object with this outline and height keeps `gap` from all but its supporter.
+  /// Whether an object with this outline and height range keeps `gap` from all objects but its
+  /// supporter.
   bool is_free(const Footprint& outline, double low, double high, double gap,
                Index supporter) const {
     for (Index i = 0; i < standing_.size(); ++i) {
@@ -67,7 +67,7 @@ class Arranger {
     return true;
   }
 
-  /// Slides an object in from three random sides; the place nearest to the middle is taken.
+  /// Slides an object in from three random sides and takes the place nearest to the middle.
   void push_to_the_others(HouseholdObject object) {
     const double gap = random_.chance(options_.touching)
                            ? contact_gap
@@ -86,7 +86,7 @@ class Arranger {
     put(std::move(object), best);
   }
 
-  /// Moves from far outside towards a point near the middle until something is in the way.
+  /// Moves from far outside towards a point near the middle until an object is in the way.
   Eigen::Vector2d slide_in(const HouseholdObject& object, double yaw, double gap) {
     const double heading = random_yaw();
     const Eigen::Vector2d inward(-std::cos(heading), -std::sin(heading));
@@ -134,7 +134,7 @@ class Arranger {
     return checked(object, below, bowl.object.cavity->floor, room);
   }
 
-  /// On a flat top: most of the outline has to lie on it.
+  /// On a flat top, which has to support most of the outline.
   std::optional<Place> place_on_top(const HouseholdObject& object, Index below) {
     constexpr double supported = 0.7;
     const double top = standing_[below].object.top_radius;
@@ -158,13 +158,13 @@ class Arranger {
                      Eigen::Vector3d(shift * std::cos(heading), shift * std::sin(heading), rise);
     const double low = place.position.z();
     const double high = low + object.height;
-    if (high > max_stack) return std::nullopt;
+    if (high > options_.max_stack) return std::nullopt;
     const Footprint outline = moved(object.footprint, place.yaw, place.position.head<2>());
     if (!is_free(outline, low, high, contact_gap, below)) return std::nullopt;
     return place;
   }
 
-  /// Brings the middle of the outlines' box to the origin.
+  /// Moves the middle of the bounding box of the outlines to the origin.
   void center() {
     Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9);
     Eigen::Vector2d high = -low;
@@ -193,10 +193,7 @@ Eigen::Isometry3d random_frame(Random& random) {
 }  // namespace
 
 void TabletopOptions::validate() const {
-  require_option(objects >= 1 && objects <= 15, "objects", "1 to 15", objects);
-  require_option(stacked >= 0 && stacked <= 1, "stacked", "a share in [0, 1]", stacked);
-  require_option(touching >= 0 && touching <= 1, "touching", "a share in [0, 1]", touching);
-  require_option(min_gap >= contact_gap, "min_gap", "at least 0.5 mm", min_gap);
+  check_fields(*this);
   require_option(max_gap >= min_gap, "max_gap", "at least min_gap", max_gap);
 }
 

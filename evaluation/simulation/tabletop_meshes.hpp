@@ -6,7 +6,7 @@ namespace symscene {
 
 inline constexpr double table_thickness = 0.03;  // [m]
 
-/// The objects' meshes and last the table's. World frame.
+/// The meshes of the objects, followed by that of the table. World frame.
 std::vector<TriangleMesh> tabletop_meshes(const Tabletop& tabletop);
 
 }  // namespace symscene

@@ -45,7 +45,8 @@ struct Search {
   Index mesh = TrueSurface::Nearest::nothing;
 };
 
-/// The caster's radius is a little larger than the best distance, so that rounding hides nothing.
+/// Embree's search radius is slightly larger than the best distance, so that rounding excludes no
+/// triangle.
 float radius_beyond(double squared_distance) {
   return static_cast<float>(std::sqrt(squared_distance) * (1.0 + 1e-6)) + 1e-9F;
 }

@@ -10,24 +10,24 @@
 
 namespace symscene {
 
-/// The surfaces of meshes, for asking what is nearest. Asking is const and may be done from many
-/// threads at once; the answers do not depend on the order in which triangles are looked at.
+/// Nearest-point queries on the surfaces of meshes. Queries may run from many threads at once;
+/// their results do not depend on the order in which triangles are visited.
 class TrueSurface {
  public:
   struct Nearest {
     static constexpr Index nothing = ~Index{0};
 
-    Index mesh = nothing;   ///< its place in the span
-    double distance = 0.0;  ///< not signed; the radius where there is nothing [m]
+    Index mesh = nothing;   ///< its number in the span
+    double distance = 0.0;  ///< unsigned; the search radius if no surface is within it [m]
   };
 
-  /// Keeps what it needs of the meshes.
+  /// Copies the meshes.
   explicit TrueSurface(std::span<const TriangleMesh> meshes);
   ~TrueSurface();
   TrueSurface(TrueSurface&&) noexcept;
   TrueSurface& operator=(TrueSurface&&) noexcept;
 
-  /// What is nearest within `radius` of a point.
+  /// The mesh nearest to a point within `radius` [m].
   Nearest nearest(const Eigen::Vector3d& point, double radius) const;
 
  private:
@@ -35,17 +35,17 @@ class TrueSurface {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// How far points are from a true surface.
+/// Distances of points from the true surfaces.
 struct SurfaceErrors {
-  std::vector<float> distances;  ///< of each point, at most the reach that was looked in [m]
+  std::vector<float> distances;  ///< per point, at most the search radius [m]
   double median = 0.0;           ///< [m]
   double percentile_90 = 0.0;    ///< [m]
   double percentile_95 = 0.0;    ///< [m]
-  double within_reach = 0.0;     ///< share of the points
+  double within_reach = 0.0;     ///< share of the points within the search radius
 };
 
 /// The distances of points, such as the vertices of a reconstructed mesh, to the nearest of
-/// `meshes` or the table. All in one frame. Zero where there is no point.
+/// `meshes` or the table. All in one frame. Zero without points.
 SurfaceErrors surface_errors(const Points& points, std::span<const TriangleMesh> meshes,
                              const std::optional<Plane>& table, double reach = 0.05);
 

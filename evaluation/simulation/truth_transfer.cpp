@@ -19,7 +19,7 @@ Plane transformed(const Plane& plane, const Eigen::Isometry3d& T) {
   return {normal, plane.offset - normal.dot(T.translation())};
 }
 
-/// For every point the object that it shows, or nothing.
+/// Per point the object whose surface it is on, or none.
 std::vector<Index> nearest_objects(const Points& points_truth, const SceneTruth& truth,
                                    const TrueSurface& surface, double tolerance) {
   std::vector<Index> objects(static_cast<std::size_t>(points_truth.rows()));
@@ -42,11 +42,6 @@ Points moved(const Points& points, const Eigen::Isometry3d& T) {
 }
 
 }  // namespace
-
-void TruthTransferOptions::validate() const {
-  require_option(tolerance > 0, "tolerance", "a positive number", tolerance);
-  require_option(min_object_points >= 1, "min_object_points", "at least 1", min_object_points);
-}
 
 SceneTruth transformed(SceneTruth truth, const Eigen::Isometry3d& T_to_truth) {
   const Eigen::Isometry3d& T = T_to_truth;

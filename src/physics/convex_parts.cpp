@@ -14,14 +14,14 @@
 namespace symscene {
 namespace {
 
-/// A mesh with fewer vertices, and which of them each vertex has become.
+/// A mesh with fewer vertices.
 struct ThinnedMesh {
   TriangleMesh mesh;
-  std::vector<Index> group_of;
+  std::vector<Index> group_of;  ///< per vertex of the full mesh its vertex of the thinned one
 };
 
-/// Numbers the vertices such that those have one number that lie in one cell and face alike: the
-/// two sides of a wall stay apart.
+/// Groups the vertices that lie in one cell and face the same way, so that the two sides of a wall
+/// stay apart. The number of the group per vertex.
 std::vector<Index> grouped(const TriangleMesh& mesh, float cell) {
   const Points normals = vertex_normals(mesh);
   std::map<std::array<int, 4>, Index> groups;
@@ -65,8 +65,8 @@ ThinnedMesh thinned(const TriangleMesh& mesh, float cell) {
   return thin;
 }
 
-/// The vertices that have become members of a part and, so that no part is flat, the same a skin
-/// further in.
+/// The vertices of each part and, so that no part is flat, the same vertices moved inwards by
+/// `skin`.
 ConvexParts gathered(const TriangleMesh& mesh, const std::vector<Index>& group_of,
                      const std::vector<PointIndices>& parts, float skin) {
   const Points inner = mesh.vertices - skin * vertex_normals(mesh);
@@ -96,14 +96,6 @@ bool is_solid(const TriangleMesh& mesh) {
   if (mesh.triangles.rows() < 4 || !mesh.vertices.allFinite()) return false;
   const Points along_axes = mesh.vertices * principal_axes(mesh.vertices).cast<float>();
   return bounding_box(along_axes).extent().minCoeff() > thinnest;
-}
-
-void ConvexPartsOptions::validate() const {
-  require_option(concavity > 0, "concavity", "a positive number", concavity);
-  require_option(cell > 0, "cell", "a positive number", cell);
-  require_option(max_cells >= 4, "max_cells", "at least 4", max_cells);
-  require_option(max_parts >= 1, "max_parts", "at least 1", max_parts);
-  require_option(skin > 0, "skin", "a positive number", skin);
 }
 
 ConvexParts convex_parts(const TriangleMesh& mesh, const ConvexPartsOptions& options) {

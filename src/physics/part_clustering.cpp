@@ -16,8 +16,8 @@ namespace {
 
 constexpr Index other_samples = 300;  // of all vertices
 constexpr Index samples = 32;         // of a part's vertices, for its depth
-constexpr double compactness =
-    0.02;  // what a metre of extent costs, so that parts stay compact [m]
+// Cost per metre of the extent of a part, so that parts stay compact. [m]
+constexpr double compactness = 0.02;
 
 PointIndices joined(const PointIndices& a, const PointIndices& b) {
   PointIndices both;
@@ -59,7 +59,8 @@ class Hull {
     return true;
   }
 
-  /// Of a point of a surface that faces along `normal`, below the planes that face about alike.
+  /// Depth of a point of a surface that faces along `normal` below the planes that face about the
+  /// same way. [m]
   float depth(const Eigen::RowVector3f& p, const Eigen::RowVector3f& normal) const {
     constexpr float facing_alike = 0.5F;  // cosine
     float depth = (at_ * normal.transpose()).maxCoeff() - normal.dot(p);
@@ -76,7 +77,7 @@ class Hull {
   Eigen::RowVectorXf heights_;
 };
 
-/// Parts that grow: a graph of which the cheapest edge is contracted again and again.
+/// A graph of parts whose cheapest edge is contracted repeatedly.
 class Clustering {
  public:
   explicit Clustering(const TriangleMesh& mesh) : mesh_(mesh), normals_(vertex_normals(mesh)) {
@@ -127,7 +128,7 @@ class Clustering {
  private:
   using Candidate = std::tuple<double, Index, Index, std::size_t>;
 
-  /// Changes whenever one of the two does: both only grow.
+  /// Changes whenever one of the two parts does, as parts only grow.
   std::size_t version_of(Index a, Index b) const {
     if (members_[a].empty() || members_[b].empty()) return 0;
     return members_[a].size() + members_[b].size();
@@ -168,7 +169,7 @@ class Clustering {
     neighbors_[from].clear();
   }
 
-  /// Where no parts that touch are left, the smallest and what is nearest to it.
+  /// Adds an edge between the smallest part and the part nearest to it, once no parts touch.
   void consider_nearest() {
     const auto has_fewer = [](const PointIndices& a, const PointIndices& b) {
       return !a.empty() && (b.empty() || a.size() < b.size());
@@ -191,7 +192,7 @@ class Clustering {
   const TriangleMesh& mesh_;
   Points normals_;
   PointIndices others_;
-  std::vector<PointIndices> members_;  ///< of each part; empty when it has gone into another
+  std::vector<PointIndices> members_;  ///< of each part; empty once it is joined to another
   std::vector<std::set<Index>> neighbors_;
   std::set<Candidate> queue_;
   std::size_t alive_ = 0;

@@ -4,16 +4,15 @@
 
 namespace symscene {
 
-/// How far the convex hull of a part of a surface reaches out over that surface, where `others` are
-/// vertices beside the part's own to look at: the depth below planes that touch the hull, along
-/// directions in which the surface there faces. Zero for a convex part with nothing in its hull.
-/// [m]
+/// The depth of the surface below the convex hull of a part of it: the largest distance of vertices
+/// of the part, and of `others` inside the hull, to planes that touch the hull and face about the
+/// same way as the surface there. Zero for a convex part with nothing in its hull. [m]
 double hollow_depth(const Points& vertices, const Points& normals, const PointIndices& part,
                     const PointIndices& others);
 
-/// Joins neighbouring triangles, those first whose hull covers the least hollow, as long as that is
-/// below `concavity` or there are more than `max_parts` parts. The vertices of each part,
-/// ascending.
+/// Joins neighbouring triangles, in rising order of the hollow depth of their union, while that is
+/// below `concavity` [m] or there are more than `max_parts` parts. Returns the vertices of each
+/// part, ascending.
 std::vector<PointIndices> cluster_convex(const TriangleMesh& mesh, double concavity,
                                          std::size_t max_parts);
 

@@ -1,6 +1,4 @@
-#include "physics/physics_world.hpp"
-
-#include "symscene/physics/physics.hpp"
+#include "symscene/physics/physics_world.hpp"
 
 #ifdef SYMSCENE_HAS_MUJOCO
 
@@ -16,35 +14,34 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
-#include "core/log.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr double time_step = 0.002;  // [s]
-
-/// The library's own handlers write a file and end the process. Its errors must not return.
+/// MuJoCo's own handlers write a file and end the process. Its error handler must not return.
+/// Divergence, the one warning that matters here, is read from mjData.
 void take_over_errors() {
   static std::once_flag once;
   std::call_once(once, [] {
     mju_user_error = [](const char* message) {
       throw std::runtime_error(fmt::format("the physics failed: {}", message));
     };
-    mju_user_warning = [](const char* message) {
-      log(LogLevel::debug, fmt::format("physics: {}", message));
-    };
+    mju_user_warning = [](const char*) {};
   });
 }
 
-/// Elliptic cones and friction against slipping, twisting and rolling: things come to rest.
-constexpr const char* head = R"(<mujoco>
+std::string describe_options(const PhysicsOptions& options) {
+  return fmt::format(R"(<mujoco>
 <compiler boundmass="0.005" boundinertia="1e-7"/>
 <size njmax="4000" nconmax="700"/>
 <option timestep="{}" cone="elliptic" impratio="5"><flag multiccd="enable"/></option>
-<default><geom condim="6" friction="0.7 0.005 0.001" density="400"
+<default><geom condim="6" friction="{} {} {}" density="{}"
   solref="0.006 1" solimp="0.95 0.99 0.001"/></default>
-)";
+)",
+                     options.time_step, options.sliding_friction, options.torsional_friction,
+                     options.rolling_friction, options.density);
+}
 
 void append_hull(std::string& text, std::size_t body, std::size_t part, const Points& points) {
   auto out = std::back_inserter(text);
@@ -54,9 +51,10 @@ void append_hull(std::string& text, std::size_t body, std::size_t part, const Po
   text += "\"/>\n";
 }
 
-/// The world in the library's language. Bodies are numbered from 1 on: 0 is the table.
-std::string describe_world(std::span<const ConvexParts* const> bodies) {
-  std::string text = fmt::format(fmt::runtime(head), time_step) + "<asset>\n";
+/// The world in MJCF. MuJoCo numbers the bodies from 1: 0 is the table.
+std::string describe_world(std::span<const ConvexParts* const> bodies,
+                           const PhysicsOptions& options) {
+  std::string text = describe_options(options) + "<asset>\n";
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t p = 0; p < bodies[b]->size(); ++p) append_hull(text, b, p, (*bodies[b])[p]);
   }
@@ -85,13 +83,13 @@ struct DeleteFiles {
 using Model = std::unique_ptr<mjModel, DeleteModel>;
 
 Model compile_world(const std::string& text) {
-  static std::mutex one_at_a_time;  // the compiler keeps what it read last
+  static std::mutex one_at_a_time;  // the compiler of MuJoCo has global state
   const std::scoped_lock lock(one_at_a_time);
   const std::unique_ptr<mjVFS, DeleteFiles> files(new mjVFS);
   mj_defaultVFS(files.get());
   constexpr const char* name = "world.xml";
   if (mj_makeEmptyFileVFS(files.get(), name, static_cast<int>(text.size())) != 0)
-    throw std::runtime_error("no memory for the physics");
+    throw std::runtime_error("out of memory in the physics");
   std::memcpy(files->filedata[mj_findFileVFS(files.get(), name)], text.data(), text.size());
   std::array<char, 1000> error{};
   Model model(mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size())));
@@ -103,6 +101,7 @@ Model compile_world(const std::string& text) {
 }  // namespace
 
 struct PhysicsWorld::Implementation {
+  double time_step = 0.0;  ///< [s]
   Model model;
   std::unique_ptr<mjData, DeleteData> data;
   std::vector<bool> is_there;
@@ -118,6 +117,7 @@ struct PhysicsWorld::Implementation {
     std::fill_n(velocity(body), 6, 0.0);
   }
 
+  /// Bodies that are taken away stay far from the table and from each other.
   void hold_away(std::size_t body) const {
     hold(body,
          Eigen::Isometry3d(Eigen::Translation3d(1e3 + 10.0 * static_cast<double>(body), 0, 1e3)));
@@ -143,13 +143,16 @@ struct PhysicsWorld::Implementation {
   }
 };
 
-PhysicsWorld::PhysicsWorld(std::span<const ConvexParts* const> bodies)
+PhysicsWorld::PhysicsWorld(std::span<const ConvexParts* const> bodies,
+                           const PhysicsOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
+  options.validate();
   take_over_errors();
   Implementation& world = *implementation_;
-  world.model = compile_world(describe_world(bodies));
+  world.time_step = options.time_step;
+  world.model = compile_world(describe_world(bodies, options));
   world.data.reset(mj_makeData(world.model.get()));
-  if (!world.data) throw std::runtime_error("no memory for the physics");
+  if (!world.data) throw std::runtime_error("out of memory in the physics");
   world.is_there.assign(bodies.size(), false);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     double squared = 0.0;
@@ -178,7 +181,7 @@ bool PhysicsWorld::is_there(std::size_t body) const { return implementation_->is
 
 void PhysicsWorld::advance(double seconds) {
   Implementation& world = *implementation_;
-  const auto steps = std::lround(seconds / time_step);
+  const auto steps = std::lround(seconds / world.time_step);
   for (long step = 0; step < steps; ++step) {
     for (std::size_t b = 0; b < world.is_there.size(); ++b) {
       if (!world.is_there[b]) world.hold_away(b);
@@ -196,7 +199,8 @@ Eigen::Isometry3d PhysicsWorld::pose(std::size_t body) const {
 }
 
 double PhysicsWorld::speed(std::size_t body) const {
-  // Linear velocity is of the body's origin in the world's frame, angular in the body's.
+  // MuJoCo has the linear velocity of the body's origin in the world frame, the angular velocity
+  // in the body frame.
   const Eigen::Map<const Eigen::Vector3d> linear(implementation_->velocity(body));
   const Eigen::Map<const Eigen::Vector3d> angular(implementation_->velocity(body) + 3);
   const Eigen::Vector3d lever = implementation_->center_of_mass(body);
@@ -230,7 +234,7 @@ namespace symscene {
 bool has_physics() { return false; }
 
 struct PhysicsWorld::Implementation {};
-PhysicsWorld::PhysicsWorld(std::span<const ConvexParts* const>) {
+PhysicsWorld::PhysicsWorld(std::span<const ConvexParts* const>, const PhysicsOptions&) {
   throw InputError("this build of SymScene",
                    "physics (the package libmujoco-dev, then configure and build again)", "none");
 }

@@ -68,7 +68,7 @@ TEST(Shapes, RevolvedCylinderHasTheVolumeOfItsPolygon) {
   EXPECT_NEAR(signed_volume(cylinder), std::numbers::pi * 0.05 * 0.05 * 0.1, 1e-6);
 }
 
-TEST(Shapes, AMovedMeshIsTurnedWithItsNormals) {
+TEST(Shapes, ATransformedMeshHasRotatedNormals) {
   TriangleMesh box = make_box({0.1, 0.2, 0.3}, 1.0);
   box.normals = vertex_normals(box);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
@@ -137,7 +137,7 @@ TEST(HouseholdObject, RotationAboutATrueAxisGivesTheSameMesh) {
   }
 }
 
-TEST(HouseholdObject, EveryKindHasASymmetryThatCounts) {
+TEST(HouseholdObject, EveryKindHasAStrictSymmetry) {
   for (const ObjectKind kind : all_kinds) {
     Random random(11);
     const HouseholdObject object = make_household_object(kind, random);

@@ -176,7 +176,7 @@ TEST(Simulation, TruePointsLieOnTheTrueSurfaceAndFaceOutOfIt) {
   }
 }
 
-TEST(Simulation, CloudHoldsOnlyWhatStandsOnTheTable) {
+TEST(Simulation, CloudHasOnlyObjectsOnTheTable) {
   SimulationOptions options = small_scan(4, 4);
   options.tabletop.random_frame = true;
   const SimulatedScene simulated = simulate_tabletop(options);
@@ -204,7 +204,7 @@ void for_each_voxel(const OccupancyMap& map, VoxelState state, const Visit& visi
   }
 }
 
-TEST(Simulation, FreeVoxelsHoldNothingOfTheTrueSolids) {
+TEST(Simulation, FreeVoxelsAreOutsideTheTrueSolids) {
   for (const bool random_frame : {false, true}) {
     SimulationOptions options = small_scan(5, 4);
     options.tabletop.random_frame = random_frame;

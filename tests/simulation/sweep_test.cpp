@@ -64,7 +64,7 @@ TEST(HandShake, IsSmoothAndBounded) {
   }
 }
 
-TEST(HandShake, NoneLeavesThePathAsItWas) {
+TEST(HandShake, OfZeroDeviationLeavesThePathUnchanged) {
   HandShakeOptions none;
   none.translation = none.rotation = 0.0;
   for (const Eigen::Isometry3d& pose : shaken(standing_still(20), 30.0, none, 1))
@@ -90,7 +90,7 @@ TEST(Sweep, GivesTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(Sweep, WhatTheSinkThrowsArrives) {
+TEST(Sweep, PassesOnWhatTheSinkThrows) {
   const SweepOptions options = small_sweep(5);
   int frames = 0;
   const auto stop = [&](const DepthFrame&, const Eigen::Isometry3d&) {
@@ -116,7 +116,7 @@ Points measured(const Taken& taken, const CameraIntrinsics& camera) {
   return result;
 }
 
-TEST(Sweep, WhatItMeasuresLiesOnTheTrueSurfaces) {
+TEST(Sweep, MeasuredPointsLieOnTheTrueSurfaces) {
   SweepOptions options = small_sweep(4);
   options.tabletop.random_frame = true;
   const Tabletop tabletop = arrange_tabletop(options.tabletop);
@@ -131,7 +131,7 @@ TEST(Sweep, WhatItMeasuresLiesOnTheTrueSurfaces) {
   }
 }
 
-TEST(Sweep, EveryMeshHasANameOfItsOwn) {
+TEST(Sweep, EveryMeshHasAUniqueName) {
   Tabletop tabletop;
   for (const char* name : {"mug", "mug", "mug_2", "mug"}) {
     tabletop.objects.emplace_back();
@@ -142,7 +142,7 @@ TEST(Sweep, EveryMeshHasANameOfItsOwn) {
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 4U);
 }
 
-TEST(Sweep, RefusesOptionsThatMakeNoSense) {
+TEST(Sweep, RefusesOptionsOutOfTheirRange) {
   SweepOptions options = small_sweep(4);
   options.frame_rate = 0.0;
   EXPECT_THROW(take(options), InputError);

@@ -40,14 +40,14 @@ TEST(Footprint, OutlineOfABoxIsItsRectangle) {
   EXPECT_EQ(outline.size(), 4U);
 }
 
-TEST(Tabletop, HasAsManyObjectsAsAskedFor) {
+TEST(Tabletop, HasTheNumberOfObjectsInTheOptions) {
   for (const int count : {1, 5, 15}) {
     EXPECT_EQ(arrange_tabletop(options_for(4, count)).objects.size(),
               static_cast<std::size_t>(count));
   }
 }
 
-TEST(Tabletop, ObjectsDoNotRunIntoEachOther) {
+TEST(Tabletop, ObjectsDoNotIntersect) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Tabletop tabletop = arrange_tabletop(options_for(seed, 8));
     for (const PlacedObject& a : tabletop.objects) {

@@ -78,7 +78,7 @@ TEST(TransferTruth, GivesEachPointTheObjectThatItShows) {
   }
 }
 
-TEST(TransferTruth, MovesWhatIsTrueIntoTheCloudsFrame) {
+TEST(TransferTruth, MovesTheGroundTruthIntoTheFrameOfTheCloud) {
   const Tabletop tabletop = three_boxes();
   const Eigen::Isometry3d T = some_motion();
   const SceneTruth before = tabletop_truth(tabletop);
@@ -93,7 +93,7 @@ TEST(TransferTruth, MovesWhatIsTrueIntoTheCloudsFrame) {
       T * before.objects[1].reflectional.at(0).plane.reflect_point(p), 1e-12));
 }
 
-TEST(TransferTruth, RefusesTruthWithoutMeshesOrPoses) {
+TEST(TransferTruth, RefusesGroundTruthWithoutMeshesOrPoses) {
   const Tabletop tabletop = three_boxes();
   SceneTruth truth = tabletop_truth(tabletop);
   const PointCloud cloud;
@@ -113,7 +113,7 @@ TEST(AlignPoses, FindsTheMotionBetweenTwoFramesOfAPath) {
   EXPECT_THROW(align_poses(moved, still), InputError);
 }
 
-TEST(TrueSurface, FindsWhatIsNearestAsBruteForceDoes) {
+TEST(TrueSurface, FindsTheNearestPointAsBruteForceDoes) {
   std::vector<TriangleMesh> meshes;
   for (const PlacedObject& placed : three_boxes().objects) meshes.push_back(world_mesh(placed));
   const TrueSurface surface(meshes);

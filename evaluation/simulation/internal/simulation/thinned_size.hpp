@@ -4,7 +4,7 @@
 
 namespace symscene {
 
-/// Points that are left after thinning to 5 mm.
+/// The number of points after thinning to 5 mm.
 std::size_t thinned_size(const Points& points, const PointIndices& indices);
 
 }  // namespace symscene

@@ -9,58 +9,67 @@
 
 namespace symscene {
 
-/// How the camera goes around the table: the arc of section 2.2.
+/// The path of the camera around the table: the arc of section 2.2.
 struct CameraArcOptions {
-  int frames = 20;                   ///< along the arc; at most 64 are fused in memory
-  double arc = 2.0943951;            ///< horizontal angle of the arc, 120° [rad]
-  double radius = 1.0;               ///< distance to the point looked at [m]
-  double min_elevation = 0.6108652;  ///< lowest above the table, 35° [rad]
-  double max_elevation = 0.8726646;  ///< highest above the table, 50° [rad]
-  double target_height = 0.06;       ///< of the point looked at, over the table [m]
-  int width = 640;                   ///< [px]
-  int height = 480;                  ///< [px]
-  double focal_length = 525.0;       ///< [px]
+  int frames = 20;
+  double arc = 2.0943951;
+  double radius = 1.0;
+  double min_elevation = 0.6108652;
+  double max_elevation = 0.8726646;
+  double target_height = 0.06;
+  int width = 640;
+  int height = 480;
+  double focal_length = 525.0;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("frames", self.frames, "", "frames along the arc");
-    visit("arc", self.arc, "rad", "horizontal angle of the arc");
-    visit("radius", self.radius, "m", "distance to the point looked at");
-    visit("min_elevation", self.min_elevation, "rad", "lowest elevation above the table");
-    visit("max_elevation", self.max_elevation, "rad", "highest elevation above the table");
-    visit("target_height", self.target_height, "m", "height of the point looked at");
-    visit("width", self.width, "px", "width of the images");
-    visit("height", self.height, "px", "height of the images");
-    visit("focal_length", self.focal_length, "px", "focal length");
+    visit("frames", self.frames, "", between(1, 100000),
+          "frames along the arc; fusion with known poses takes at most 64");
+    visit("arc", self.arc, "rad", at_least(0.0), "horizontal angle of the arc (section 2.2)");
+    visit("radius", self.radius, "m", above(0.0), "distance to the point looked at");
+    visit("min_elevation", self.min_elevation, "rad", above(0.0),
+          "lowest elevation of the camera above the table, at both ends of the arc");
+    visit("max_elevation", self.max_elevation, "rad", strictly_between(0.0, radians(89.0)),
+          "highest elevation of the camera above the table, in the middle of the arc");
+    visit("target_height", self.target_height, "m", any_value(),
+          "height of the point looked at above the table");
+    visit("width", self.width, "px", at_least(16), "width of the images");
+    visit("height", self.height, "px", at_least(16), "height of the images");
+    visit("focal_length", self.focal_length, "px", above(0.0), "focal length of both axes");
   }
+  /// Throws InputError if a value is out of its range or max_elevation is below min_elevation.
   void validate() const;
 
   CameraIntrinsics intrinsics() const;
 };
 
-/// The poses along the arc, one a frame: on its way the camera rises from its lowest to its highest
-/// elevation and comes back. Table frame.
+/// The poses T_table_camera along the arc, one per frame. Along the way the camera rises from its
+/// lowest to its highest elevation and comes back. Throws InputError if an option is out of range.
 std::vector<Eigen::Isometry3d> camera_arc(const CameraArcOptions& options);
 
-/// How a hand that holds a camera moves it beside the way that it means to go.
+/// Deviation of a hand-held camera from its intended path.
 struct HandShakeOptions {
-  double translation = 0.005;   ///< standard deviation along each axis [m]
-  double rotation = 0.0087266;  ///< standard deviation about each axis, 0.5° [rad]
-  double min_frequency = 0.5;   ///< slowest part [Hz]
-  double max_frequency = 2.5;   ///< fastest part [Hz]
+  double translation = 0.005;
+  double rotation = 0.0087266;
+  double min_frequency = 0.5;
+  double max_frequency = 2.5;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("translation", self.translation, "m", "standard deviation along each axis");
-    visit("rotation", self.rotation, "rad", "standard deviation about each axis");
-    visit("min_frequency", self.min_frequency, "Hz", "slowest part");
-    visit("max_frequency", self.max_frequency, "Hz", "fastest part");
+    visit("translation", self.translation, "m", at_least(0.0),
+          "standard deviation of the position along each axis of the camera");
+    visit("rotation", self.rotation, "rad", at_least(0.0),
+          "standard deviation of the rotation about each axis of the camera");
+    visit("min_frequency", self.min_frequency, "Hz", above(0.0), "lowest frequency of the shake");
+    visit("max_frequency", self.max_frequency, "Hz", above(0.0), "highest frequency of the shake");
   }
+  /// Throws InputError if a value is out of its range or max_frequency is below min_frequency.
   void validate() const;
 };
 
-/// `path`, `frame_rate` poses a second, as a hand would go along it: smooth noise, band-limited and
-/// bounded by four standard deviations, in the camera's frame.
+/// Adds hand shake to `path`, which has `frame_rate` poses per second: smooth noise in the camera
+/// frame, band-limited and bounded by four standard deviations. Throws InputError if `frame_rate`
+/// is not positive or an option is out of range.
 std::vector<Eigen::Isometry3d> shaken(std::vector<Eigen::Isometry3d> path, double frame_rate,
                                       const HandShakeOptions& options, std::uint64_t seed);
 

@@ -8,13 +8,13 @@
 
 namespace symscene {
 
-/// A thing that can stand on a table, in its own frame: as built, or as scanned.
+/// An object that can stand on a table, procedural or scanned, in its own frame. [m]
 struct ObjectModel {
   std::string name;
-  TriangleMesh mesh;                    ///< closed; coloured where colours are known
-  std::vector<TrueAxis> rotational;     ///< as far as they are known
-  std::vector<TruePlane> reflectional;  ///< as far as they are known
-  bool sphere = false;                  ///< any axis through its centre is right
+  TriangleMesh mesh;                    ///< closed; with colours if they are known
+  std::vector<TrueAxis> rotational;     ///< the known ones
+  std::vector<TruePlane> reflectional;  ///< the known ones
+  bool sphere = false;                  ///< every axis through its centre is a symmetry
 };
 
 }  // namespace symscene

@@ -10,14 +10,14 @@
 
 namespace symscene {
 
-/// A table with objects that a depth camera is carried around.
+/// A depth camera carried around a table with objects.
 struct SweepOptions {
   TabletopOptions tabletop;
   DropOptions drop;
   CameraArcOptions camera = {.frames = 200, .radius = 0.8};
   HandShakeOptions shake;
   SensorNoiseOptions sensor;
-  double frame_rate = 30.0;  ///< [1/s]
+  double frame_rate = 30.0;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -26,24 +26,26 @@ struct SweepOptions {
     visit("camera", self.camera);
     visit("shake", self.shake);
     visit("sensor", self.sensor);
-    visit("frame_rate", self.frame_rate, "1/s", "frames a second");
+    visit("frame_rate", self.frame_rate, "1/s", above(0.0), "frames per second");
   }
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// Receives the frames of a sweep in their order, one at a time.
+/// Receives the frames of a sweep in order, one at a time.
 using FrameSink =
     std::function<void(const DepthFrame& frame, const Eigen::Isometry3d& T_world_camera)>;
 
-/// Renders the frames with the sensor's noise, in parallel but for the sink; no more are held than
-/// threads need. The same options give the same frames for any number of threads.
+/// Renders the frames with sensor noise in parallel and passes them to `sink` in order. Memory
+/// holds two frames more than there are threads. The same options give the same frames for any
+/// number of threads. Throws InputError if an option is out of range.
 void capture_sweep(const Tabletop& tabletop, const SweepOptions& options, const FrameSink& sink);
 
-/// A name for each object's mesh that no other has: its own, and a number where that is taken.
+/// A unique name for the mesh of each object: the object's name, with a number where it is taken.
 std::vector<std::string> mesh_names(const Tabletop& tabletop);
 
-/// What is true of a tabletop: the table, and every object with mesh, pose and symmetries. No
-/// masks.
+/// The ground truth of a tabletop: the table, and the mesh, pose and symmetries of every object. No
+/// masks. World frame.
 SceneTruth tabletop_truth(const Tabletop& tabletop);
 
 }  // namespace symscene

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limits>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -11,57 +11,70 @@
 
 namespace symscene {
 
-/// How objects are put on the table.
+/// How objects are arranged on the table.
 struct TabletopOptions {
-  int objects = 6;            ///< how many, 1 to 15
-  double stacked = 0.25;      ///< share of the objects that try to stand on or in another
-  double touching = 0.3;      ///< share of the objects that are pushed up against another
-  double min_gap = 0.003;     ///< between objects that do not touch [m]
-  double max_gap = 0.04;      ///< between objects that do not touch [m]
-  bool random_frame = false;  ///< turn and shift the world at random, as in a real scan
-  std::uint64_t seed = 1;     ///< of everything random about the objects and their places
+  static constexpr double contact_gap = 0.0005;  ///< between objects that touch [m]
+
+  int objects = 6;
+  double stacked = 0.25;
+  double touching = 0.3;
+  double min_gap = 0.003;
+  double max_gap = 0.04;
+  double max_stack = 0.35;
+  bool random_frame = false;
+  std::uint64_t seed = 1;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("objects", self.objects, "", "objects on the table, 1 to 15");
-    visit("stacked", self.stacked, "", "share of the objects that try to stand on or in another");
-    visit("touching", self.touching, "", "share of the objects pushed up against another");
-    visit("min_gap", self.min_gap, "m", "least gap between objects that do not touch");
-    visit("max_gap", self.max_gap, "m", "largest gap between objects that do not touch");
-    visit("random_frame", self.random_frame, "", "turn and shift the world at random");
-    visit("seed", self.seed, "", "seed of the objects and their places");
+    visit("objects", self.objects, "", between(1, 15), "objects on the table");
+    visit("stacked", self.stacked, "", between(0.0, 1.0),
+          "share of the objects that are tried on top of or inside another");
+    visit("touching", self.touching, "", between(0.0, 1.0),
+          "share of the objects that are pushed up against another");
+    visit("min_gap", self.min_gap, "m", at_least(contact_gap),
+          "least gap between objects that do not touch");
+    visit("max_gap", self.max_gap, "m", at_least(contact_gap),
+          "largest gap between objects that do not touch");
+    visit("max_stack", self.max_stack, "m", above(0.0), "greatest height of a stack of objects");
+    visit("random_frame", self.random_frame, "", any_value(),
+          "rotate and shift the world at random, as in a real scan");
+    visit("seed", self.seed, "", any_value(), "seed of the objects and their places");
   }
+  /// Throws InputError if a value is out of its range or max_gap is below min_gap.
   void validate() const;
 };
 
-/// An object in its place.
+/// An object at its place.
 struct PlacedObject {
   static constexpr Index on_table = ~Index{0};
 
   ObjectModel object;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();
-  Index supporter = on_table;  ///< the object that it stands on or in
+  Index supporter = on_table;  ///< number of the object that it stands on or in
 };
 
-/// A table with objects on it, every one of which is known exactly.
+/// A table with objects on it that are known exactly.
 struct Tabletop {
   Eigen::Isometry3d T_world_table = Eigen::Isometry3d::Identity();  ///< z = 0 is the table, z up
   std::vector<PlacedObject> objects;
+  std::vector<std::string> warnings;  ///< models that were not used or found no place
 
+  /// The plane of the table with its normal up. World frame.
   Plane plane() const;
 };
 
-/// Puts random household objects on a table, side by side and on top of each other, so that they
-/// rest on what is below them and nowhere run into each other.
+/// Arranges random household objects on a table, side by side and on top of each other, so that
+/// each rests on a support and none intersects another. Throws InputError if an option is out of
+/// range.
 Tabletop arrange_tabletop(const TabletopOptions& options);
 
-/// A table whose origin is the world's, or is turned and shifted at random if `options` ask for it.
+/// A table without objects, in the frame that `options` set: that of the world, or a random one.
 Tabletop empty_tabletop(const TabletopOptions& options);
 
 /// The mesh of a placed object. World frame.
 TriangleMesh world_mesh(const PlacedObject& placed);
 
-/// What is true of a placed object, all but its points. World frame.
+/// The ground truth of a placed object but for its mask. World frame.
 TrueObject true_object(const PlacedObject& placed);
 
 }  // namespace symscene

@@ -11,36 +11,40 @@
 namespace symscene {
 
 struct TruthTransferOptions {
-  double tolerance = 0.008;     ///< farthest that a point may be from the surface it shows [m]
-  int min_object_points = 100;  ///< at 5 mm; the truth leaves out what shows fewer
+  double tolerance = 0.008;
+  int min_object_points = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("tolerance", self.tolerance, "m", "farthest that a point may be from its surface");
-    visit("min_object_points", self.min_object_points, "", "points at 5 mm that truth asks for");
+    visit("tolerance", self.tolerance, "m", above(0.0),
+          "largest distance of a point from the true surface of its object");
+    visit("min_object_points", self.min_object_points, "", at_least(1),
+          "least points at 5 mm of an object in the ground truth");
   }
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// The truth in another frame: T_to_truth maps the truth's frame to it.
+/// The ground truth in another frame. T_to_truth maps the frame of `truth` to it.
 SceneTruth transformed(SceneTruth truth, const Eigen::Isometry3d& T_to_truth);
 
-/// The rigid transform that maps one list of poses best onto another, pose by pose: the mean
-/// rotation and translation between them. Identity where there is none.
-/// Throws InputError if there are not as many of one as of the other.
+/// The rigid transform T_target_source that best maps one list of poses onto another, pose by pose:
+/// the mean rotation and translation between them. Identity for empty lists. Throws InputError if
+/// the lists differ in length.
 Eigen::Isometry3d align_poses(std::span<const Eigen::Isometry3d> poses_target,
                               std::span<const Eigen::Isometry3d> poses_source);
 
-/// The truth of a scene that was reconstructed from a sequence with truth, in the cloud's frame:
-/// each point belongs to the object whose true surface is nearest to it, unless that is too far
-/// away or the table is nearer. `meshes` has the mesh of each object in the mesh' own frame;
-/// T_cloud_truth maps the truth's frame to the cloud's (align_poses(tracked, true)).
-/// Throws InputError if an object has no pose or there are not as many meshes as objects.
+/// The ground truth of a scene that was reconstructed from a sequence with ground truth, in the
+/// frame of the cloud: each point belongs to the object whose true surface is nearest to it, unless
+/// that is too far away or the table is nearer. `meshes` has the mesh of each object in the frame
+/// of the mesh; T_cloud_truth maps the frame of `truth` to that of the cloud (align_poses(tracked,
+/// true)). Throws InputError if an object has no pose, the numbers of meshes and objects differ, or
+/// an option is out of range.
 SceneTruth transfer_truth(const SceneTruth& truth, std::span<const TriangleMesh> meshes,
                           const PointCloud& cloud, const Eigen::Isometry3d& T_cloud_truth,
                           const TruthTransferOptions& options = {});
 
-/// The meshes of a truth's objects where they stand, in the truth's frame.
+/// The meshes of the objects at their poses, in the frame of `truth`.
 /// Throws InputError as transfer_truth() does.
 std::vector<TriangleMesh> placed_meshes(const SceneTruth& truth,
                                         std::span<const TriangleMesh> meshes);

@@ -10,12 +10,12 @@
 
 namespace symscene {
 
-/// The parts of models by name, so that many scenes of the same models cut each of them once.
+/// The convex parts of models by name, so that a model that occurs twice is decomposed once.
 class ConvexPartsCache {
  public:
   explicit ConvexPartsCache(const ConvexPartsOptions& options = {}) : options_(options) {}
 
-  /// The parts of each model, in that order. Valid as long as the cache lives.
+  /// The parts of each model, in the order of the models. Valid during the lifetime of the cache.
   std::vector<const ConvexParts*> of(std::span<const ObjectModel> models);
 
  private:
