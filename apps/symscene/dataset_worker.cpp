@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "core/log.hpp"
 #include "core/parallel.hpp"
 #include "core/process_pool.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
@@ -59,12 +58,8 @@ std::string make_and_write_scene(const std::filesystem::path& dir, const Dataset
                                  Split split, std::span<const ObjectModel> models,
                                  std::size_t index) {
   const ThreadLimit one(1);
-  std::vector<std::string> warnings;
-  set_log_sink([&](LogLevel level, std::string_view message) {
-    if (level == LogLevel::warning) warnings.emplace_back(message);
-  });
   const MadeScene made = make_scene(options, split, models, index);
-  set_log_sink({});
+  std::vector<std::string> warnings = made.warnings;
   if (!made.facts.good)
     throw std::runtime_error(
         fmt::format("no seed made a good scene ({})", failed_seeds(made.facts)));

@@ -86,6 +86,8 @@ struct Evaluate {
       SceneEvaluation scene = naming(dataset / entry.name, [&] {
         return evaluate_scene(known.scene, known.truth, options, on_begin);
       });
+      for (const std::string& warning : scene.warnings)
+        session.warn(fmt::format("scene {}: {}", entry.name, warning));
       scene.name = entry.name;
       scene.subset = known.subset;
       scene.unseen = known.objects - std::min(known.objects, known.truth.objects.size());
@@ -130,6 +132,7 @@ struct Evaluate {
     options.baselines = baseline_methods(baselines);
     Session session("evaluate", shared);
     const DatasetListing listing = read_dataset(dataset);
+    session.warn(listing.warnings);
     if (!listing.missing.empty())
       session.warn(
           fmt::format("{}: {} scenes are not made yet", dataset.string(), listing.missing.size()));

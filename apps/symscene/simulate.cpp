@@ -74,6 +74,7 @@ struct Simulate {
 
   void scan_table(const OptionFields& fields, Session& session, StageTimer& timer) {
     const Tabletop table = furnish(timer);
+    session.warn(table.warnings);
     const SimulatedScene simulated = timer.time("simulate", [&] {
       return fuse_frames(table, capture_frames(table, fused.scan), fused.scan);
     });
@@ -92,6 +93,7 @@ struct Simulate {
   void sweep_table(const OptionFields& fields, Session& session, StageTimer& timer) {
     SequenceWriter writer(absolute(shared.output), sweep.camera.intrinsics());
     const Tabletop table = furnish(timer);
+    session.warn(table.warnings);
     timer.time("frames", [&] {
       int number = 0;
       capture_sweep(table, sweep, [&](const DepthFrame& frame, const Eigen::Isometry3d& pose) {

@@ -8,11 +8,6 @@
 
 namespace symscene {
 
-void EuclideanClusterOptions::validate() const {
-  require_option(distance > 0.0, "distance", "a length above 0 m", distance);
-  require_option(min_size >= 1, "min_size", "at least 1 point", min_size);
-}
-
 std::vector<PointIndices> euclidean_clusters(const PointCloud& cloud,
                                              const EuclideanClusterOptions& options) {
   options.validate();

@@ -5,6 +5,7 @@
 
 #include "core/disjoint_sets.hpp"
 #include "core/parallel.hpp"
+#include "graph_segmentation.hpp"
 #include "segments.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/neighbors.hpp"
@@ -18,7 +19,7 @@ void sort_edges(std::vector<DissimilarEdge>& edges) {
   });
 }
 
-/// Components that grow edge by edge.
+/// The components of the graph, joined edge by edge.
 class Components {
  public:
   Components(std::size_t nodes, double k)
@@ -26,7 +27,8 @@ class Components {
 
   Index of(Index node) { return sets_.leader(node); }
 
-  /// Edges come by rising weight, so that a joining edge is the greatest of its component's tree.
+  /// Edges come in rising order of weight, so that a joining edge is the greatest of the spanning
+  /// tree of its component.
   void join_if_alike(const DissimilarEdge& edge) {
     const auto weight = double{edge.weight};
     const Index a = of(edge.a), b = of(edge.b);
@@ -65,7 +67,7 @@ std::vector<Index> segment_sorted(std::size_t nodes, const std::vector<Dissimila
   return labels;
 }
 
-/// Eq. 1 of Karpathy, Miller and Fei-Fei, with convexity seen from both ends.
+/// Eq. 1 of Karpathy, Miller and Fei-Fei, with convexity tested from both ends.
 float dissimilarity(const PointCloud& cloud, Index a, Index b) {
   const float bend = std::max(0.0F, 1.0F - cloud.normal(a).dot(cloud.normal(b)));
   return bends_outwards(cloud, a, b) ? bend * bend : bend;
@@ -84,14 +86,6 @@ std::vector<DissimilarEdge> sorted_graph(const PointCloud& cloud,
 }
 
 }  // namespace
-
-void FelzenszwalbOptions::validate() const {
-  require_option(k > 0.0, "k", "a number above 0", k);
-  require_option(neighbors >= 1, "neighbors", "at least 1 point", neighbors);
-  require_option(radius > 0.0, "radius", "a length above 0 m", radius);
-  require_option(merge_size >= 0, "merge_size", "at least 0 points", merge_size);
-  require_option(min_size >= 1, "min_size", "at least 1 point", min_size);
-}
 
 std::vector<Index> segment_graph(std::size_t nodes, std::vector<DissimilarEdge> edges, double k,
                                  int merge_size) {

@@ -1,7 +1,5 @@
 #include "symscene/baselines/lccp.hpp"
 
-#include <numbers>
-
 #include "lccp_labels.hpp"
 #include "segments.hpp"
 #include "symscene/core/error.hpp"
@@ -9,15 +7,8 @@
 namespace symscene {
 
 void LccpOptions::validate() const {
-  require_option(concavity_tolerance >= 0.0 && concavity_tolerance <= std::numbers::pi,
-                 "concavity_tolerance", "an angle in [0, pi] rad", concavity_tolerance);
-  require_option(voxel_size > 0.0, "voxel_size", "a length above 0 m", voxel_size);
-  require_option(seed_spacing >= voxel_size, "seed_spacing", "at least the voxel size",
-                 seed_spacing);
-  require_option(spatial_importance >= 0.0, "spatial_importance", "at least 0", spatial_importance);
-  require_option(normal_importance >= 0.0, "normal_importance", "at least 0", normal_importance);
-  require_option(smoothness >= 0.0, "smoothness", "at least 0 voxels", smoothness);
-  require_option(min_size >= 1, "min_size", "at least 1 point", min_size);
+  check_fields(*this);
+  require_option(seed_spacing >= voxel_size, "seed_spacing", "at least voxel_size", seed_spacing);
 }
 
 std::vector<PointIndices> lccp_segments(const PointCloud& cloud, const LccpOptions& options) {

@@ -4,11 +4,11 @@
 
 #include "symscene/baselines/lccp.hpp"
 
-// What PCL does: the one file that includes it, lccp_pcl.cpp, implements this.
+// Implemented by lccp_pcl.cpp, the only file that includes PCL.
 namespace symscene {
 
-/// For every tolerance the segment of each point, or `no_segment` where supervoxels did not reach
-/// it. The cloud has points and normals. [rad]
+/// For every tolerance [rad] the segment of each point, or `no_segment` if it is in no supervoxel.
+/// The cloud has points and normals.
 std::vector<std::vector<Index>> lccp_labels(const PointCloud& cloud, const LccpOptions& options,
                                             std::span<const double> tolerances);
 

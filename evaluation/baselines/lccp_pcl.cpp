@@ -22,7 +22,7 @@ std::vector<std::vector<Index>> lccp_labels(const PointCloud&, const LccpOptions
 
 namespace {
 
-// Of the types that the library holds ready-made, one that has a colour: the authors' example.
+// The point type of the authors' example, which PCL instantiates.
 using PclPoint = pcl::PointXYZRGBA;
 using Supervoxels = std::map<std::uint32_t, pcl::Supervoxel<PclPoint>::Ptr>;
 
@@ -40,17 +40,17 @@ pcl::PointCloud<pcl::Normal>::Ptr pcl_normals(const PointCloud& cloud) {
   return normals;
 }
 
-/// The patches of one cloud and which of them touch.
+/// The supervoxels of a cloud and their adjacency.
 struct Patches {
   Supervoxels supervoxels;
   std::multimap<std::uint32_t, std::uint32_t> adjacency;
-  std::vector<std::uint32_t> of_point;  ///< 0 where there is none
+  std::vector<std::uint32_t> of_point;  ///< per point, 0 if it is in none
 };
 
 Patches find_patches(const PointCloud& cloud, const LccpOptions& options) {
   pcl::SupervoxelClustering<PclPoint> clustering(static_cast<float>(options.voxel_size),
                                                  static_cast<float>(options.seed_spacing));
-  // Voxels that grow with depth are for one view; this cloud is of many.
+  // Voxels that grow with depth suit a single view; this cloud is of many.
   clustering.setUseSingleCameraTransform(false);
   clustering.setInputCloud(pcl_positions(cloud));
   clustering.setNormalCloud(pcl_normals(cloud));

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "core/log.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
 #include "symscene/core/error.hpp"
@@ -26,7 +25,7 @@ constexpr const char* any_dataset =
     "a dataset: a folder with dataset.json, of scene folders, or of NAME.depth.png and "
     "NAME.label.png";
 
-/// A name's text with numbers at full width, so that 2 comes before 10.
+/// A name with its numbers padded to full width, so that 2 comes before 10.
 std::string sort_key(const std::string& name) {
   std::string key, digits;
   const auto flush = [&] {
@@ -59,7 +58,7 @@ bool is_scene_folder(const fs::path& dir) {
   return fs::exists(dir / "cloud.ply") || fs::exists(dir / "cloud.pcd");
 }
 
-/// How the objects of a scene of a made dataset were placed.
+/// How the objects of a simulated scene were placed; empty if not known.
 std::string placement(const fs::path& dir) {
   const fs::path file = dir / "scene.json";
   if (!fs::exists(file)) return "";
@@ -75,11 +74,11 @@ DatasetEntry scene_entry(const fs::path& dir, const std::string& name) {
   return {name, placement(dir), dir, {}, {}, {}};
 }
 
-/// The scenes below a folder that is none itself.
+/// Lists the scene folders below `dir`.
 void find_scenes(const fs::path& root, const fs::path& dir, int levels,
                  std::vector<DatasetEntry>& entries) {
   for (const fs::path& child : sorted_children(dir)) {
-    // Results have clouds too.
+    // Folders with objects.json are results, not scenes.
     if (!fs::is_directory(child) || fs::exists(child / "objects.json")) continue;
     if (is_scene_folder(child)) {
       entries.push_back(scene_entry(child, child.lexically_relative(root).string()));
@@ -96,7 +95,8 @@ DatasetListing list_made_dataset(const fs::path& path) {
   const std::string name = (path / dataset_file).string();
   const Json document = parse_json(read_file(path / dataset_file), name);
   const JsonCursor root(document, name);
-  DatasetListing listing{"dataset", {}, {}, {}, {}};
+  DatasetListing listing;
+  listing.layout = "dataset";
   listing.split = parse_split(root.at("split").string(), name);
   listing.seed = root.at("options").at("seed").count();
   const std::size_t scenes = root.at("options").at("scenes").count();
@@ -111,7 +111,7 @@ DatasetListing list_made_dataset(const fs::path& path) {
   return listing;
 }
 
-/// The names of the files with an ending, less that.
+/// The names of the files with an ending, without it.
 std::vector<std::string> names_with(const fs::path& dir, std::string_view ending) {
   std::vector<std::string> names;
   for (const fs::path& child : sorted_children(dir)) {
@@ -121,7 +121,7 @@ std::vector<std::string> names_with(const fs::path& dir, std::string_view ending
   return names;
 }
 
-/// What the Object Segmentation Database calls its images by their numbers.
+/// The subset of an image of the Object Segmentation Database, by its number.
 std::string osd_subset(const std::string& name) {
   constexpr std::string_view prefix = "learn";
   const std::string number = name.starts_with(prefix) ? name.substr(prefix.size()) : "";
@@ -136,10 +136,10 @@ std::string osd_subset(const std::string& name) {
   return i <= 44 ? "cylindric" : "";
 }
 
-CameraIntrinsics single_view_camera(const fs::path& dir) {
+CameraIntrinsics single_view_camera(const fs::path& dir, std::vector<std::string>& warnings) {
   if (fs::exists(dir / "intrinsics.txt")) return read_intrinsics(dir / "intrinsics.txt");
   const CameraIntrinsics camera{640, 480, 525.0, 525.0, 319.5, 239.5};
-  log(LogLevel::info,
+  warnings.push_back(
       fmt::format("{}: no intrinsics.txt, so the camera is that of the Object Segmentation "
                   "Database: {:g} {:g} {:g} {:g}",
                   dir.string(), camera.fx, camera.fy, camera.cx, camera.cy));
@@ -147,7 +147,8 @@ CameraIntrinsics single_view_camera(const fs::path& dir) {
 }
 
 DatasetListing list_single_views(const fs::path& path) {
-  DatasetListing listing{"single views", {}, {}, {}, {}};
+  DatasetListing listing;
+  listing.layout = "single views";
   const std::vector<std::string> depths = names_with(path, depth_ending);
   const std::vector<std::string> labels = names_with(path, label_ending);
   const auto require_in = [&](const std::vector<std::string>& names, const std::string& name,
@@ -159,7 +160,7 @@ DatasetListing list_single_views(const fs::path& path) {
         fmt::format("no such file ({} depth, {} label images)", depths.size(), labels.size()));
   };
   for (const std::string& name : labels) require_in(depths, name, depth_ending);
-  const CameraIntrinsics camera = single_view_camera(path);
+  const CameraIntrinsics camera = single_view_camera(path, listing.warnings);
   for (const std::string& name : depths) {
     require_in(labels, name, label_ending);
     listing.entries.push_back({name,
@@ -172,10 +173,11 @@ DatasetListing list_single_views(const fs::path& path) {
   return listing;
 }
 
-/// Labels tell them from a sequence of 7-Scenes, whose depth images have the same ending.
+/// Label images distinguish single views from a sequence of 7-Scenes, whose depth images have the
+/// same ending.
 bool has_single_views(const fs::path& path) { return !names_with(path, label_ending).empty(); }
 
-/// Every object has a mask, and no point is in two.
+/// Throws InputError unless every object has a mask and no two masks share a point.
 void require_masks(const SceneTruth& truth, const std::string& name) {
   if (truth.objects.empty()) throw InputError(name, "at least one object", "none");
   std::map<Index, std::string> owners;
@@ -244,13 +246,14 @@ DatasetListing read_dataset(const fs::path& path) {
                      fs::exists(path) ? "a file" : "nothing of that name");
   if (fs::exists(path / dataset_file)) return list_made_dataset(path);
   if (has_single_views(path)) return list_single_views(path);
-  DatasetListing listing{"scenes", {}, {}, {}, {}};
+  DatasetListing listing;
+  listing.layout = "scenes";
   constexpr int levels = 2;
   find_scenes(path, path, levels, listing.entries);
   if (listing.entries.empty()) {
     const bool has_depth = !names_with(path, depth_ending).empty();
     throw InputError(path.string(), any_dataset,
-                     has_depth ? "depth images without labels" : "a folder of other things");
+                     has_depth ? "depth images without labels" : "a folder without scenes");
   }
   return listing;
 }

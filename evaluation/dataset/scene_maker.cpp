@@ -13,14 +13,15 @@
 namespace symscene {
 namespace {
 
-constexpr std::uint64_t choice_stream = std::uint64_t{1} << 41U;  // apart from the simulation's
+constexpr std::uint64_t choice_stream = std::uint64_t{1}
+                                        << 41U;  // distinct from the streams of the simulation
 
 bool is_droppable(const ObjectModel& model) {
   return is_solid(model.mesh) &&
          bounding_box(model.mesh.vertices).extent().minCoeff() >= DropOptions{}.min_thickness;
 }
 
-/// Models at random, none twice while there are others.
+/// Draws models at random, none twice while there are others.
 std::vector<ObjectModel> drawn(std::span<const ObjectModel> models, std::size_t count,
                                Random& random) {
   std::vector<ObjectModel> chosen;
@@ -37,7 +38,7 @@ std::vector<ObjectModel> drawn(std::span<const ObjectModel> models, std::size_t 
   return chosen;
 }
 
-/// A procedural object under a name of its own: physics knows shapes by name.
+/// A procedural object with a unique name, as the cache of convex parts is by name.
 ObjectModel procedural(const DatasetOptions& options, std::size_t number, Random& random) {
   HouseholdObject object;
   do {
@@ -84,7 +85,7 @@ Tabletop arranged(const DatasetOptions& options, TabletopOptions tabletop) {
   return arrange_tabletop(tabletop);
 }
 
-/// How far the table that was found is from the true one at the objects. [m]
+/// Largest distance between the detected and the true table at the objects. [m]
 double table_error(const SweptScene& made) {
   const Plane& found = *made.scene.table;
   double worst = 0.0;
@@ -97,7 +98,7 @@ double table_error(const SweptScene& made) {
   return worst;
 }
 
-/// What is wrong with a scene; empty for a good one.
+/// Why a scene is not accurate enough; empty if it is.
 std::string flaw(const SweptScene& made, const DatasetOptions& options) {
   const auto lost = static_cast<double>(made.frames - made.fused);
   if (made.fused < std::min<std::size_t>(3, made.frames) ||
@@ -106,7 +107,7 @@ std::string flaw(const SweptScene& made, const DatasetOptions& options) {
   if (made.trajectory.absolute > options.max_error)
     return fmt::format("the camera's path is {:.1f} mm off", 1e3 * made.trajectory.absolute);
   if (!made.scene.table) return "no table was found";
-  if (made.truth.objects.empty()) return "no object can be made out";
+  if (made.truth.objects.empty()) return "no object has enough points";
   const double error = table_error(made);
   if (error > options.max_table_error)
     return fmt::format("the table is {:.1f} mm off", 1e3 * error);
@@ -132,7 +133,7 @@ bool is_dropped(const DatasetOptions& options, std::span<const ObjectModel> mode
   return every == 0 || index % every != every - 1;
 }
 
-/// Makes the scene of the seed in its facts.
+/// Makes the scene of the seed in `made.facts`.
 void try_seed(const DatasetOptions& options, std::span<const ObjectModel> models, MadeScene& made) {
   SceneFacts& facts = made.facts;
   StageTimer timer;
@@ -148,6 +149,8 @@ void try_seed(const DatasetOptions& options, std::span<const ObjectModel> models
   facts.path_error = swept.trajectory.absolute;
   const std::string reason = flaw(swept, options);
   facts.good = reason.empty();
+  for (const std::vector<std::string>& warnings : {table.warnings, swept.scene.warnings})
+    made.warnings.insert(made.warnings.end(), warnings.begin(), warnings.end());
   if (!facts.good) facts.failed.push_back({facts.seed, reason});
   made.scene = std::move(swept.scene);
   made.truth = std::move(swept.truth);
@@ -158,28 +161,10 @@ void try_seed(const DatasetOptions& options, std::span<const ObjectModel> models
 }  // namespace
 
 void DatasetOptions::validate() const {
-  require_option(scenes >= 1 && scenes <= 10000, "scenes", "1 to 10000", scenes);
-  require_option(min_objects >= 1 && min_objects <= 15, "min_objects", "1 to 15", min_objects);
-  require_option(max_objects >= min_objects && max_objects <= 15, "max_objects",
-                 "min_objects to 15", max_objects);
-  require_option(arranged_every >= 0, "arranged_every", "a number not below zero", arranged_every);
-  require_option(scanned >= 0 && scanned <= 1, "scanned", "a share in [0, 1]", scanned);
-  require_option(min_scale >= 0.2 && min_scale <= 2, "min_scale", "0.2 to 2", min_scale);
-  require_option(max_scale >= min_scale && max_scale <= 2, "max_scale", "min_scale to 2",
-                 max_scale);
-  require_option(min_spread >= 0, "min_spread", "a number not below zero", min_spread);
-  require_option(max_spread >= min_spread && max_spread <= 0.08, "max_spread",
-                 "min_spread to 0.08 m", max_spread);
-  require_option(max_stacked >= 0 && max_stacked <= 1, "max_stacked", "a share in [0, 1]",
-                 max_stacked);
-  require_option(max_touching >= 0 && max_touching <= 1, "max_touching", "a share in [0, 1]",
-                 max_touching);
-  require_option(attempts >= 1, "attempts", "at least 1", attempts);
-  require_option(max_lost >= 0 && max_lost <= 1, "max_lost", "a share in [0, 1]", max_lost);
-  require_option(max_error > 0, "max_error", "a positive number", max_error);
-  require_option(max_table_error > 0, "max_table_error", "a positive number", max_table_error);
-  making.validate();
-  sweep_of(*this, seed).validate();
+  check_fields(*this);
+  require_option(max_objects >= min_objects, "max_objects", "at least min_objects", max_objects);
+  require_option(max_scale >= min_scale, "max_scale", "at least min_scale", max_scale);
+  require_option(max_spread >= min_spread, "max_spread", "at least min_spread", max_spread);
 }
 
 Tabletop place_objects(const DatasetOptions& options, std::span<const ObjectModel> models,
@@ -198,13 +183,13 @@ MadeScene make_scene(const DatasetOptions& options, Split split,
   made.facts.index = index;
   made.facts.split = split;
   made.facts.dropped = is_dropped(options, models, index);
+  const auto patience = static_cast<std::size_t>(options.patience);
   const auto asked = static_cast<std::size_t>(
       object_count(options.seed, split, index, options.min_objects, options.max_objects));
   for (std::size_t attempt = 0;
        attempt < static_cast<std::size_t>(options.attempts) && !made.facts.good; ++attempt) {
     made.facts.seed = scene_seed(options.seed, split, index, attempt);
-    // A can alone on a bare table holds no camera: what fails again and again gets more objects.
-    constexpr std::size_t patience = 4;
+    // Tracking fails on a bare table with a single can: more objects constrain the camera.
     made.facts.objects_asked = asked + (attempt < patience ? 0 : attempt - patience + 1);
     made.facts.objects_asked =
         std::min(made.facts.objects_asked, static_cast<std::size_t>(options.max_objects));

@@ -12,7 +12,7 @@
 namespace symscene {
 namespace {
 
-/// The label of what a point shows; 0 where that is not sure.
+/// The label at a point; 0 if the pixel shows another surface.
 std::uint16_t label_at(const LabeledFrame& labeled, const Eigen::Vector3d& point_camera,
                        double tolerance) {
   if (!(point_camera.z() > 0.0)) return 0;
@@ -51,8 +51,8 @@ SceneTruth truth_of(const LabeledFrame& labeled, const Scene& scene,
   return truth;
 }
 
-/// Of a slanted face one look leaves shreds. None is left out for being small: that is done when
-/// what stands on the table is cut out, where shreds that lie close are one.
+/// A single view leaves fragments of a slanted face. No fragment is dropped here for its size:
+/// scene building does so, after it has joined fragments that are close.
 SurfaceExtractionOptions surface_of_one(const SurfaceExtractionOptions& options) {
   SurfaceExtractionOptions one = surface_of_few(options, 1);
   one.min_triangles = 1;
@@ -66,13 +66,6 @@ void require_size(std::size_t values, const CameraIntrinsics& camera, const char
 }
 
 }  // namespace
-
-void SingleViewOptions::validate() const {
-  reconstruction.validate();
-  scene.validate();
-  require_option(label_depth > 0, "label_depth", "a positive number", label_depth);
-  require_option(min_object_points >= 1, "min_object_points", "at least 1", min_object_points);
-}
 
 SingleViewScene single_view_scene(const LabeledFrame& labeled, const SingleViewOptions& options) {
   options.validate();

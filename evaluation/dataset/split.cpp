@@ -9,7 +9,7 @@
 namespace symscene {
 namespace {
 
-/// SplitMix64 (Steele, Lea and Flood 2014): neighbouring numbers become unrelated ones.
+/// SplitMix64 (Steele, Lea and Flood 2014): maps neighbouring numbers to unrelated ones.
 std::uint64_t scrambled(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -35,7 +35,7 @@ std::uint64_t scene_seed(std::uint64_t dataset_seed, Split split, std::size_t in
   std::uint64_t mixed = dataset_seed;
   for (const std::uint64_t part : {own, std::uint64_t{index}, std::uint64_t{attempt}})
     mixed = scrambled(scrambled(mixed) ^ part);
-  // The lowest bit tells the splits apart.
+  // The lowest bit distinguishes the splits.
   return ((mixed >> 12U) << 1U) | own;
 }
 
@@ -43,7 +43,7 @@ int object_count(std::uint64_t dataset_seed, Split split, std::size_t index, int
                  int max_objects) {
   std::vector<int> counts(static_cast<std::size_t>(max_objects - min_objects + 1));
   std::iota(counts.begin(), counts.end(), min_objects);
-  constexpr std::uint64_t stream = std::uint64_t{1} << 40U;  // apart from those of the scenes
+  constexpr std::uint64_t stream = std::uint64_t{1} << 40U;  // distinct from the seeds of scenes
   Random random(scene_seed(dataset_seed, split, index / counts.size()), stream);
   for (std::size_t left = counts.size(); left > 1; --left)
     std::swap(counts[left - 1], counts[random.below(static_cast<std::uint32_t>(left))]);

@@ -42,12 +42,6 @@ FusedPoses track(const Tabletop& tabletop, const SweepOptions& sweep,
 
 }  // namespace
 
-void SweptSceneOptions::validate() const {
-  reconstruction.validate();
-  scene.validate();
-  truth.validate();
-}
-
 SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
                              const SweptSceneOptions& options) {
   options.validate();

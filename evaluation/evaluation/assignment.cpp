@@ -1,7 +1,7 @@
+#include "assignment.hpp"
+
 #include <algorithm>
 #include <limits>
-
-#include "symscene/evaluation/segment_metrics.hpp"
 
 namespace symscene {
 namespace {

@@ -69,7 +69,7 @@ std::string star(const CurvePoint& centre, std::size_t color) {
   return fmt::format("<polygon class=\"star c{}\" points=\"{}\"/>\n", color, corners);
 }
 
-/// Settings that fall together are one dot.
+/// One dot per place: settings may coincide.
 std::string dots(const Sweep& sweep, Metric metric, std::size_t color) {
   std::set<std::string> places;
   for (const SettingCounts& counts : sweep.counts)

@@ -7,9 +7,9 @@
 
 namespace symscene {
 
-/// Precision over recall of some methods, as a figure of HTML: an SVG and a legend under it. Faint
-/// dots are settings, lines their envelopes, stars the best F, rings the given options; thin curves
-/// join points of equal F. `colors` are the numbers of the methods' colours.
+/// Precision over recall of methods as an HTML figure: an SVG with a legend below. Faint dots are
+/// settings, lines their envelopes, stars the best F, rings the given options; dashed curves join
+/// points of equal F. `colors` has the number of the colour of each method.
 std::string curve_figure(const std::string& caption, const std::vector<const Sweep*>& sweeps,
                          const std::vector<std::size_t>& colors, Metric metric);
 

@@ -5,8 +5,8 @@
 
 namespace symscene {
 
-/// The text as it stands in HTML and XML, in elements and in attributes; characters that XML does
-/// not know become spaces.
+/// The text escaped for elements and attributes of HTML and XML; characters that XML does not allow
+/// become spaces.
 inline std::string escape_markup(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

@@ -50,29 +50,6 @@ OverlapMatrix overlap_matrix(const std::vector<PointIndices>& truth,
   return overlaps;
 }
 
-std::vector<MaskPair> match_masks(const OverlapMatrix& overlaps, double min_overlap) {
-  std::vector<MaskPair> candidates;
-  for (Eigen::Index t = 0; t < overlaps.rows(); ++t) {
-    for (Eigen::Index f = 0; f < overlaps.cols(); ++f) {
-      if (overlaps(t, f) > min_overlap) {
-        candidates.push_back({static_cast<Index>(t), static_cast<Index>(f), overlaps(t, f)});
-      }
-    }
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const MaskPair& a, const MaskPair& b) { return a.overlap > b.overlap; });
-  std::vector<bool> truth_taken(static_cast<std::size_t>(overlaps.rows()), false);
-  std::vector<bool> found_taken(static_cast<std::size_t>(overlaps.cols()), false);
-  std::vector<MaskPair> pairs;
-  for (const MaskPair& pair : candidates) {
-    if (truth_taken[pair.truth] || found_taken[pair.found]) continue;
-    truth_taken[pair.truth] = true;
-    found_taken[pair.found] = true;
-    pairs.push_back(pair);
-  }
-  return pairs;
-}
-
 Score mask_score(const OverlapMatrix& overlaps, double min_overlap) {
   Score score;
   score.found = static_cast<std::size_t>(overlaps.cols());
@@ -87,13 +64,6 @@ std::vector<double> best_overlaps(const OverlapMatrix& overlaps) {
     best.push_back(overlaps.cols() == 0 ? 0.0 : overlaps.row(t).maxCoeff());
   }
   return best;
-}
-
-double mean_best_overlap(const OverlapMatrix& overlaps) {
-  if (overlaps.rows() == 0) return 1.0;
-  double sum = 0.0;
-  for (const double best : best_overlaps(overlaps)) sum += best;
-  return sum / static_cast<double>(overlaps.rows());
 }
 
 }  // namespace symscene

@@ -6,9 +6,9 @@ namespace symscene {
 namespace {
 
 constexpr double found_overlap = 0.9;
-constexpr double proposed_overlap = 0.5;  // of the best cut or part with an object that is proposed
+constexpr double proposed_overlap = 0.5;  // least overlap of a proposal that proposes an object
 
-/// A true object with its points where the proposals count.
+/// A true object with its mask in the cloud of the proposals.
 struct Target {
   const TrueObject& object;
   const PointIndices& mask;
@@ -22,37 +22,39 @@ struct Target {
   }
 };
 
-/// The order in which refusals happen.
+/// The position of a reason in the order in which proposals are rejected.
 std::size_t stage_of(const std::string& reason) {
   static constexpr std::array order = {"support", "size",  "symmetry",  "occlusion", "smoothness",
                                        "score",   "merge", "composite", "overlap"};
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), reason) - order.begin());
 }
 
-/// The cut, or part of the surface, that overlaps a target best.
-struct BestCut {
+/// The hypothesis or proposal that overlaps a target best.
+struct BestProposal {
   double overlap = 0.0;
   const PointIndices* points = nullptr;
 
-  void consider(const Target& target, const PointIndices& cut) {
-    const double value = target.overlap(cut);
-    if (points == nullptr || value > overlap) *this = {value, &cut};
+  void consider(const Target& target, const PointIndices& candidate) {
+    const double value = target.overlap(candidate);
+    if (points == nullptr || value > overlap) *this = {value, &candidate};
   }
 };
 
-BestCut best_cut(const Target& target, const SceneProposals& proposals) {
-  BestCut best;
-  for (const Hypothesis& cut : proposals.rotational) best.consider(target, cut.points);
-  for (const Hypothesis& cut : proposals.reflectional) best.consider(target, cut.points);
-  for (const Rejection& cut : proposals.rejected) best.consider(target, cut.points);
+BestProposal best_proposal(const Target& target, const SceneProposals& proposals) {
+  BestProposal best;
+  for (const Hypothesis& hypothesis : proposals.rotational)
+    best.consider(target, hypothesis.points);
+  for (const Hypothesis& hypothesis : proposals.reflectional)
+    best.consider(target, hypothesis.points);
+  for (const Rejection& rejection : proposals.rejected) best.consider(target, rejection.points);
   for (const ObjectProposal& proposal : proposals.objects)
     best.consider(target, proposal.object.points);
   return best;
 }
 
-/// Which bound or rival refused a good cut of the target. One that nothing refused became part of
+/// Why the proposals with IoU > 0.9 were rejected. One that was not rejected has been merged into
 /// an object with another mask.
-std::string refusal(const Target& target, const SegmentationResult& result) {
+std::string rejection_reason(const Target& target, const SegmentationResult& result) {
   std::string reason;
   for (const Rejection& rejection : result.rejected) {
     if (target.overlap(rejection.points) <= found_overlap) continue;
@@ -87,30 +89,31 @@ std::string missing_proposal(const Target& target, const SceneProposals& proposa
   return any_segment ? "no symmetry" : "no segment";
 }
 
-std::string wrong_cut(const Target& target, const BestCut& cut) {
-  if (cut.points == nullptr) return "too little";
-  const std::size_t common = intersection_size(target.mask, *cut.points);
+/// "too little" or "too much" of the target.
+std::string segmentation_error(const Target& target, const BestProposal& best) {
+  if (best.points == nullptr) return "too little";
+  const std::size_t common = intersection_size(target.mask, *best.points);
   const std::size_t missing = target.mask.size() - common;
-  const std::size_t foreign = cut.points->size() - common;
+  const std::size_t foreign = best.points->size() - common;
   return missing >= foreign ? "too little" : "too much";
 }
 
 void judge_outcome(const Target& target, const SceneProposals& proposals,
                    const SegmentationResult& result, ObjectOutcome& outcome) {
-  const BestCut cut = best_cut(target, proposals);
-  outcome.best_proposal_overlap = cut.overlap;
+  const BestProposal best = best_proposal(target, proposals);
+  outcome.best_proposal_overlap = best.overlap;
   if (outcome.best_overlap > found_overlap) return;
-  if (cut.overlap > found_overlap) {
+  if (best.overlap > found_overlap) {
     outcome.fate = Fate::rejected;
-    outcome.reason = refusal(target, result);
+    outcome.reason = rejection_reason(target, result);
     return;
   }
-  if (cut.overlap <= proposed_overlap) outcome.reason = missing_proposal(target, proposals);
+  if (best.overlap <= proposed_overlap) outcome.reason = missing_proposal(target, proposals);
   outcome.fate = outcome.reason.empty() ? Fate::wrongly_segmented : Fate::not_proposed;
-  if (outcome.fate == Fate::wrongly_segmented) outcome.reason = wrong_cut(target, cut);
+  if (outcome.fate == Fate::wrongly_segmented) outcome.reason = segmentation_error(target, best);
 }
 
-/// Sums the next `count` entries of a scene's list of met symmetries.
+/// Counts the next `count` entries of `match.truth_met`, which are those of one object.
 void count_met(const SymmetryMatch& match, std::size_t count, std::size_t& next,
                ObjectOutcome& outcome) {
   outcome.symmetries += count;

@@ -7,7 +7,7 @@
 namespace symscene {
 namespace {
 
-/// A field of RFC 4180: in quotes where it needs them.
+/// A field of RFC 4180, quoted if necessary.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -41,7 +41,7 @@ double total_seconds(const std::vector<StageTime>& times) {
   return sum;
 }
 
-/// The stages that any scene ran, in the order of their first mention.
+/// The stages of all scenes, in order of first appearance.
 std::vector<std::string> stage_names(const Evaluation& evaluation) {
   std::vector<std::string> names;
   for (const SceneEvaluation& scene : evaluation.scenes) {

@@ -73,7 +73,7 @@ std::string section(const char* title, const char* text) {
   return fmt::format("<h2>{}</h2>\n<p>{}</p>\n", title, text);
 }
 
-/// The methods that a metric means something for, each with its own colour.
+/// The curves of the methods that the metric applies to, each in its own colour.
 std::string figure(const std::string& caption, const std::vector<const Sweep*>& candidates,
                    Metric metric) {
   std::vector<const Sweep*> shown;
@@ -94,11 +94,12 @@ std::string figures(const Evaluation& evaluation) {
   html += figure("Masks, IoU > 0.75", sweeps, Metric::masks_75);
   html += figure("Masks, IoU > 0.5", sweeps, Metric::masks_50);
   html += "</div>\n";
-  html += section("Symmetries",
-                  "Rotation axes and reflection planes within 10° and 10 cm, and within 10° and "
-                  "1 cm, of true ones, before segmentation (table 3.1) and of the segments that "
-                  "are returned. What follows from a rotation, and what the truth marks weak, is "
-                  "neither right nor wrong.");
+  html +=
+      section("Symmetries",
+              "Rotation axes and mirror planes within 10° and 10 cm, and within 10° and 1 cm, of "
+              "the ground truth: before segmentation (table 3.1) and of the returned objects. "
+              "Planes through a rotation axis of their object and weak symmetries count as "
+              "neither right nor wrong.");
   for (const Sweep& sweep : evaluation.detection) sweeps.push_back(&sweep);
   html += "<div class=\"figures small\">\n";
   html += figure("Axes, 10° and 10 cm", sweeps, Metric::axes);
@@ -110,10 +111,10 @@ std::string figures(const Evaluation& evaluation) {
 
 std::string missed_objects(const Evaluation& evaluation) {
   std::string html = section(
-      "What becomes of the objects",
-      "Of each true object at the default options: found (IoU &gt; 0.9); not proposed by "
-      "any symmetry that was detected; proposed but wrongly segmented; cut well and rejected, "
-      "by a bound or by the competition.");
+      "Missed objects",
+      "True objects at the default options: found (IoU &gt; 0.9); not proposed, as none of their "
+      "symmetries was detected; proposed but wrongly segmented (no proposal with IoU &gt; 0.9); "
+      "rejected by a bound or in the selection of objects.");
   html += table_html(missed_object_table(evaluation), "l1 total");
   const TextTable reasons = reason_table(evaluation);
   if (reasons.size() > 1) html += "<br/>\n" + table_html(reasons, "l2");
@@ -157,27 +158,28 @@ std::string opening(const Evaluation& evaluation, const ReportInfo& info) {
 
 std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
   std::string html = head(info) + opening(evaluation, info);
-  html += section("Headline",
-                  "F in percent: masks by the IoU that they have to exceed, symmetries within 10° "
-                  "and 10 cm or 1 cm. “Default” is the command as it stands; “best” takes each F "
-                  "at its best setting, all else at the best one for masks at 0.9.");
+  html +=
+      section("Headline",
+              "F in percent: of masks above an IoU, of symmetries within 10° and 10 cm or 1 cm. "
+              "“Default” has the options of the run; “best” has the greatest F of each metric "
+              "over all settings, and all else at the best setting for masks at 0.9.");
   html += table_html(headline_table(evaluation.segmentation), "l2") + "<br/>\n";
   html += table_html(default_table(evaluation.segmentation), "l1 last");
   html += section(
       "Masks",
-      "Precision and recall over the settings of each method: least probabilities of SymScene, the "
-      "bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
-      "their envelopes, stars the best F, rings the default; dashed curves join equal "
-      "F of 20, 40, 60 and 80.");
+      "Precision and recall over the settings of each method: the least probabilities of SymScene, "
+      "the bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
+      "their envelopes, stars the best F, rings the default; dashed curves are of constant F: "
+      "20, 40, 60 and 80.");
   html += figures(evaluation);
   html += missed_objects(evaluation);
   html += section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.");
   html += table_html(kind_table(evaluation), "l1");
   html +=
       section("Runtime",
-              "Means over scenes, by their number of objects; without completion. Wall times "
-              "of this run, whatever else the machine did; a baseline's is that of its whole sweep "
-              "by the number of settings.");
+              "Mean wall time over scenes by number of objects, without completion, as measured in "
+              "this run; the time of a baseline is that of its sweep divided by the number of "
+              "settings.");
   html += table_html(runtime_table(evaluation), "l1") + "<br/>\n";
   html += table_html(method_time_table(evaluation), "l1");
   html += subsets(evaluation) + scenes(evaluation);

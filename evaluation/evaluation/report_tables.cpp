@@ -62,7 +62,7 @@ std::string what_was_evaluated(const Evaluation& evaluation) {
   for (const SceneEvaluation& scene : evaluation.scenes) unseen += scene.unseen;
   std::string text =
       fmt::format("{} scenes, {} objects", evaluation.scenes.size(), evaluation.outcomes.objects);
-  if (unseen > 0) text += fmt::format(" and {} of which too little is seen to count", unseen);
+  if (unseen > 0) text += fmt::format(" and {} with too few points to count", unseen);
   return text;
 }
 
@@ -148,7 +148,7 @@ TextTable kind_table(const Evaluation& evaluation) {
 
 TextTable runtime_table(const Evaluation& evaluation) {
   TextTable table{
-      {"seconds a scene", "scenes", "rotational stage", "reflectional stage", "other", "total"}};
+      {"seconds per scene", "scenes", "rotational stage", "reflectional stage", "other", "total"}};
   for (const RuntimeClass& its : runtimes(evaluation)) {
     if (its.scenes == 0) continue;
     table.push_back({its.name, fmt::format("{}", its.scenes), seconds(its.rotational),
@@ -158,7 +158,7 @@ TextTable runtime_table(const Evaluation& evaluation) {
 }
 
 TextTable method_time_table(const Evaluation& evaluation) {
-  TextTable table{{"method", "seconds a scene"}};
+  TextTable table{{"method", "seconds per scene"}};
   for (const Sweep& sweep : evaluation.segmentation) {
     if (sweep.seconds > 0.0)
       table.push_back(

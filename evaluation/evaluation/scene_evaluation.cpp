@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "assignment.hpp"
 #include "core/parallel.hpp"
 #include "proposals/object_proposals.hpp"
 #include "setting_counts.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 const std::vector<Metric> mask_metrics = {Metric::masks_90, Metric::masks_75, Metric::masks_50};
 
-/// Without the rotational stream there are no axes to be right or wrong.
+/// Without the rotational stream there are no axes to evaluate.
 std::vector<Metric> pipeline_metrics(bool rotational) {
   if (rotational) return {all_metrics.begin(), all_metrics.end()};
   std::vector<Metric> metrics = mask_metrics;
@@ -26,7 +27,7 @@ std::vector<Metric> pipeline_metrics(bool rotational) {
   return metrics;
 }
 
-/// The bounds of table 4.2, in this order.
+/// The bounds of table 4.2, in the order of the settings.
 const std::vector<std::string> segmentation_parameters = {"refl_symmetry", "refl_occlusion",
                                                           "rot_symmetry", "rot_occlusion"};
 
@@ -71,27 +72,25 @@ Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
   return sweep;
 }
 
-/// The least probabilities of objects and of their symmetries, over everything that is proposed.
-/// What is known of an object's symmetries is the same at every setting, and measured once.
-Sweep score_sweep(const SceneProposals& proposals, const CountingContext& context,
-                  const PipelineOptions& options) {
-  Sweep sweep;
-  sweep.method = scored_method;
-  sweep.parameters = {"min_score", "min_symmetry_probability"};
-  const std::vector<double> scores = evenly_spaced(0.05, 0.95, 0.05);
-  const std::vector<double> probabilities = evenly_spaced(0.1, 0.7, 0.1);
-  sweep.settings = all_settings({scores, probabilities});
-  sweep.metrics = pipeline_metrics(options.rotational_stream);
-  std::vector<std::vector<SceneObject>> chosen(scores.size());
+/// The objects that each least score selects. The candidates for their symmetries do not depend on
+/// the setting and are computed once per object.
+struct ScoredObjects {
+  std::vector<std::vector<SceneObject>> chosen;  ///< per least score
   std::map<PointIndices, SymmetryCandidates> symmetries;
+};
+
+ScoredObjects scored_objects(const SceneProposals& proposals, const PipelineOptions& options,
+                             const std::vector<double>& scores) {
+  ScoredObjects objects;
   std::vector<std::pair<const SceneObject*, SymmetryCandidates*>> unsearched;
-  for (std::size_t k = 0; k < scores.size(); ++k) {
+  objects.chosen.reserve(scores.size());
+  for (const double score : scores) {
     SelectionOptions selection = options.selection;
-    selection.min_score = scores[k];
+    selection.min_score = score;
     std::vector<Rejection> rejected;
-    chosen[k] = probable_objects(proposals, selection, rejected);
-    for (const SceneObject& object : chosen[k]) {
-      const auto [own, is_new] = symmetries.try_emplace(object.points);
+    objects.chosen.push_back(probable_objects(proposals, selection, rejected));
+    for (const SceneObject& object : objects.chosen.back()) {
+      const auto [own, is_new] = objects.symmetries.try_emplace(object.points);
       if (is_new) unsearched.emplace_back(&object, &own->second);
     }
   }
@@ -99,18 +98,33 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
     *unsearched[k].second = symmetry_candidates(proposals.observed(), *unsearched[k].first,
                                                 options.symmetry_search_options());
   });
+  return objects;
+}
+
+/// The least probabilities of objects and of their symmetries, over all proposals.
+Sweep score_sweep(const SceneProposals& proposals, const CountingContext& context,
+                  const PipelineOptions& options) {
+  const std::vector<double> scores = evenly_spaced(0.05, 0.95, 0.05);
+  const std::vector<double> probabilities = evenly_spaced(0.1, 0.7, 0.1);
+  Sweep sweep;
+  sweep.method = scored_method;
+  sweep.parameters = {"min_score", "min_symmetry_probability"};
+  sweep.settings = all_settings({scores, probabilities});
+  sweep.metrics = pipeline_metrics(options.rotational_stream);
   sweep.counts.resize(sweep.settings.size());
+  ScoredObjects objects = scored_objects(proposals, options, scores);
   parallel_for_each(scores.size(), [&](std::size_t k) {
     SettingCounts* const own = &sweep.counts[k * probabilities.size()];
     for (std::size_t p = 0; p < probabilities.size(); ++p) {
       ObjectSymmetryOptions bounds = options.object_symmetry;
       bounds.min_axis_probability = bounds.min_plane_probability = probabilities[p];
-      for (SceneObject& object : chosen[k]) {
-        ListedSymmetries listed = list_symmetries(symmetries.at(object.points), bounds);
+      for (SceneObject& object : objects.chosen[k]) {
+        ListedSymmetries listed = list_symmetries(objects.symmetries.at(object.points), bounds);
         object.rotational = std::move(listed.rotational);
         object.reflectional = std::move(listed.reflectional);
       }
-      own[p] = p == 0 ? context.count(chosen[k]) : context.recount(own[0], chosen[k]);
+      own[p] =
+          p == 0 ? context.count(objects.chosen[k]) : context.recount(own[0], objects.chosen[k]);
     }
   });
   return sweep;
@@ -159,7 +173,7 @@ std::vector<ReflectionPlane> planes_within(const SceneDetections& detections, do
   return planes;
 }
 
-/// Table 3.1, first the axes, then the planes.
+/// The sweeps of table 3.1: axes, then planes.
 std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const SceneTruth& truth,
                                     const PipelineOptions& options) {
   const auto count_axes = [&](double symmetry, double perpendicularity) {
@@ -189,7 +203,7 @@ std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const Sce
   return {axes, planes};
 }
 
-/// The options with table 3.1's loosest bounds, and the given ones' if those are looser.
+/// The options with the loosest bounds of table 3.1, or their own if those are looser.
 PipelineOptions relaxed(PipelineOptions options) {
   RotationalDetectionOptions& axes = options.rotational_detection;
   axes.max_symmetry_residual = std::max(axes.max_symmetry_residual, 0.03);
@@ -200,7 +214,7 @@ PipelineOptions relaxed(PipelineOptions options) {
   return options;
 }
 
-/// A scene of nothing, such as that of a sweep that lost its way, proposes nothing.
+/// An empty scene, such as that of a sweep on which tracking failed, has no proposals.
 SceneProposals proposals_of(const Scene& scene, const PipelineOptions& options,
                             const StageTimer::OnBegin& on_begin) {
   return scene.cloud.empty() ? SceneProposals{} : propose_objects(scene, options, on_begin);
@@ -211,16 +225,26 @@ SceneDetections detections_of(const Scene& scene, const PipelineOptions& options
   return scene.cloud.empty() ? SceneDetections{} : detect_symmetries(scene, options, on_begin);
 }
 
-/// The pipeline as it is given: the sweep, the outcome of every object and the times.
-void evaluate_given(const Scene& scene, const SceneTruth& truth, const EvaluationOptions& options,
-                    StageTimer& timer, const StageTimer::OnBegin& on_begin,
-                    SceneEvaluation& evaluation) {
+/// A scene to evaluate.
+struct Job {
+  const Scene& scene;
+  const SceneTruth& truth;
+  const EvaluationOptions& options;
+  const StageTimer::OnBegin& on_begin;
+};
+
+/// The pipeline with the given options: its sweeps, the outcome of every object and the times.
+void evaluate_given(const Job& job, StageTimer& timer, SceneEvaluation& evaluation) {
+  const auto& [scene, truth, options, on_begin] = job;
   const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
   const SegmentationResult result =
       timer.time("choice", [&] { return choose_objects(proposals, options.pipeline); });
   evaluation.timings = proposals.timings;
   evaluation.timings.push_back(timer.stages().back());
   evaluation.returned = result.objects.size();
+  evaluation.warnings = scene.warnings;
+  evaluation.warnings.insert(evaluation.warnings.end(), result.warnings.begin(),
+                             result.warnings.end());
   if (on_begin) on_begin("sweep");
   const CountingContext context(scene, truth, proposals.cloud, options);
   Sweep scored = score_sweep(proposals, context, options.pipeline);
@@ -239,27 +263,17 @@ void evaluate_given(const Scene& scene, const SceneTruth& truth, const Evaluatio
     evaluation.segmentation.push_back(baseline_sweep(baseline, proposals.cloud, context, timer));
 }
 
-void evaluate_reflectional_only(const Scene& scene, const SceneTruth& truth,
-                                EvaluationOptions options, const StageTimer::OnBegin& on_begin,
-                                SceneEvaluation& evaluation) {
-  options.pipeline.rotational_stream = false;
-  const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
-  const CountingContext context(scene, truth, proposals.cloud, options);
-  Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, options.pipeline);
-  sweep.at_default =
-      context.count(choose_objects(proposals, within_bounds(options.pipeline)).objects);
+void evaluate_reflectional_only(const Job& job, SceneEvaluation& evaluation) {
+  PipelineOptions pipeline = job.options.pipeline;
+  pipeline.rotational_stream = false;
+  const SceneProposals proposals = proposals_of(job.scene, pipeline, job.on_begin);
+  const CountingContext context(job.scene, job.truth, proposals.cloud, job.options);
+  Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, pipeline);
+  sweep.at_default = context.count(choose_objects(proposals, within_bounds(pipeline)).objects);
   evaluation.segmentation.insert(evaluation.segmentation.begin() + 2, std::move(sweep));
 }
 
 }  // namespace
-
-void EvaluationOptions::validate() const {
-  pipeline.validate();
-  require_option(boundary_radius > 0.0 && boundary_radius < 1.0, "boundary_radius",
-                 "a length in (0, 1) m", boundary_radius);
-  require_option(mask_radius > 0.0 && mask_radius < 1.0, "mask_radius", "a length in (0, 1) m",
-                 mask_radius);
-}
 
 void require_usable_truth(const Scene& scene, const SceneTruth& truth) {
   std::vector<Index> owner(scene.cloud.size(), unlabeled);
@@ -288,9 +302,10 @@ SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
   require_usable_truth(scene, truth);
   SceneEvaluation evaluation;
   StageTimer timer(on_begin);
-  evaluate_given(scene, truth, options, timer, on_begin, evaluation);
+  const Job job{scene, truth, options, on_begin};
+  evaluate_given(job, timer, evaluation);
   if (options.reflectional_only && options.pipeline.rotational_stream)
-    evaluate_reflectional_only(scene, truth, options, on_begin, evaluation);
+    evaluate_reflectional_only(job, evaluation);
   evaluation.detection = detection_sweeps(detections_of(scene, relaxed(options.pipeline), on_begin),
                                           truth, options.pipeline);
   return evaluation;

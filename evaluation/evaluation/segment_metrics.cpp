@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "assignment.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -13,7 +14,7 @@ double f_measure(double precision, double recall) {
   return precision + recall > 0.0 ? 2.0 * precision * recall / (precision + recall) : 0.0;
 }
 
-/// Disjoint masks as one label a point, with their sizes and their boundaries.
+/// Disjoint masks as one label per point, with their sizes and boundaries.
 struct Labeling {
   std::vector<Index> labels;
   std::vector<double> sizes;
@@ -58,8 +59,8 @@ OverlapMatrix overlap_f(const Labeling& truth, const Labeling& found, OverlapMat
   return f;
 }
 
-/// How many boundary points of the masks of one labelling meet the boundary of the mask that
-/// `partner` assigns to theirs.
+/// The number of boundary points of one labelling that match the boundary of the mask that
+/// `partner` assigns to their own.
 double met_boundary(const Labeling& of, const Labeling& other, const std::vector<Index>& partner,
                     const NeighborLists& neighbors) {
   double met = 0.0;

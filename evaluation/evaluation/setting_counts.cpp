@@ -5,7 +5,7 @@
 namespace symscene {
 namespace {
 
-/// Truth of masks alone says nothing of symmetries, for or against.
+/// Ground truth of masks alone has no symmetries to compare with.
 bool knows_symmetries(const SceneTruth& truth) {
   return truth.objects.empty() ||
          std::any_of(truth.objects.begin(), truth.objects.end(), [](const TrueObject& object) {

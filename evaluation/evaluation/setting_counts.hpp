@@ -4,12 +4,12 @@
 
 namespace symscene {
 
-/// The symmetries' part of the counts of a setting; nothing where no object's truth names any.
+/// The counts of the symmetry metrics of a setting; empty if no symmetries are known.
 SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
                                const std::vector<ReflectionPlane>& planes);
 
-/// What the counts of every setting over one scene share: the true masks in the cloud that the
-/// settings' masks count in, and its neighbours.
+/// What the counts of all settings in one scene share: the true masks in the cloud of the found
+/// masks, and the neighbours in that cloud.
 class CountingContext {
  public:
   CountingContext(const Scene& scene, const SceneTruth& truth, const PointCloud& cloud,
@@ -17,7 +17,7 @@ class CountingContext {
 
   const std::vector<PointIndices>& masks() const { return masks_; }
 
-  /// Masks by falling confidence.
+  /// `found` has the masks by falling confidence.
   SettingCounts count(const std::vector<PointIndices>& found, const std::vector<RotationAxis>& axes,
                       const std::vector<ReflectionPlane>& planes) const;
   SettingCounts count(const std::vector<SceneObject>& objects) const;

@@ -31,10 +31,11 @@ SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
 
 bool Sweep::has(Metric metric) const {
   if (std::find(metrics.begin(), metrics.end(), metric) == metrics.end()) return false;
-  const auto says = [&](const SettingCounts& setting) {
+  const auto has_elements = [&](const SettingCounts& setting) {
     return setting.score(metric).found + setting.score(metric).truth > 0;
   };
-  return std::any_of(counts.begin(), counts.end(), says) || (at_default && says(*at_default));
+  return std::any_of(counts.begin(), counts.end(), has_elements) ||
+         (at_default && has_elements(*at_default));
 }
 
 Sweep& Sweep::operator+=(const Sweep& other) {

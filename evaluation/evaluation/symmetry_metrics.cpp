@@ -10,13 +10,13 @@ bool within(const SymmetryDifference& d, const SymmetryTolerance& tolerance) {
   return d.angle < tolerance.angle && d.distance < tolerance.distance;
 }
 
-/// A true symmetry with the point at which differences from it are measured.
+/// A true symmetry with the point at which differences from it are taken.
 template <class Symmetry>
 struct Target {
   Symmetry symmetry;
   Eigen::Vector3d centroid;
   bool strict = true;
-  bool any_direction = false;  ///< of a sphere: whatever goes through the centroid is right
+  bool any_direction = false;  ///< of a sphere: any axis through the centroid is right
 };
 
 template <class Symmetry>
@@ -25,7 +25,7 @@ SymmetryDifference difference_from(const Target<Symmetry>& target, const Symmetr
   return {0.0, (found.project(target.centroid) - target.centroid).norm()};
 }
 
-/// A found symmetry that meets a strict target.
+/// A found symmetry within the tolerance of a strict target.
 struct Claim {
   std::size_t target = 0;
   std::size_t found = 0;
@@ -33,8 +33,8 @@ struct Claim {
 };
 
 /// Each strict target gets the nearest found symmetry within the tolerance (section 3.6.1), and
-/// each found symmetry meets one target at most; what is left is wrong unless it is near a weak
-/// target or `excused(symmetry)`.
+/// each found symmetry is assigned to at most one target. The others are wrong unless they are
+/// close to a weak target or `excused(symmetry)`.
 template <class Symmetry, class Excused>
 SymmetryMatch match(const std::vector<Target<Symmetry>>& targets, std::span<const Symmetry> found,
                     const SymmetryTolerance& tolerance, const Excused& excused) {
@@ -76,8 +76,8 @@ bool follows_from_rotation(const ReflectionPlane& plane, const TrueObject& objec
   });
 }
 
-/// A true plane that its own object's rotation implies is one of endless many: nobody has to find
-/// it. Truth is exact, so that the tolerance is that of a grasp whatever is asked for.
+/// A true plane that follows from a rotation of its object is one of infinitely many: it need not
+/// be found. Ground truth is exact, so this test uses the default tolerance.
 bool has_to_be_found(const TruePlane& own, const TrueObject& object) {
   return own.strict && !follows_from_rotation(own.plane, object, SymmetryTolerance{});
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "baselines/graph_segmentation.hpp"
 #include "surfaces.hpp"
 #include "symscene/baselines/euclidean_clusters.hpp"
 #include "symscene/baselines/felzenszwalb.hpp"
@@ -87,7 +88,7 @@ TEST(GraphSegmentation, LeavesNodesAloneBelowAnyWeight) {
   EXPECT_EQ(segment_graph(6, two_triangles(0.5F), 0.09, 0), (std::vector<Index>{0, 1, 2, 3, 4, 5}));
 }
 
-TEST(GraphSegmentation, JoinsWhatIsTooSmallByTheLeastEdge) {
+TEST(GraphSegmentation, JoinsSmallComponentsByTheLeastEdge) {
   // Nothing joins by weight: 0.1 joins 0, 1 and 2, then 0.2 joins 3, 4 and 5.
   EXPECT_EQ(segment_graph(6, two_triangles(0.5F), 0.09, 2), (std::vector<Index>{0, 0, 0, 3, 3, 3}));
   EXPECT_EQ(segment_graph(6, two_triangles(0.5F), 0.09, 4), std::vector<Index>(6, 0));
@@ -117,7 +118,7 @@ TEST(Felzenszwalb, ForgivesARidgeMoreThanAValleyOfTheSameAngle) {
             one_whole);
 }
 
-TEST(Felzenszwalb, SweepsWhatItFindsAtEachK) {
+TEST(Felzenszwalb, SweepEqualsTheSegmentsAtEachK) {
   const PointCloud cloud = joined(testing::box({0.1, 0.12, 0.08}), testing::vase());
   const BaselineSweep sweep = felzenszwalb_sweep(cloud);
   ASSERT_EQ(sweep.values.size(), 14U);
@@ -142,7 +143,7 @@ TEST(EuclideanClusters, AreApartByMoreThanTheDistance) {
   EXPECT_EQ(euclidean_clusters(two_patches(0.009F)), one_whole);
 }
 
-TEST(EuclideanClusters, LeaveOutWhatIsSmall) {
+TEST(EuclideanClusters, LeaveOutSmallClusters) {
   const PointCloud cloud = joined(patch(3, {1, 0, 0}, {0, 0, 1}), two_patches(0.1F));
   EuclideanClusterOptions options;
   // The small patch lies on the first large one.
@@ -193,7 +194,7 @@ TwoBoxes two_boxes() {
   return boxes;
 }
 
-TEST(Lccp, PartsTwoBoxesThatTouch) {
+TEST(Lccp, SeparatesTwoBoxesThatTouch) {
   if (!has_lccp()) GTEST_SKIP() << "no PCL";
   const TwoBoxes boxes = two_boxes();
   LccpOptions options;
@@ -204,7 +205,7 @@ TEST(Lccp, PartsTwoBoxesThatTouch) {
   EXPECT_GT(intersection_over_union(segments[1], boxes.high), 0.9);
 }
 
-TEST(Lccp, SweepsWhatItFindsAtEachTolerance) {
+TEST(Lccp, SweepEqualsTheSegmentsAtEachTolerance) {
   if (!has_lccp()) GTEST_SKIP() << "no PCL";
   const PointCloud cloud = joined(testing::box({0.1, 0.12, 0.08}), testing::vase());
   const BaselineSweep sweep = lccp_sweep(cloud);
@@ -219,12 +220,12 @@ TEST(Lccp, SweepsWhatItFindsAtEachTolerance) {
   }
 }
 
-TEST(Lccp, SaysWhereItIsMissing) {
+TEST(Lccp, IsRefusedWithoutPcl) {
   if (has_lccp()) GTEST_SKIP() << "it is here";
   EXPECT_THROW(lccp_segments(valley()), InputError);
 }
 
-TEST(Baselines, FindTheSameWhenTheSceneTurns) {
+TEST(Baselines, FindTheSameInARotatedScene) {
   std::mt19937 generator(7);
   const PointCloud cloud = valley();
   const PointCloud turned = testing::moved(cloud, testing::random_motion(generator));
@@ -232,7 +233,7 @@ TEST(Baselines, FindTheSameWhenTheSceneTurns) {
   EXPECT_EQ(euclidean_clusters(turned), one_whole);
 }
 
-TEST(Baselines, FindNothingInNothing) {
+TEST(Baselines, FindNothingInAnEmptyCloud) {
   const BaselineSweep graph = felzenszwalb_sweep({});
   EXPECT_EQ(graph.segments, std::vector<std::vector<PointIndices>>(14));
   EXPECT_EQ(euclidean_sweep({}).segments, std::vector<std::vector<PointIndices>>(11));
@@ -241,7 +242,7 @@ TEST(Baselines, FindNothingInNothing) {
   }
 }
 
-TEST(Baselines, RefuseCloudsThatTheyCannotUse) {
+TEST(Baselines, RefuseCloudsWithoutFiniteNormals) {
   PointCloud bare = valley();
   bare.normals.resize(0, 3);
   EXPECT_THROW(felzenszwalb_segments(bare), InputError);
@@ -254,7 +255,7 @@ TEST(Baselines, RefuseCloudsThatTheyCannotUse) {
   EXPECT_THROW(euclidean_clusters(broken), InputError);
 }
 
-TEST(Baselines, RefuseOptionsWithoutMeaning) {
+TEST(Baselines, RefuseOptionsOutOfTheirRange) {
   const PointCloud cloud = valley();
   EXPECT_THROW(felzenszwalb_sweep(cloud, {}, {1.0, 0.0}), InputError);
   EXPECT_THROW(euclidean_sweep(cloud, {}, {-0.01}), InputError);

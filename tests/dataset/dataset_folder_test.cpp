@@ -105,7 +105,7 @@ TEST(SingleViews, BecomeScenesWithMasks) {
   EXPECT_GT(static_cast<double>(labelled), 0.97 * loaded.scene.cloud.size());
 }
 
-TEST(SingleViews, SeeNothingBehindTheObjects) {
+TEST(SingleViews, LeaveTheSpaceBehindObjectsNeverSeen) {
   const TemporaryFolder folder;
   write_views(folder / "views", two_objects());
   const LoadedEntry loaded = load_entry(read_dataset(folder / "views").entries[1]);
@@ -208,7 +208,7 @@ TEST(FoldersOfScenes, WithMissingOrContradictoryTruthAreRefused) {
   fs::remove(dir / "truth.json");
   expect_in("truth.json: expected the truth of the scene, found no such file", refused());
   fs::remove_all(dir);
-  expect_in("found a folder of other things", refused());
+  expect_in("found a folder without scenes", refused());
   fs::remove_all(folder / "all");
   expect_in("found nothing of that name", refused());
 }

@@ -30,7 +30,7 @@ std::string bytes(const MadeScene& made) {
          format_truth(made.truth);
 }
 
-TEST(SceneMaker, MakesASceneWithItsTruthWhateverTheNumberOfThreads) {
+TEST(SceneMaker, MakesTheSameSceneWithGroundTruthForAnyNumberOfThreads) {
   const auto made_with = [](std::size_t threads) {
     return testing::with_threads(
         threads, [] { return make_scene(small_options(), Split::training, {}, 1); });
@@ -64,7 +64,7 @@ TEST(SceneMaker, MakesASceneOfASingleFrame) {
   }
 }
 
-TEST(SceneMaker, TriesOtherSeedsAndSaysWhyWhereTrackingIsLost) {
+TEST(SceneMaker, TriesOtherSeedsAndRecordsWhyWhereTrackingFails) {
   DatasetOptions options = small_options();
   options.attempts = 2;
   options.camera.width = 80;

@@ -35,7 +35,7 @@ class MissedObjects : public ::testing::Test {
   void cut(PointIndices points, HypothesisScores scores = {0.1, 0.001, 0.1}) {
     proposals_.reflectional.push_back({std::move(points), scores, {}, {{mirror, 0.1}}});
   }
-  /// What became of the object with the pipeline's own choice.
+  /// The outcome of the object with the pipeline's own selection.
   ObjectOutcome outcome() const { return outcome(choose_objects(proposals_, options_)); }
   ObjectOutcome outcome(const SegmentationResult& result) const {
     return object_outcomes(truth_, {range(0, 100)}, proposals_, result).at(0);
@@ -62,17 +62,17 @@ TEST_F(MissedObjects, AGoodMaskIsFound) {
   EXPECT_EQ(outcome().symmetries_met, 1U);
 }
 
-TEST_F(MissedObjects, WithoutACandidateInItNothingWasProposed) {
+TEST_F(MissedObjects, WithoutACandidateInItAnObjectIsNotProposed) {
   propose(mirror, range(80, 160));
   expect(Fate::not_proposed, "no segment");
 }
 
-TEST_F(MissedObjects, ACandidateInItThatIsNoSymmetryOfItProposesNothing) {
+TEST_F(MissedObjects, ACandidateThatIsNoSymmetryOfTheObjectDoesNotProposeIt) {
   propose(elsewhere, range(0, 50));
   expect(Fate::not_proposed, "no symmetry");
 }
 
-TEST_F(MissedObjects, WhatAPartOfTheSurfaceComesNearIsProposedWithoutASymmetry) {
+TEST_F(MissedObjects, AProposalOfOverHalfTheObjectProposesItWithoutASymmetry) {
   cut(range(0, 60));
   expect(Fate::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
@@ -80,14 +80,14 @@ TEST_F(MissedObjects, WhatAPartOfTheSurfaceComesNearIsProposedWithoutASymmetry) 
   expect(Fate::not_proposed, "no segment");  // half of it is not enough
 }
 
-TEST_F(MissedObjects, AnObjectWithoutKnownSymmetriesIsProposedByWhateverLiesInIt) {
+TEST_F(MissedObjects, AnObjectWithoutKnownSymmetriesIsProposedByAnyCandidateInIt) {
   truth_.objects.front().reflectional.clear();
   propose(elsewhere, range(0, 50));
   cut(range(0, 50));
   expect(Fate::wrongly_segmented, "too little");
 }
 
-TEST_F(MissedObjects, ACutOfHalfOfItIsTooLittleAndOneOfTwiceItTooMuch) {
+TEST_F(MissedObjects, AProposalOfHalfTheObjectIsTooLittleAndOneOfTwiceItTooMuch) {
   propose(mirror, range(0, 50));
   cut(range(0, 50));
   expect(Fate::wrongly_segmented, "too little");
@@ -98,7 +98,7 @@ TEST_F(MissedObjects, ACutOfHalfOfItIsTooLittleAndOneOfTwiceItTooMuch) {
   expect(Fate::wrongly_segmented, "too little");
 }
 
-TEST_F(MissedObjects, ABoundThatRefusesAGoodCutIsNamed) {
+TEST_F(MissedObjects, TheBoundThatRejectsAGoodHypothesisIsNamed) {
   propose(mirror, range(0, 50));
   cut(range(0, 100), {0.1, 0.9, 0.1});
   expect(Fate::rejected, "occlusion");
@@ -110,20 +110,20 @@ TEST_F(MissedObjects, ABoundThatRefusesAGoodCutIsNamed) {
   expect(Fate::rejected, "size");
 }
 
-TEST_F(MissedObjects, ACutThatLostItsSupportIsNamed) {
+TEST_F(MissedObjects, AHypothesisRejectedForItsSupportIsNamed) {
   propose(mirror, range(0, 50));
   proposals_.rejected.push_back({"reflectional", "support", 0.3, 0.5, 100, range(0, 100)});
   expect(Fate::rejected, "support");
 }
 
-TEST_F(MissedObjects, AGoodCutMayLoseAgainstARival) {
+TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedForItsOverlapWithABetterOne) {
   propose(mirror, range(0, 50));
   cut(range(0, 100), {0.2, 0.003, 0.1});
   cut(range(0, 190), {0.01, 0.0001, 0.01});
   expect(Fate::rejected, "overlap");
 }
 
-TEST_F(MissedObjects, AGoodCutMayBeTakenForTwo) {
+TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedAsAComposite) {
   propose(mirror, range(0, 50));
   cut(range(0, 100));
   cut(range(0, 50), {0.05, 0.001, 0.1});
@@ -131,7 +131,7 @@ TEST_F(MissedObjects, AGoodCutMayBeTakenForTwo) {
   expect(Fate::rejected, "composite");
 }
 
-TEST_F(MissedObjects, AGoodProposalMayBeTooImprobable) {
+TEST_F(MissedObjects, AGoodProposalMayBeRejectedForItsScore) {
   propose(mirror, range(0, 50));
   options_.selection.by_score = true;
   ObjectProposal proposal;
@@ -141,7 +141,7 @@ TEST_F(MissedObjects, AGoodProposalMayBeTooImprobable) {
   expect(Fate::rejected, "score");
 }
 
-TEST_F(MissedObjects, AGoodCutMayBecomePartOfAnObjectWithAWorseMask) {
+TEST_F(MissedObjects, AGoodHypothesisMayBeMergedIntoAnObjectWithAWorseMask) {
   propose(mirror, range(0, 50));
   cut(range(0, 109), {0.2, 0.003, 0.1});
   cut(range(0, 113), {0.01, 0.0001, 0.01});

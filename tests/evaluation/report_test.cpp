@@ -113,14 +113,14 @@ TEST(Evaluation, SumsScenesObjectsAndSubsets) {
   EXPECT_DOUBLE_EQ(evaluation.outcomes.mean_overlap(), 0.6);
 }
 
-TEST(Evaluation, TakesNoSceneOfOtherMethods) {
+TEST(Evaluation, RefusesASceneWithOtherMethods) {
   Evaluation evaluation = two_scenes();
   SceneEvaluation other = scene("third");
   other.segmentation.pop_back();
   EXPECT_THROW(evaluation.add(other), InputError);
 }
 
-TEST(Runtimes, AreMeansByTheNumberOfObjects) {
+TEST(Runtimes, AreMeansByNumberOfObjects) {
   Evaluation evaluation = two_scenes();
   SceneEvaluation full = scene("full");
   full.objects.resize(11, outcome("can", Fate::found, ""));
@@ -174,7 +174,7 @@ TEST(ReportJson, ReadsBack) {
   EXPECT_EQ(json.at("headline").size(), 3U);
 }
 
-TEST(ReportDifference, TellsWhatChanged) {
+TEST(ReportDifference, ListsTheChangeOfEachNumber) {
   const std::string now = report_json(two_scenes(), info);
   Evaluation better;
   SceneEvaluation improved = scene("first");
@@ -200,7 +200,7 @@ TEST(ReportDifference, RefusesAReportOfAnotherVersionNamingIt) {
   }
 }
 
-TEST(ReportPage, IsWellFormedAndShowsTextAsText) {
+TEST(ReportPage, IsWellFormedAndEscapesNames) {
   const std::string page = report_page(two_scenes(), info);
   EXPECT_EQ(first_mistake(page), "");
   EXPECT_EQ(page.find("<b>\"mug\""), std::string::npos);
@@ -210,7 +210,7 @@ TEST(ReportPage, IsWellFormedAndShowsTextAsText) {
   EXPECT_NE(page.find("class=\"star"), std::string::npos);
 }
 
-TEST(ReportPage, OfNothingIsWellFormedToo) {
+TEST(ReportPage, WithoutScenesIsWellFormed) {
   EXPECT_EQ(first_mistake(report_page(Evaluation{}, info)), "");
   EXPECT_FALSE(missed_object_text(Evaluation{}).empty());
 }

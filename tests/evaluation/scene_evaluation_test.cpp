@@ -27,7 +27,7 @@ SceneTruth truth_of(std::initializer_list<PointIndices> masks) {
   SceneTruth truth;
   for (const PointIndices& mask : masks) {
     truth.objects.emplace_back();
-    truth.objects.back().name = "thing";
+    truth.objects.back().name = "cup";
     truth.objects.back().points = mask;
   }
   return truth;
@@ -49,10 +49,10 @@ std::string complaint(const Scene& scene, const SceneTruth& truth) {
   return "";
 }
 
-TEST(RequireUsableTruth, SaysWhatIsWrongWithIt) {
+TEST(RequireUsableTruth, NamesTheObjectAndItsError) {
   const Scene scene = three_points();
   EXPECT_EQ(complaint(scene, truth_of({{0, 1}, {2}})), "");
-  EXPECT_NE(complaint(scene, truth_of({{0}, {}})).find("object 1 (thing)"), std::string::npos);
+  EXPECT_NE(complaint(scene, truth_of({{0}, {}})).find("object 1 (cup)"), std::string::npos);
   EXPECT_NE(complaint(scene, truth_of({{3}})).find("indices below 3"), std::string::npos);
   EXPECT_NE(complaint(scene, truth_of({{0, 1}, {1}})).find("point 1 of object 0 too"),
             std::string::npos);
@@ -67,7 +67,7 @@ std::string timeless(SceneEvaluation scene) {
   return report_json(evaluation, {"two", "today", "0", "nothing"});
 }
 
-TEST(EvaluateScene, SweepsEveryVariantAndBaselineWhateverTheThreads) {
+TEST(EvaluateScene, SweepsEveryVariantAndBaselineEquallyForAnyNumberOfThreads) {
   const SimulatedScene scene = two_objects();
   EvaluationOptions options;
   options.baselines = {everything};
@@ -88,7 +88,7 @@ TEST(EvaluateScene, SweepsEveryVariantAndBaselineWhateverTheThreads) {
   EXPECT_EQ(timeless(evaluate_scene(scene.scene, scene.truth, options)), timeless(evaluation));
 }
 
-TEST(CountResult, CountsNoSymmetriesWhereTruthHasMasksAlone) {
+TEST(CountResult, CountsNoSymmetriesIfTheGroundTruthHasMasksOnly) {
   const Scene scene = three_points();
   SegmentationResult result;
   result.cloud = scene.cloud;
@@ -103,7 +103,7 @@ TEST(CountResult, CountsNoSymmetriesWhereTruthHasMasksAlone) {
   EXPECT_EQ(count_result(scene, truth, result).score(Metric::axes).truth, 1U);
 }
 
-TEST(EvaluateScene, TakesASceneOfNothing) {
+TEST(EvaluateScene, AcceptsAnEmptyScene) {
   EvaluationOptions options;
   options.baselines = {everything};
   const SceneEvaluation evaluation = evaluate_scene(Scene{}, SceneTruth{}, options);
@@ -111,7 +111,7 @@ TEST(EvaluateScene, TakesASceneOfNothing) {
   EXPECT_EQ(evaluation.segmentation.size(), 4U);
 }
 
-TEST(EvaluateScene, RefusesABaselineThatContradictsItself) {
+TEST(EvaluateScene, RefusesABaselineWithAnotherNumberOfMasksThanValues) {
   EvaluationOptions options;
   options.baselines = {[](const PointCloud&) { return BaselineMasks{"odd", "k", {1.0}, {}}; }};
   EXPECT_THROW(evaluate_scene(Scene{}, SceneTruth{}, options), InputError);

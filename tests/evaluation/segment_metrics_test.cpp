@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evaluation/assignment.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -29,14 +30,14 @@ OverlapMatrix matrix(Eigen::Index rows, Eigen::Index columns, std::initializer_l
   return gains;
 }
 
-TEST(AssignMasks, FindsTheGreatestSumWhereTheGreatestPairIsATrap) {
+TEST(AssignMasks, FindsTheGreatestSumWhereGreedyAssignmentFails) {
   const auto pairs = assign_masks(matrix(2, 2, {0.9, 0.8, 0.8, 0.1}));
   ASSERT_EQ(pairs.size(), 2U);
   EXPECT_EQ(pairs[0].found, 1U);
   EXPECT_EQ(pairs[1].found, 0U);
 }
 
-TEST(AssignMasks, TakesMatricesOfAnyShape) {
+TEST(AssignMasks, AcceptsMatricesOfAnyShape) {
   const auto wide = assign_masks(matrix(1, 3, {0.1, 0.7, 0.3}));
   ASSERT_EQ(wide.size(), 1U);
   EXPECT_EQ(wide[0].found, 1U);
@@ -64,7 +65,7 @@ double best_sum(const OverlapMatrix& gains) {
   return best;
 }
 
-TEST(AssignMasks, IsAsGoodAsTryingEverything) {
+TEST(AssignMasks, IsAsGoodAsExhaustiveSearch) {
   std::srand(7);
   for (int trial = 0; trial < 30; ++trial) {
     const OverlapMatrix gains = (OverlapMatrix::Random(4, 5).array() + 1.0).matrix();
@@ -79,7 +80,7 @@ TEST(LabelPoints, GivesAPointToTheFirstMaskThatHoldsIt) {
   EXPECT_THROW(label_points({{4}}, 4), InputError);
 }
 
-TEST(SegmentMetrics, ABoundaryThatIsOnePointOffIsTheSame) {
+TEST(SegmentMetrics, BoundariesOnePointApartMatch) {
   const SegmentMetrics m =
       segment_metrics({range(0, 5), range(5, 10)}, {range(0, 6), range(6, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 0.9);
@@ -90,7 +91,7 @@ TEST(SegmentMetrics, ABoundaryThatIsOnePointOffIsTheSame) {
   EXPECT_DOUBLE_EQ(m.found_75, 1.0);
 }
 
-TEST(SegmentMetrics, ABoundaryThatIsTwoPointsOffIsAnother) {
+TEST(SegmentMetrics, BoundariesTwoPointsApartDoNotMatch) {
   const SegmentMetrics m =
       segment_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 0.8);
@@ -98,7 +99,7 @@ TEST(SegmentMetrics, ABoundaryThatIsTwoPointsOffIsAnother) {
   EXPECT_DOUBLE_EQ(m.found_75, 1.0);  // 10/12, and 6/8 is just enough
 }
 
-TEST(SegmentMetrics, WhatIsLeftOverCostsPrecisionAndWhatIsMissedRecall) {
+TEST(SegmentMetrics, ExtraMasksReducePrecisionAndMissedMasksReduceRecall) {
   // One true object of five points at an edge of the cloud; found whole, with a stray mask.
   const SegmentMetrics stray =
       segment_metrics({range(0, 5)}, {range(0, 5), range(7, 9)}, row_of_ten());
@@ -132,7 +133,7 @@ TEST(SegmentMetrics, TheMeanOfBoundariesIsOverScenesThatHaveOne) {
   EXPECT_DOUBLE_EQ(none.mean(1).boundary_f, 0.0);
 }
 
-TEST(SegmentMetrics, NothingFoundIsPreciseAndRecallsNothing) {
+TEST(SegmentMetrics, WithoutFoundMasksPrecisionIsOneAndRecallZero) {
   const SegmentMetrics m = segment_metrics({range(0, 5)}, {}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 1.0);
   EXPECT_DOUBLE_EQ(m.overlap_recall, 0.0);

@@ -25,7 +25,7 @@ TrueObject can_at(double x) {
   return can;
 }
 
-TEST(MatchAxes, CountsWhatIsWithinBothBounds) {
+TEST(MatchAxes, CountsAxesWithinBothTolerances) {
   SceneTruth truth;
   truth.objects = {can_at(0.0), can_at(0.3)};
   const RotationAxis found[] = {vertical(0.005, 9.0), vertical(0.315)};
@@ -47,7 +47,7 @@ TEST(MatchAxes, MeasuresPositionAtTheCentroidNotAtTheAxisPoint) {
   EXPECT_EQ(match_axes(truth, std::vector{same_line}, one_centimetre).right, 1U);
 }
 
-TEST(MatchAxes, TheSecondForOneTruthIsWrong) {
+TEST(MatchAxes, TheSecondAxisAtOneTrueAxisIsWrong) {
   SceneTruth truth;
   truth.objects = {can_at(0.0)};
   const RotationAxis found[] = {vertical(0.004), vertical(0.001)};
@@ -56,7 +56,7 @@ TEST(MatchAxes, TheSecondForOneTruthIsWrong) {
   EXPECT_EQ(match.wrong, 1U);
 }
 
-TEST(MatchAxes, ASphereTakesAnyAxisThroughItsCentreAndCountsOnce) {
+TEST(MatchAxes, AnyAxisThroughTheCentreOfASphereIsRightAndTheSphereCountsOnce) {
   SceneTruth truth;
   truth.objects.emplace_back();
   truth.objects[0].sphere = true;
@@ -107,7 +107,7 @@ TEST(MatchPlanes, WeakPlanesDoNotCount) {
   EXPECT_DOUBLE_EQ(match.score().precision(), 1.0);
 }
 
-TEST(MatchPlanes, AStrictMatchGoesBeforeAnExcuse) {
+TEST(MatchPlanes, AStrictMatchPrecedesAnExcuse) {
   TrueObject box;
   box.reflectional.push_back({across({0, 1, 0}, {0, 0, 0}), true});
   SceneTruth truth;
@@ -116,7 +116,7 @@ TEST(MatchPlanes, AStrictMatchGoesBeforeAnExcuse) {
             1U);
 }
 
-TEST(MatchPlanes, ATruePlaneThroughItsOwnObjectsAxisHasNotToBeFound) {
+TEST(MatchPlanes, ATruePlaneThroughTheAxisOfItsObjectNeedNotBeFound) {
   TrueObject can = can_at(0.0);
   can.reflectional.push_back({across({0, 1, 0}, {0, 0, 0}), true});  // holds the axis
   can.reflectional.push_back({across({0, 0, 1}, {0, 0, 0}), true});  // stands across it
@@ -138,7 +138,7 @@ TEST(MatchPlanes, ATruePlaneThroughItsOwnObjectsAxisHasNotToBeFound) {
   EXPECT_EQ(axis_targets(truth), (std::vector<std::size_t>{1, 0, 1}));
 }
 
-TEST(IsSymmetryOf, TakesWeakAndImpliedOnesToo) {
+TEST(IsSymmetryOf, IncludesWeakAndImpliedSymmetries) {
   TrueObject can = can_at(0.0);
   can.rotational.front().strict = false;
   EXPECT_TRUE(is_symmetry_of(can, vertical(0.004, 3.0)));

@@ -7,25 +7,27 @@
 namespace symscene {
 
 struct EuclideanClusterOptions {
-  double distance = 0.01;  ///< points at most this far apart are of one cluster [m]
-  int min_size = 100;      ///< smaller clusters are left out [points]
+  double distance = 0.01;
+  int min_size = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("distance", self.distance, "m", "points at most this far apart are of one cluster");
-    visit("min_size", self.min_size, "points", "smaller clusters are left out");
+    visit("distance", self.distance, "m", above(0.0),
+          "points at most this far apart are in one cluster (Rusu 2009, section 6.2)");
+    visit("min_size", self.min_size, "points", at_least(1), "smaller clusters are left out");
   }
-  /// Throws InputError on a value that is not positive.
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// Clusters by single linkage (Rusu 2009, section 6.2), what most robots cut a table into today:
-/// disjoint, ascending, largest first. Throws InputError if a coordinate is not finite.
+/// Clusters by single linkage (Rusu 2009, section 6.2), the usual segmentation of table-top scenes
+/// on robots. The clusters are disjoint and ascending, the largest first. Throws InputError if an
+/// option is out of range or a coordinate is not finite.
 std::vector<PointIndices> euclidean_clusters(const PointCloud& cloud,
                                              const EuclideanClusterOptions& options = {});
 
-/// The same for every distance, 0.5 to 3 cm in steps of 0.25 cm if none is given; the distance of
-/// the options does not count. [m]
+/// The same for every distance [m], by default 0.5 to 3 cm in steps of 0.25 cm. The distance in the
+/// options is not used.
 BaselineSweep euclidean_sweep(const PointCloud& cloud, const EuclideanClusterOptions& options = {},
                               std::vector<double> distances = {});
 

@@ -9,49 +9,52 @@
 
 namespace symscene {
 
-/// What is different of a single look: it has to do with slanted faces too, whose depths rise in
-/// steps of a centimetre and more.
-inline ReconstructionOptions of_one_look() {
+/// Reconstruction options for a single view. Slanted faces, whose depth rises by a centimetre and
+/// more between pixels, have to be kept, as no other view shows them better.
+inline ReconstructionOptions single_view_reconstruction() {
   ReconstructionOptions options;
   options.measurement.edge_step = 0.025;
   return options;
 }
 
 struct SingleViewOptions {
-  ReconstructionOptions reconstruction = of_one_look();
+  ReconstructionOptions reconstruction = single_view_reconstruction();
   SceneBuildingOptions scene;
-  double label_depth = 0.015;   ///< from its pixel's depth up to which a point has its label [m]
-  int min_object_points = 100;  ///< at 5 mm; the truth leaves out what shows fewer
+  double label_depth = 0.015;
+  int min_object_points = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("reconstruction", self.reconstruction);
     visit("scene", self.scene);
-    visit("label_depth", self.label_depth, "m",
-          "from its pixel's depth, of a point with its label");
-    visit("min_object_points", self.min_object_points, "", "points at 5 mm that truth asks for");
+    visit("label_depth", self.label_depth, "m", above(0.0),
+          "largest difference between the depth of a point and of its pixel for it to take the "
+          "label");
+    visit("min_object_points", self.min_object_points, "", at_least(1),
+          "least points at 5 mm of an object in the ground truth");
   }
-  /// Throws InputError where a value is out of its range.
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// A depth image and what is known of its pixels.
+/// A depth image with labels.
 struct LabeledFrame {
   CameraIntrinsics camera;
   DepthFrame frame;
-  std::vector<std::uint16_t> labels;  ///< one a pixel: 0 is the table or nothing, k is object k
+  std::vector<std::uint16_t> labels;  ///< one per pixel: 0 is the table or nothing, k is object k
 };
 
-/// A scene of one image, and what the labels say of it.
+/// A scene from one image, with the ground truth that the labels define.
 struct SingleViewScene {
-  Scene scene;                      ///< in the camera's frame; empty without a table
-  SceneTruth truth;                 ///< masks; symmetries are not known
-  std::vector<std::size_t> labels;  ///< that the image has, ascending
+  Scene scene;                      ///< in the camera frame; empty without a table
+  SceneTruth truth;                 ///< masks only; symmetries are not known
+  std::vector<std::size_t> labels;  ///< labels in the image, ascending
 };
 
-/// Makes a scene of a single image, as of a sequence of one: what lies behind it was never seen.
-/// A point has the label of the pixel that it falls on if that was measured at its depth.
-/// Throws InputError if depth or labels are not of the camera's size, or an option is out of range.
+/// Makes a scene from a single image, as from a sequence of one frame: the space behind the surface
+/// is never seen. A point takes the label of the pixel that it projects to if the depth there is
+/// that of the point. Throws InputError if depth or labels do not have the size of the camera's
+/// image, or an option is out of range.
 SingleViewScene single_view_scene(const LabeledFrame& labeled,
                                   const SingleViewOptions& options = {});
 

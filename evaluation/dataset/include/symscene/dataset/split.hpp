@@ -18,18 +18,18 @@ const char* to_string(Split split);
 /// InputError naming `where` for any other text.
 Split parse_split(const std::string& text, const std::string& where);
 
-/// The seed of a scene, below 2^53 that every reader of JSON keeps it. No seed of one split is one
-/// of the other's. `attempt` counts from 0 the seeds that a scene may have.
+/// The seed of a scene, below 2^53 so that every JSON reader represents it exactly. The splits have
+/// no seed in common. `attempt` counts the seeds of a scene from 0.
 std::uint64_t scene_seed(std::uint64_t dataset_seed, Split split, std::size_t index,
                          std::size_t attempt = 0);
 
-/// How many objects a scene has: among any number of scenes from the first on each count from
-/// `min_objects` to `max_objects` occurs equally often, or once more than others.
+/// The number of objects of a scene: among any number of scenes from the first on, each count from
+/// `min_objects` to `max_objects` occurs equally often, to within one.
 int object_count(std::uint64_t dataset_seed, Split split, std::size_t index, int min_objects,
                  int max_objects);
 
-/// The models of a split: families in the order of their names go to one split and the other in
-/// turn. A family is what has the same name up to the first '-'.
+/// The models of a split: families, in the order of their names, go to the training and the test
+/// split in turn. A family is the models whose names are equal up to the first '-'.
 std::vector<ObjectModel> models_of(Split split, std::vector<ObjectModel> models);
 
 }  // namespace symscene

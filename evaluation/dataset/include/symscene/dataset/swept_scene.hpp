@@ -1,14 +1,14 @@
 #pragma once
 
-#include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
+#include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/simulation/sweep.hpp"
 #include "symscene/simulation/truth_transfer.hpp"
 #include "symscene/tabletop/scene_building.hpp"
 
 namespace symscene {
 
-/// What a scene is made of a sweep with.
+/// The stages that make a scene from a sweep.
 struct SweptSceneOptions {
   ReconstructionOptions reconstruction;
   SceneBuildingOptions scene;
@@ -20,11 +20,12 @@ struct SweptSceneOptions {
     visit("scene", self.scene);
     visit("truth", self.truth);
   }
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// The scene that tracking makes of a simulated sweep, what is true of it, and how far the
-/// reconstruction is from the truth.
+/// The scene reconstructed from a simulated sweep by tracking, its ground truth, and the error of
+/// the reconstruction.
 struct SweptScene {
   Scene scene;           ///< in the frame of the first camera that was fused
   SceneTruth truth;      ///< of what the scene's cloud shows, in the same frame

@@ -5,38 +5,39 @@
 
 namespace symscene {
 
-/// What became of a true object, in the order of the stages that can lose it.
+/// The outcome of a true object: found, or missed by one of the stages, in their order.
 enum class Fate {
-  found,              ///< a returned mask overlaps it by more than 0.9
-  not_proposed,       ///< no detected symmetry would have cut it out
-  wrongly_segmented,  ///< one would have, but no cut overlaps it by more than 0.9
-  rejected,           ///< such a cut there was, and it was refused
+  found,              ///< a returned mask overlaps it with IoU > 0.9
+  not_proposed,       ///< no detected symmetry is one of it, and no proposal overlaps it by half
+  wrongly_segmented,  ///< proposed, but no proposal overlaps it with IoU > 0.9
+  rejected,           ///< some proposal does, and was rejected
 };
 inline constexpr std::array all_fates = {Fate::found, Fate::not_proposed, Fate::wrongly_segmented,
                                          Fate::rejected};
 /// "not proposed", and so on.
 std::string fate_name(Fate fate);
 
-/// A true object and how well a result shows it.
+/// The outcome of a true object in a result.
 struct ObjectOutcome {
-  std::string kind;                    ///< its name in the truth
-  std::size_t points = 0;              ///< of its mask in the cloud of the result
-  double best_overlap = 0.0;           ///< of a returned mask [IoU]
-  double best_proposal_overlap = 0.0;  ///< of a cut, returned or refused [IoU]
+  std::string kind;                    ///< its name in the ground truth
+  std::size_t points = 0;              ///< size of its mask in the cloud of the result
+  double best_overlap = 0.0;           ///< with a returned mask [IoU]
+  double best_proposal_overlap = 0.0;  ///< with a hypothesis or proposal, rejected or not [IoU]
   Fate fate = Fate::found;
-  /// Why, one word or two; empty if found. Not proposed: "no segment" (no candidate's support lies
-  /// mostly in it) or "no symmetry" (none of those is a symmetry of it). Cut wrongly: "too little"
-  /// or "too much" of it. Rejected: the bound ("size", "symmetry", "occlusion", "smoothness",
-  /// "support", "score"), or the competition ("merge", "composite", "overlap").
+  /// Why it was missed; empty if found. Not proposed: "no segment" (no candidate has most of its
+  /// support in the object) or "no symmetry" (such candidates are no symmetries of the object).
+  /// Wrongly segmented: "too little" or "too much" of the object. Rejected: the bound that rejected
+  /// the proposal ("size", "symmetry", "occlusion", "smoothness", "support", "score"), or the
+  /// selection ("merge", "composite", "overlap").
   std::string reason;
-  std::size_t symmetries = 0;      ///< that have to be found
-  std::size_t symmetries_met = 0;  ///< within 10° and 1 cm
+  std::size_t symmetries = 0;      ///< strict symmetries of the ground truth
+  std::size_t symmetries_met = 0;  ///< of these, found within 10° and 1 cm
 };
 
-/// What became of every object of a truth. `masks` are its objects in the proposals' cloud
-/// (transfer_masks()), `result` what choose_objects() made of the proposals. An object whose truth
-/// names no symmetry counts as proposed by any candidate that lies mostly in it. Where several good
-/// cuts were refused, the reason is that of the one that got farthest.
+/// The outcome of every object of `truth`. `masks` are the objects in the cloud of the proposals
+/// (transfer_masks()), `result` is that of choose_objects(). An object without known symmetries
+/// counts as proposed by any candidate with most of its support in it. If several proposals with
+/// IoU > 0.9 were rejected, the reason is that of the one rejected last.
 std::vector<ObjectOutcome> object_outcomes(const SceneTruth& truth,
                                            const std::vector<PointIndices>& masks,
                                            const SceneProposals& proposals,

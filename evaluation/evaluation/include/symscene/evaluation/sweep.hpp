@@ -10,7 +10,7 @@
 
 namespace symscene {
 
-/// What a result is measured by, each with precision, recall and F.
+/// The metrics of a result, each with precision, recall and F.
 enum class Metric {
   masks_90,     ///< Eqs. 4.14 to 4.16 with σ_o = 0.9
   masks_75,     ///< the same with 0.75
@@ -26,19 +26,19 @@ inline constexpr std::array all_metrics = {Metric::masks_90,   Metric::masks_75,
 /// The least overlap of the first three. [IoU]
 inline constexpr std::array mask_overlaps = {0.9, 0.75, 0.5};
 
-/// "masks_90", and so on: the name in files.
+/// The name in files: "masks_90", and so on.
 std::string metric_name(Metric metric);
 
-/// What one setting of a method's parameters yields, in a scene or summed over scenes.
+/// The counts of one setting of a method, in a scene or summed over scenes.
 struct SettingCounts {
   std::array<Score, all_metrics.size()> scores;  ///< in the order of all_metrics
-  double overlap_sum = 0.0;                      ///< of the true objects' best overlaps [IoU]
+  double overlap_sum = 0.0;                      ///< of the best overlap of each true object [IoU]
   SegmentMetrics segments;                       ///< summed over scenes
   std::size_t scenes = 0;
 
   const Score& score(Metric metric) const { return scores[static_cast<std::size_t>(metric)]; }
   Score& score(Metric metric) { return scores[static_cast<std::size_t>(metric)]; }
-  /// The mean best overlap of a true object; one where there is none. [IoU]
+  /// Mean best overlap of the true objects; 1 without any. [IoU]
   double mean_overlap() const;
 
   SettingCounts& operator+=(const SettingCounts& other);
@@ -48,20 +48,19 @@ struct SettingCounts {
 struct Sweep {
   std::string method;
   std::vector<std::string> parameters;
-  std::vector<std::vector<double>> settings;  ///< a value a parameter
-  std::vector<SettingCounts> counts;          ///< one a setting
-  std::optional<SettingCounts> at_default;    ///< with the options as they are given
-  std::vector<Metric> metrics;                ///< that mean something for the method
-  double seconds =
-      0.0;  ///< wall time of one setting, summed over scenes; none where it costs nothing more
+  std::vector<std::vector<double>> settings;  ///< one value per parameter
+  std::vector<SettingCounts> counts;          ///< one per setting
+  std::optional<SettingCounts> at_default;    ///< with the given options
+  std::vector<Metric> metrics;                ///< that apply to the method
+  double seconds = 0.0;  ///< wall time of one setting, summed over scenes; 0 if not measured
 
-  /// Whether the metric means something for the method, and anything was found or to be found.
+  /// Whether the metric applies to the method and has any found or true element.
   bool has(Metric metric) const;
-  /// Adds another scene's. Throws InputError if that was swept over other settings.
+  /// Adds the counts of another scene. Throws InputError if its method or settings differ.
   Sweep& operator+=(const Sweep& other);
 };
 
-/// The setting of greatest F, the first of equals; nothing without settings.
+/// The first setting with the greatest F; none without settings.
 std::optional<std::size_t> best_setting(const Sweep& sweep, Metric metric);
 
 struct CurvePoint {
@@ -69,17 +68,18 @@ struct CurvePoint {
   double precision = 0.0;
 };
 
-/// The upper envelope of the settings' precision over their recall, by rising recall and falling
-/// precision: no setting has more of one and as much of the other than some point of the curve.
+/// The upper envelope of precision over recall of the settings, by rising recall and falling
+/// precision: no setting dominates a point of the curve.
 std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric);
 
-/// "refl_symmetry=0.3 refl_occlusion=0.005" of a setting by its number.
+/// The setting of this number as text: "refl_symmetry=0.3 refl_occlusion=0.005".
 std::string setting_text(const Sweep& sweep, std::size_t setting);
 
-/// Every combination of the parameters' values, the last parameter fastest.
+/// Every combination of the values of the parameters, the last parameter fastest.
 std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values);
 
-/// From `min` to `max` in steps of `step`, both ends included.
+/// The values from `min` to `max` in steps of `step`, both ends included. Throws InputError unless
+/// step > 0 and min <= max.
 std::vector<double> evenly_spaced(double min, double max, double step);
 
 }  // namespace symscene

@@ -7,22 +7,22 @@
 
 namespace symscene {
 
-/// How near a found symmetry has to be to a true one (Eqs. 3.11, 3.12), measured where the true
-/// object is. Section 3.6.1 uses 10° and 10 cm; 1 cm is what a grasp needs.
+/// Largest difference between a found and a true symmetry (Eqs. 3.11, 3.12), taken at the centroid
+/// of the true object. Section 3.6.1 uses 10° and 10 cm; a grasp needs 1 cm.
 struct SymmetryTolerance {
   double angle = radians(10.0);  ///< [rad]
   double distance = 0.01;        ///< [m]
 };
 
-/// How the true symmetries of a scene were met, axis by axis or plane by plane. A found symmetry is
-/// one of
-///  - right: the nearest to a true symmetry that is strict, within the tolerance;
-///  - neither: near a weak true symmetry, or a plane through the axis of a rotational object or the
-///    centre of a sphere; it does not count. A true plane of that kind, through an axis (strict or
-///    weak) of its own object, counts as weak itself: nobody has to find it;
-///  - wrong: all others, with those that come second to a true symmetry.
+/// The comparison of the found with the true symmetries of a scene, axes or planes. For each strict
+/// true symmetry only the nearest found one counts as right. A found symmetry is one of
+///  - right: the nearest to a strict true symmetry, within the tolerance;
+///  - neither: close to a weak true symmetry, or a plane through the axis of a rotational object or
+///    the centre of a sphere. It does not count. A true plane through an axis (strict or weak) of
+///    its own object counts as weak too: it need not be found;
+///  - wrong: all others, including further ones at a true symmetry that has a nearer one.
 struct SymmetryMatch {
-  std::vector<bool> truth_met;  ///< a strict true symmetry each, in the order of the objects
+  std::vector<bool> truth_met;  ///< per strict true symmetry, in the order of the objects
   std::size_t right = 0;
   std::size_t neither = 0;
   std::size_t wrong = 0;
@@ -35,17 +35,17 @@ SymmetryMatch match_axes(const SceneTruth& truth, std::span<const RotationAxis> 
 SymmetryMatch match_planes(const SceneTruth& truth, std::span<const ReflectionPlane> found,
                            const SymmetryTolerance& tolerance);
 
-/// How many symmetries of each object have to be found: its part of `truth_met`.
+/// The number of entries of each object in `truth_met`: its strict symmetries that are not implied.
 std::vector<std::size_t> axis_targets(const SceneTruth& truth);
 std::vector<std::size_t> plane_targets(const SceneTruth& truth);
 
-/// Whether the symmetry is one of the object, strict, weak or implied by a rotation.
+/// Whether the object has the symmetry within the tolerance, strict, weak or implied by a rotation.
 bool is_symmetry_of(const TrueObject& object, const RotationAxis& axis,
                     const SymmetryTolerance& tolerance = {});
 bool is_symmetry_of(const TrueObject& object, const ReflectionPlane& plane,
                     const SymmetryTolerance& tolerance = {});
 
-/// All symmetries of a result's objects, as section 4.5.2 pools them.
+/// All symmetries of the objects of a result, pooled as in section 4.5.2.
 std::vector<RotationAxis> all_axes(const std::vector<SceneObject>& objects);
 std::vector<ReflectionPlane> all_planes(const std::vector<SceneObject>& objects);
 
