@@ -21,18 +21,18 @@ struct Arguments {
   std::uint64_t seed = 2000;
   int objects = 6;
   int frames = 20;
-  int baseline_frames = 3;  ///< OctoMap takes seconds for each
+  int baseline_frames = 3;  ///< OctoMap takes seconds per frame
   int repeat = 5;
   double max_depth = 3.0;
   double free_margin = 0.006;
 };
 
-/// The frames of a simulated scan, as a sequence on disk would give them.
+/// The frames of a simulated scan, as read from a sequence.
 struct Scan {
   CameraIntrinsics camera;
   std::vector<DepthFrame> frames;
   std::vector<Eigen::Isometry3d> poses;
-  Box box;  ///< of the table's middle, where labels are compared [m]
+  Box box;  ///< around the objects, where labels are compared [m]
 };
 
 Scan simulate(const Arguments& arguments) {
@@ -53,7 +53,7 @@ Scan simulate(const Arguments& arguments) {
 }
 
 void print_time(const std::string& what, const Seconds& frame) {
-  fmt::print("{:<24}{:8.1f} ms a frame, {:8.1f} ms of processor time\n", what, 1e3 * frame.wall,
+  fmt::print("{:<24}{:8.1f} ms per frame, {:8.1f} ms of processor time\n", what, 1e3 * frame.wall,
              1e3 * frame.processor);
 }
 
@@ -72,7 +72,7 @@ OccupancyVolume integrate(const Scan& scan, std::size_t frames, const Arguments&
   return volume;
 }
 
-/// A frame's time: the median over repeated scans, each from an empty volume.
+/// Time per frame: the median over repeated scans, each into an empty volume.
 Seconds time_ours(const Scan& scan, std::size_t threads, const Arguments& arguments) {
   const ThreadLimit limit(threads);
   std::vector<double> wall;
@@ -82,11 +82,11 @@ Seconds time_ours(const Scan& scan, std::size_t threads, const Arguments& argume
     wall.push_back(scan_time.wall);
     processor.push_back(scan_time.processor);
   }
-  const auto median_a_frame = [&](std::vector<double>& runs) {
+  const auto median_per_frame = [&](std::vector<double>& runs) {
     std::sort(runs.begin(), runs.end());
     return runs[runs.size() / 2] / static_cast<double>(scan.frames.size());
   };
-  return {median_a_frame(wall), median_a_frame(processor)};
+  return {median_per_frame(wall), median_per_frame(processor)};
 }
 
 #ifdef SYMSCENE_WITH_OCTOMAP
@@ -116,7 +116,7 @@ OccupancyMap labels_of(const octomap::OcTree& tree) {
   return map;
 }
 
-/// How often OctoMap's label (row) meets ours (column).
+/// Counts of voxels by OctoMap's label (row) and ours (column).
 void print_agreement(const OccupancyMap& theirs, const OccupancyMap& ours, const Box& box) {
   const OccupancyGrid a = rasterize(theirs, box);
   const OccupancyGrid b = rasterize(ours, box);
@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
   app.add_option("--baseline-frames", arguments.baseline_frames, "frames that OctoMap inserts")
       ->capture_default_str();
   app.add_option("--repeat", arguments.repeat, "scans that are timed")->capture_default_str();
-  app.add_option("--max-depth", arguments.max_depth, "how far space is seen [m]")
+  app.add_option("--max-depth", arguments.max_depth, "largest depth that is used [m]")
       ->capture_default_str();
   app.add_option("--free-margin", arguments.free_margin, "see OccupancyVolumeOptions [m]")
       ->capture_default_str();

@@ -7,11 +7,11 @@
 
 #include "core/parallel.hpp"
 #include "simulation/true_surface.hpp"
-#include "symscene/simulation/scanned_models.hpp"
 #include "symscene/dataset/swept_scene.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
+#include "symscene/simulation/scanned_models.hpp"
 #include "tables.hpp"
 
 namespace symscene::bench {
@@ -43,7 +43,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// How far all that was reconstructed is from the true surfaces.
+/// Distances of the reconstructed surface from the true surfaces.
 SurfaceErrors errors_of(const SweptScene& sweep, const Tabletop& tabletop) {
   const SceneTruth moved = transformed(tabletop_truth(tabletop), sweep.T_scene_world);
   std::vector<TriangleMesh> meshes;
@@ -51,7 +51,7 @@ SurfaceErrors errors_of(const SweptScene& sweep, const Tabletop& tabletop) {
   return surface_errors(sweep.surface.vertices, placed_meshes(moved, meshes), moved.table);
 }
 
-/// Of making the scene, rendering and carrying the truth over left out. [s]
+/// Time of reconstruction, without rendering and the transfer of ground truth. [s]
 double seconds_of(const SweptScene& sweep) {
   double seconds = 0.0;
   for (const StageTime& time : sweep.stages) {
@@ -75,7 +75,8 @@ void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& model
   const std::string name = fmt::format("seed {}", options.tabletop.seed);
   fmt::print("{}", scene_row(name, score));
   fmt::print(
-      "    {} of {} frames, {:.1f} a second; path {:.2f} m: absolute error {:.2f} mm, drift {:.2f} "
+      "    {} of {} frames, {:.1f} per second; path {:.2f} m: absolute error {:.2f} mm, drift "
+      "{:.2f} "
       "mm; surface: median {:.2f} mm, 95 % {:.2f} mm\n",
       sweep.fused, options.camera.frames, options.camera.frames / seconds_of(sweep),
       sweep.trajectory.length, 1e3 * sweep.trajectory.absolute, 1e3 * sweep.trajectory.drift,
@@ -104,18 +105,19 @@ void run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   symscene::bench::Arguments arguments;
-  CLI::App app{"Reconstructs simulated sweeps, segments them and compares with the truth."};
-  app.add_option("--sweeps", arguments.sweeps, "how many sweeps")
+  CLI::App app{"Reconstructs simulated sweeps, segments them and compares with the ground truth."};
+  app.add_option("--sweeps", arguments.sweeps, "number of sweeps")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "seed of the first sweep")->capture_default_str();
-  app.add_option("--frames", arguments.frames, "frames of a sweep")
+  app.add_option("--frames", arguments.frames, "frames per sweep")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--min-objects", arguments.min_objects, "fewest objects")
       ->check(CLI::Range(1, 15));
   app.add_option("--max-objects", arguments.max_objects, "most objects")->check(CLI::Range(1, 15));
-  app.add_option("--meshes", arguments.meshes, "folder of meshes to drop; household objects else");
+  app.add_option("--meshes", arguments.meshes,
+                 "folder of meshes to drop instead of household objects");
   app.add_option("--symmetries", arguments.symmetries, "JSON file with the meshes' symmetries");
   app.add_option("--threads", arguments.threads, "bound on the threads, 0 for all cores");
   app.add_option("--save", arguments.save, "folder for every scene and its result");

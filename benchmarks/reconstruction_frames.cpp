@@ -22,14 +22,14 @@ struct Arguments {
   std::uint64_t seed = 2000;
   int objects = 6;
   int frames = 60;
-  int baseline_frames = 20;  ///< Open3D takes a fraction of a second for each
+  int baseline_frames = 20;  ///< Open3D takes a fraction of a second per frame
   int repeat = 3;
   std::vector<std::size_t> threads = {1, 2};
   std::vector<int> block_resolutions = {8, 16};
   double voxel_size = 0.0031;
 };
 
-/// The depth of a hand-held camera, with and without the sensor's noise.
+/// The depth frames of a hand-held camera, with and without sensor noise.
 struct Sweep {
   CameraIntrinsics camera;
   std::vector<DepthFrame> frames;
@@ -41,7 +41,7 @@ Sweep simulate(const Arguments& arguments) {
   SweepOptions options;
   options.tabletop.seed = arguments.seed;
   options.tabletop.objects = arguments.objects;
-  // As fast as in a whole sweep.
+  // The camera speed of a full sweep.
   options.camera.arc *= static_cast<double>(arguments.frames) / options.camera.frames;
   options.camera.frames = arguments.frames;
   const Tabletop tabletop = arrange_tabletop(options.tabletop);
@@ -74,7 +74,7 @@ std::size_t shared_frames(const Sweep& sweep, const Arguments& arguments) {
 /// Times of the frames of all repeats.
 using Times = std::vector<Seconds>;
 
-/// Of frames that are tracked, all but the first.
+/// Times of tracked frames, all but the first.
 struct TrackingTimes {
   Times whole;
   Times without_space;  ///< without the map of free and occupied space
@@ -83,7 +83,7 @@ struct TrackingTimes {
   double drift = 0.0;  ///< of the camera at the end [m]
 };
 
-/// Of frames whose poses are given.
+/// Times of frames with known poses.
 struct FusionTimes {
   Times prepare;
   Times integrate;
@@ -93,7 +93,7 @@ struct FusionTimes {
   std::size_t bytes = 0;
 };
 
-/// What is measured with one number of threads.
+/// The times with one number of threads.
 struct Measurements {
   TrackingTimes tracking;
   FusionTimes ours;
@@ -110,7 +110,7 @@ double add_stage_times(const std::vector<StageTime>& before, const std::vector<S
 
 void time_tracking(const Sweep& sweep, const ReconstructionOptions& options, TrackingTimes& times) {
   Reconstruction reconstruction(sweep.camera, options);
-  OccupancyVolume space(options.occupancy);  // again beside it, for its share of processor time
+  OccupancyVolume space(options.occupancy);  // a second one, to time its share of processor time
   Eigen::Isometry3d pose = sweep.poses.front();
   reconstruction.add(sweep.frames.front(), pose);
   space.integrate(sweep.frames.front(), sweep.camera, pose);
@@ -193,8 +193,8 @@ void measure(const Sweep& sweep, std::size_t threads, const Arguments& arguments
 #endif
 }
 
-/// Medians, and the wall time that a tenth of the frames stayed below: near to what it is on a
-/// machine with nothing else to do.
+/// Medians, and the 10th percentile of the wall time, which is close to the wall time on an idle
+/// machine.
 struct Summary {
   double wall = 0.0;
   double quiet = 0.0;
@@ -243,7 +243,7 @@ void print_fusion(const FusionTimes& times) {
   print_row("view of the image's size", times.view);
 }
 
-/// How many times as fast, by each of the clocks.
+/// The speed-up by each of the clocks.
 void print_ratio(const std::string& what, const Times& theirs, const Times& ours) {
   const Summary a = summary(theirs), b = summary(ours);
   fmt::print("    {:<34}{:>9.1f}x{:>9.1f}x{:>11.1f}x\n", what, a.wall / b.wall, a.quiet / b.quiet,
@@ -270,10 +270,10 @@ void print_times(std::size_t threads, const Measurements& measurements) {
   }
 }
 
-/// How far depths of two images are apart, over the pixels that both have.
+/// The difference of two depth images over the pixels that both have.
 struct Agreement {
   double median_difference = 0.0;  ///< [m]
-  double covered = 0.0;            ///< share of the pixels that the second has and the first too
+  double covered = 0.0;  ///< share of the pixels of the second image that the first has too
 };
 
 Agreement agreement(const std::vector<float>& a, const std::vector<float>& b) {
@@ -289,7 +289,7 @@ Agreement agreement(const std::vector<float>& a, const std::vector<float>& b) {
           both / static_cast<double>(std::max<std::size_t>(seen, 1))};
 }
 
-/// Of the views of all frames with images that show the same: the medians.
+/// Medians over the views of all frames.
 template <class ImageOf>
 void print_agreement(const std::string& what, const FusionTimes& times, const ImageOf& image_of) {
   std::vector<double> difference, covered;
@@ -302,7 +302,7 @@ void print_agreement(const std::string& what, const FusionTimes& times, const Im
              100 * quantile(std::move(covered), 0.5));
 }
 
-/// That all did the same work.
+/// Checks that all views agree.
 void print_views(const Sweep& sweep, const Measurements& measurements) {
   const auto exact = [&](std::size_t i) { return sweep.exact[i].depth; };
   const auto ours = [&](std::size_t i) { return measurements.ours.views[i]; };

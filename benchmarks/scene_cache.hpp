@@ -11,8 +11,8 @@ struct TrueScene {
   SceneTruth truth;
 };
 
-/// Simulates a scene, or reads it from `cache` if it was simulated with the same options before; an
-/// empty path caches nothing.
+/// Simulates a scene, or reads it from `cache` if it has been simulated with the same options; an
+/// empty path disables the cache.
 TrueScene simulated_scene(const SimulationOptions& options, const std::filesystem::path& cache);
 
 }  // namespace symscene::bench

@@ -8,16 +8,16 @@
 
 namespace symscene::bench {
 
-/// How a result compares with the truth of its scene, or the sum over scenes.
+/// Counts of a result against the ground truth of its scene, or their sum over scenes.
 struct SceneScore {
   SettingCounts counts;
-  std::map<std::string, OutcomeCounts> kinds;  ///< of which the fates are not known
+  std::map<std::string, OutcomeCounts> kinds;  ///< without reasons for missed objects
   double seconds = 0.0;
 
   SceneScore& operator+=(const SceneScore& other);
 };
 
-/// `seconds` of the score stays zero.
+/// Compares a result with the ground truth. `seconds` of the score stays zero.
 SceneScore evaluate(const Scene& scene, const SceneTruth& truth, const SegmentationResult& result);
 
 }  // namespace symscene::bench

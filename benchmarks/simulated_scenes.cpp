@@ -1,4 +1,4 @@
-// Simulates scenes, segments them and compares what was found with what is true: see README.md.
+// Simulates scenes, segments them and compares the results with the ground truth: see README.md.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -28,7 +28,7 @@ struct Arguments {
   std::filesystem::path save;
 };
 
-/// Scene i has the seed and number of objects that follow those of scene i − 1, in turns.
+/// Scene i has the next seed and the next number of objects, cyclically.
 SimulationOptions scene_options(const Arguments& arguments, int i) {
   SimulationOptions options;
   options.tabletop.seed = arguments.seed + static_cast<std::uint64_t>(i);
@@ -39,7 +39,7 @@ SimulationOptions scene_options(const Arguments& arguments, int i) {
 }
 
 struct Run {
-  SegmentationResult result;  ///< empty if it failed: nothing was found
+  SegmentationResult result;  ///< empty if segmentation failed
   double seconds = 0.0;
   std::string failure;
 };
@@ -62,7 +62,7 @@ void save(const std::filesystem::path& folder, const TrueScene& scene,
   write_result(folder / "result", result);
 }
 
-/// Adds a scene's score to the total; whether segmentation ran to its end.
+/// Adds the score of a scene to the total. Returns whether segmentation succeeded.
 bool run_scene(const Arguments& arguments, int i, SceneScore& total) {
   const SimulationOptions options = scene_options(arguments, i);
   const TrueScene scene = simulated_scene(options, arguments.cache);
@@ -99,8 +99,8 @@ int run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   symscene::bench::Arguments arguments;
-  CLI::App app{"Segments simulated scenes and compares the result with the truth."};
-  app.add_option("--scenes", arguments.scenes, "how many scenes")
+  CLI::App app{"Segments simulated scenes and compares the results with the ground truth."};
+  app.add_option("--scenes", arguments.scenes, "number of scenes")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "seed of the first scene")->capture_default_str();

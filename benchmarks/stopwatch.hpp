@@ -7,7 +7,7 @@
 
 namespace symscene {
 
-/// Processor time counts too: it is what wall time is on a machine with nothing else to do.
+/// Wall time, and processor time, which does not depend on other programs.
 struct Seconds {
   double wall = 0.0;
   double processor = 0.0;  ///< of all threads
@@ -35,7 +35,7 @@ Seconds seconds(const Body& body) {
   return {wall.count(), processor_seconds() - processor};
 }
 
-/// The value that a share of the values is below; 0 of nothing.
+/// The quantile of the values; 0 without values.
 inline double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));

@@ -6,7 +6,7 @@
 
 namespace symscene::bench {
 
-/// The lines of the report.
+/// The tables of scenes and kinds of objects.
 std::string scene_header();
 std::string scene_row(const std::string& name, const SceneScore& score);
 std::string kind_table(const SceneScore& total);

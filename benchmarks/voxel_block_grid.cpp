@@ -13,10 +13,10 @@ namespace {
 namespace core = open3d::core;
 namespace geometry = open3d::t::geometry;
 
-constexpr std::int64_t many_voxels = 1 << 25;  // room from the start, so that nothing is rehashed
-constexpr float meters = 1.0F;                 // its scale of depths
-constexpr float any_weight = 0.5F;             // less than that of a frame
-constexpr int range_down_factor = 8;           // its default
+constexpr std::int64_t many_voxels = 1 << 25;  // capacity that avoids rehashing
+constexpr float meters = 1.0F;                 // depth scale of the image
+constexpr float any_weight = 0.5F;             // less than the weight of one frame
+constexpr int range_down_factor = 8;           // Open3D's default
 
 core::Device processor() { return core::Device("CPU:0"); }
 
@@ -66,14 +66,14 @@ struct VoxelBlockGrid::Implementation {
 
 VoxelBlockGrid::VoxelBlockGrid(const VoxelBlockGridOptions& options)
     : implementation_(std::make_unique<Implementation>(options)) {
-  // Its ray caster warns whenever it makes a buffer larger.
+  // The ray caster warns whenever it enlarges a buffer.
   open3d::utility::SetVerbosityLevel(open3d::utility::VerbosityLevel::Error);
 }
 
 VoxelBlockGrid::~VoxelBlockGrid() = default;
 
 void VoxelBlockGrid::limit_threads(std::size_t threads) {
-  // Open3D asks OpenMP only if this is set, and else takes the number of cores.
+  // Open3D takes the number of cores unless this is set.
   // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread reads the environment meanwhile
   setenv("OMP_NUM_THREADS", std::to_string(threads).c_str(), 1);
   omp_set_num_threads(static_cast<int>(threads));
