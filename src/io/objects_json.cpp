@@ -98,6 +98,11 @@ void parse_records(const JsonCursor& root, SegmentationResult& result) {
       result.funnel.push_back({step.at("step").string(), step.at("count").count()});
     }
   }
+  if (const auto warnings = root.find("warnings")) {
+    for (const JsonCursor& warning : warnings->items()) {
+      result.warnings.push_back(warning.string());
+    }
+  }
   if (const auto timings = root.find("timings")) {
     for (const auto& [stage, seconds] : timings->members()) {
       result.timings.push_back({stage, seconds.number()});
@@ -122,6 +127,7 @@ std::string format_objects_json(const SegmentationResult& result, bool with_timi
   for (const FunnelStep& step : result.funnel) {
     document["funnel"].push_back({{"step", step.step}, {"count", step.count}});
   }
+  if (!result.warnings.empty()) document["warnings"] = result.warnings;
   if (with_timings) document["timings"] = format_timings(result.timings);
   return format_json(document);
 }

@@ -109,7 +109,8 @@ json make_payload(const SegmentationResult& result, const PageOptions& options) 
           {"trajectory", trajectory_payload(options.trajectory)},
           {"timings", list(result.timings)},
           {"funnel", list(result.funnel)},
-          {"rejected", list(result.rejected)}};
+          {"rejected", list(result.rejected)},
+          {"warnings", result.warnings}};
 }
 
 }  // namespace symscene

@@ -90,6 +90,15 @@ TEST(Result, TheTextIsTheSameForTheSameResult) {
   EXPECT_EQ(format_objects_json(slower, false), format_objects_json(small_result(), false));
 }
 
+TEST(Result, WarningsAreReadBackAndAbsentIfThereAreNone) {
+  SegmentationResult result = small_result();
+  EXPECT_EQ(format_objects_json(result).find("warnings"), std::string::npos);
+  EXPECT_TRUE(parse_objects_json(format_objects_json(result), "x", 40).warnings.empty());
+  result.warnings = {"no occupancy map", "\"quoted\" µ"};
+  const auto again = parse_objects_json(format_objects_json(result), "x", 40);
+  EXPECT_EQ(again.warnings, result.warnings);
+}
+
 TEST(Result, TimesOfAStageThatRanTwiceAreAdded) {
   SegmentationResult result = small_result();
   result.timings.push_back({"z first", 1.0});

@@ -52,6 +52,7 @@ TEST(Page, EscapesMarkupInTexts) {
   result.timings[0].stage = hostile;
   result.rejected[0].reason = hostile;
   result.funnel[0].step = hostile;
+  result.warnings = {hostile};
   const std::string page = render_page(result, {.title = hostile, .note = hostile});
   const std::string harmless = render_page(small_result());
   for (const char* markup : {"<script", "</script", "</title", "<!--", "alert(1)</"}) {
@@ -70,6 +71,14 @@ TEST(Payload, HoldsTheContentsOfTheResult) {
   EXPECT_NE(json.find(R"("points":"AAAAAAEAAAA=")"), std::string::npos);
   EXPECT_NE(json.find(R"("reason":"occlusion")"), std::string::npos);
   EXPECT_NE(json.find(R"("up":[0.0,0.0,1.0])"), std::string::npos);
+  EXPECT_NE(json.find(R"("warnings":[])"), std::string::npos);
+}
+
+TEST(Payload, HoldsTheWarnings) {
+  SegmentationResult result = small_result();
+  result.warnings = {"no occupancy map", "no table"};
+  EXPECT_NE(page_payload(result).find(R"("warnings":["no occupancy map","no table"])"),
+            std::string::npos);
 }
 
 TEST(Payload, QuantizesCoordinatesUnlessTheBoxIsLarge) {

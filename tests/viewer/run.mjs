@@ -35,6 +35,7 @@ function hostileScene() {
   scene.note = HOSTILE;
   scene.timings[0].stage = HOSTILE;
   scene.funnel[0].step = HOSTILE;
+  scene.warnings = [HOSTILE, 'no occupancy map'];
   Object.assign(scene.rejected[0], { reason: HOSTILE, kind: HOSTILE });
   return scene;
 }
@@ -271,6 +272,14 @@ describe('other results', () => {
     assert.equal(await page.locator('img').count(), 0);
     assert.equal(await page.locator('script').count(), 2);
     assert.deepEqual(await layoutProblems(page), []);
+  });
+
+  pageTest('lists the warnings', () => pages.hostile, WINDOW, async (page) => {
+    assert.deepEqual(await page.locator('.warnings li').allTextContents(), [HOSTILE, 'no occupancy map']);
+  });
+
+  pageTest('has no list of warnings without any', () => pages.tabletop, WINDOW, async (page) => {
+    assert.equal(await page.locator('.warnings').count(), 0);
   });
 
   pageTest('reports that there is no object, with the reasons', () => pages.empty, WINDOW, async (page) => {

@@ -76,6 +76,7 @@ export function decodePayload(payload) {
     ...payload,
     cloud: decodeCloud(payload.cloud),
     objects: payload.objects.map(decodeObject),
+    warnings: payload.warnings ?? [],
     surface: payload.surface ? decodeSurface(payload.surface) : null,
     trajectory: payload.trajectory ? { ...payload.trajectory, path: decodePositions(payload.trajectory.path) } : null,
   };

@@ -44,6 +44,11 @@ function createControlsHelp(cell) {
     h('p', { class: 'more' }, `Grid of the table: ${size} per square, bold lines every five.`));
 }
 
+function createWarnings({ warnings }) {
+  return warnings.length > 0 && h('section', { class: 'warnings', role: 'status', 'aria-label': 'Warnings' },
+    h('h2', {}, 'Warnings'), h('ul', {}, warnings.map((warning) => h('li', {}, warning))));
+}
+
 function emptyMessage(scene) {
   const rejected = scene.rejected.length;
   return h('div', { class: 'empty', role: 'status' },
@@ -87,6 +92,7 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
       h('p', { class: 'stats' }, stats(scene))),
     h('div', { class: 'scroll', tabindex: '-1' },
       scene.note && h('p', { class: 'note' }, scene.note),
+      createWarnings(scene),
       hasObjects && h('p', { class: 'lead' }, 'One colour per object. Sheets are mirror planes, ' +
         'arrows are axes of rotation. Click an object for details.'),
       createLegend(scene),
