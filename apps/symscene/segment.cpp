@@ -63,7 +63,6 @@ struct Segment {
     Session session("segment", shared);
     session.on_begin()("read");
     const Scene input = read_scene(scene);
-    session.warn(input.warnings);
     const SegmentationResult result = naming(scene, [&] { return segment(input, session); });
     session.warn(result.warnings);
     session.on_begin()("write");

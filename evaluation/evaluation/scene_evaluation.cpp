@@ -8,11 +8,11 @@
 
 #include "assignment.hpp"
 #include "core/parallel.hpp"
+#include "pipeline/detections.hpp"
 #include "proposals/object_proposals.hpp"
 #include "setting_counts.hpp"
 #include "symmetry/object_symmetry.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/pipeline/detections.hpp"
 
 namespace symscene {
 namespace {

@@ -22,7 +22,7 @@ std::vector<Hypothesis> accepted(const std::vector<Hypothesis>& hypotheses,
   return kept;
 }
 
-/// Section 4.3.3: cuts within the bounds, equal ones joined, composites out.
+/// Section 4.3.3: hypotheses within the bounds, equal ones merged, composites of others rejected.
 void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions& options,
                           SegmentationResult& result) {
   const HypothesisBounds& of_axes = options.rotational_segmentation.bounds;
@@ -33,17 +33,18 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
                          proposals.rejected.end());
   const std::vector<Hypothesis> reflectional =
       accepted(proposals.reflectional, of_planes, "reflectional", result.rejected);
-  result.funnel.push_back({"rotational: segments that look like objects", rotational.size()});
-  result.funnel.push_back({"reflectional: segments that look like objects", reflectional.size()});
+  result.funnel.push_back({"rotational: hypotheses within the bounds", rotational.size()});
+  result.funnel.push_back({"reflectional: hypotheses within the bounds", reflectional.size()});
 
   std::vector<RatedHypothesis> rated;
   append_rated(rotational, of_axes, rated);
   append_rated(reflectional, of_planes, rated);
   result.objects = merge_hypotheses(std::move(rated), proposals.cloud, options.merge);
-  result.funnel.push_back({"distinct segments", result.objects.size()});
+  result.funnel.push_back({"distinct hypotheses", result.objects.size()});
   result.objects = select_consistent(std::move(result.objects), options.selection, result.rejected);
 }
 
+/// Proposals by probability, with the symmetries estimated anew on all points of each object.
 void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
                      SegmentationResult& result) {
   const SymmetrySearchOptions search = options.symmetry_search_options();
@@ -65,6 +66,7 @@ SegmentationResult choose_objects(const SceneProposals& proposals, const Pipelin
   result.cloud = proposals.cloud;
   result.table = proposals.table;
   result.funnel = proposals.funnel;
+  result.warnings = proposals.warnings;
   if (options.selection.by_score) {
     choose_probable(proposals, options, result);
   } else {

@@ -1,4 +1,4 @@
-#include "symscene/pipeline/detections.hpp"
+#include "pipeline/detections.hpp"
 
 #include "workspace.hpp"
 
@@ -10,17 +10,18 @@ SceneDetections detect_symmetries(const Scene& scene, const PipelineOptions& opt
   StageTimer timer(on_begin);
   Workspace space = build_workspace(scene, options, timer);
   SceneDetections detections;
-  detections.axes = timer.time("rotational detection", [&] {
+  detections.axes = timer.time("rotational detection", [&] {  // section 3.5.2
     return detect_rotational(space.cloud, space.segments, space.field, space.up,
                              options.rotational_detection)
         .candidates;
   });
-  detections.planes = timer.time("reflectional detection", [&] {
+  detections.planes = timer.time("reflectional detection", [&] {  // section 3.5.3
     return detect_reflectional(space.cloud, space.segments, space.field, space.up,
                                options.reflectional_detection)
         .candidates;
   });
   detections.cloud = std::move(space.cloud);
+  detections.warnings = std::move(space.warnings);
   return detections;
 }
 

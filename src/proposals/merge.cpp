@@ -30,7 +30,7 @@ void add_symmetries(const Hypothesis& from, const Eigen::Vector3d& here,
 void append_rated(const std::vector<Hypothesis>& hypotheses, const HypothesisBounds& bounds,
                   std::vector<RatedHypothesis>& rated) {
   for (const Hypothesis& hypothesis : hypotheses)
-    rated.push_back({hypothesis, confidence(hypothesis.scores, bounds)});
+    rated.push_back({hypothesis, confidence(hypothesis.residuals, bounds)});
 }
 
 bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object) {

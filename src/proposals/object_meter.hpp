@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "segmentation/surface_regions.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/proposals/object_features.hpp"
 #include "symscene/proposals/proposals.hpp"
 #include "symscene/segmentation/graph_cut.hpp"
-#include "symscene/segmentation/surface_parts.hpp"
 
 namespace symscene {
 

@@ -11,6 +11,7 @@
 #include "object_score.hpp"
 #include "proposals/merge.hpp"
 #include "proposals/selection.hpp"
+#include "segmentation/surface_regions.hpp"
 
 namespace symscene {
 namespace {

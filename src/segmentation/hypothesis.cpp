@@ -4,47 +4,39 @@
 #include <cmath>
 
 #include "core/disjoint_sets.hpp"
-#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
 
-double margin(double value, double bound) {
-  return bound > 0.0 ? std::clamp(1.0 - value / bound, 0.0, 1.0) : 0.0;
+/// 1 for a residual of 0, falling to 0 at the bound.
+double margin(double residual, double bound) {
+  return bound > 0.0 ? std::clamp(1.0 - residual / bound, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace
 
-void HypothesisBounds::validate() const {
-  for (const double bound : {max_symmetry, max_occlusion, max_smoothness}) {
-    require_option(bound >= 0.0 && std::isfinite(bound),
-                   "max_symmetry, max_occlusion, max_smoothness", "scores of at least 0", bound);
-  }
-  require_option(min_size >= 1, "min_size", "at least 1 point", min_size);
-}
-
 std::optional<Rejection> judge(const Hypothesis& hypothesis, const HypothesisBounds& bounds,
                                const std::string& kind) {
   const std::size_t size = hypothesis.points.size();
-  const HypothesisScores& scores = hypothesis.scores;
-  const auto refusal = [&](const char* reason, double value, double bound) {
+  const HypothesisResiduals& residuals = hypothesis.residuals;
+  const auto rejection = [&](const char* reason, double value, double bound) {
     return Rejection{kind, reason, value, bound, size, hypothesis.points};
   };
   if (size < static_cast<std::size_t>(bounds.min_size))
-    return refusal("size", static_cast<double>(size), static_cast<double>(bounds.min_size));
-  if (scores.symmetry >= bounds.max_symmetry)
-    return refusal("symmetry", scores.symmetry, bounds.max_symmetry);
-  if (scores.occlusion >= bounds.max_occlusion)
-    return refusal("occlusion", scores.occlusion, bounds.max_occlusion);
-  if (scores.smoothness >= bounds.max_smoothness)
-    return refusal("smoothness", scores.smoothness, bounds.max_smoothness);
+    return rejection("size", static_cast<double>(size), static_cast<double>(bounds.min_size));
+  if (residuals.symmetry >= bounds.max_symmetry)
+    return rejection("symmetry", residuals.symmetry, bounds.max_symmetry);
+  if (residuals.occlusion >= bounds.max_occlusion)
+    return rejection("occlusion", residuals.occlusion, bounds.max_occlusion);
+  if (residuals.smoothness >= bounds.max_smoothness)
+    return rejection("smoothness", residuals.smoothness, bounds.max_smoothness);
   return std::nullopt;
 }
 
-double confidence(const HypothesisScores& scores, const HypothesisBounds& bounds) {
-  return std::cbrt(margin(scores.symmetry, bounds.max_symmetry) *
-                   margin(scores.occlusion, bounds.max_occlusion) *
-                   margin(scores.smoothness, bounds.max_smoothness));
+double confidence(const HypothesisResiduals& residuals, const HypothesisBounds& bounds) {
+  return std::cbrt(margin(residuals.symmetry, bounds.max_symmetry) *
+                   margin(residuals.occlusion, bounds.max_occlusion) *
+                   margin(residuals.smoothness, bounds.max_smoothness));
 }
 
 double smoothness(const std::vector<std::uint8_t>& is_object, std::span<const WeightedEdge> edges) {

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/parallel.hpp"
-#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
@@ -35,7 +34,7 @@ PointIndices by_rising(const std::vector<float>& keys) {
   return order;
 }
 
-/// Grows one region at a time over points that no earlier region holds.
+/// Grows one region at a time over the points that are not yet assigned.
 class RegionGrower {
  public:
   RegionGrower(const PointCloud& cloud, const NeighborLists& neighbors, double max_angle,
@@ -82,7 +81,7 @@ class RegionGrower {
   PointIndices smooth_;
 };
 
-/// Drops from `segments`, sorted largest first, each that nearly repeats a larger one.
+/// The segments, sorted largest first, that overlap no larger one by more than `max_overlap` [IoU].
 std::vector<PointIndices> without_duplicates(std::vector<PointIndices> segments,
                                              double max_overlap) {
   std::vector<PointIndices> kept;
@@ -96,18 +95,6 @@ std::vector<PointIndices> without_duplicates(std::vector<PointIndices> segments,
 }
 
 }  // namespace
-
-void OversegmentationOptions::validate() const {
-  const auto is_angle = [](double angle) { return angle > 0.0 && angle < std::numbers::pi; };
-  const auto is_share = [](double share) { return share >= 0.0 && share <= 1.0; };
-  require_option(is_angle(fine_angle), "fine_angle", "an angle in (0, pi) rad", fine_angle);
-  require_option(is_angle(coarse_angle), "coarse_angle", "an angle in (0, pi) rad", coarse_angle);
-  require_option(is_share(min_smooth_fraction), "min_smooth_fraction", "a share in [0, 1]",
-                 min_smooth_fraction);
-  require_option(is_share(duplicate_overlap), "duplicate_overlap", "an IoU in [0, 1]",
-                 duplicate_overlap);
-  require_option(min_size >= 3, "min_size", "at least 3 points", min_size);
-}
 
 std::vector<PointIndices> grow_regions(const PointCloud& cloud, const NeighborLists& neighbors,
                                        double max_angle, const OversegmentationOptions& options) {

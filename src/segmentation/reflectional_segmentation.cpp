@@ -12,9 +12,9 @@
 namespace symscene {
 namespace {
 
-constexpr float cell_size = 0.01F;
+constexpr float cell_size = 0.01F;  ///< of the search for neighbours; changes no result [m]
 
-/// A cut with what it was made from.
+/// A labelling with the matches under the plane that it was cut out with.
 struct PlaneCut {
   std::vector<std::uint8_t> is_object;
   std::vector<Correspondence> matches;
@@ -22,21 +22,21 @@ struct PlaneCut {
 
 class ReflectionalCutter {
  public:
-  ReflectionalCutter(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
-                     const DistanceField& field, const PlaneFitOptions& fit,
+  ReflectionalCutter(const ObservedSurface& surface, const PlaneFitOptions& fit,
                      const ReflectionalSegmentationOptions& options)
-      : cloud_(cloud),
-        scaled_edges_(edges),
-        cells_(cloud.positions, cell_size),
-        all_points_(cloud.size()),
-        field_(field),
+      : cloud_(surface.cloud),
+        scaled_edges_(surface.edges),
+        cells_(surface.cloud.positions, cell_size),
+        all_points_(surface.cloud.size()),
+        field_(surface.field),
         fit_(fit),
         options_(options) {
     for (WeightedEdge& edge : scaled_edges_) edge.weight *= static_cast<float>(options.edge_factor);
     std::iota(all_points_.begin(), all_points_.end(), Index{0});
   }
 
-  /// The points that agree with the candidate's plane, refitted; or why they are no object.
+  /// The points that are consistent with the candidate's plane, refitted; or the rejection if they
+  /// lose the segment that proposed it.
   std::variant<Hypothesis, Rejection> segment(const ReflectionalCandidate& candidate) const {
     const PlaneCut first = cut(candidate.plane, candidate.support);
     if (!holds_support(first, candidate.support))
@@ -47,8 +47,8 @@ class ReflectionalCutter {
       return support_rejection(second, candidate.support);
     Hypothesis hypothesis;
     hypothesis.points = object_nodes(second.is_object);
-    hypothesis.scores = scores(second, plane, hypothesis.points);
-    hypothesis.reflectional = {{plane, hypothesis.scores.symmetry}};
+    hypothesis.residuals = residuals(second, plane, hypothesis.points);
+    hypothesis.reflectional = {{plane, hypothesis.residuals.symmetry}};
     return hypothesis;
   }
 
@@ -57,8 +57,8 @@ class ReflectionalCutter {
     return options_.occlusion_range()(field_.at(reflector.point(cloud_.position(i))));
   }
 
-  /// Eqs. 4.4 to 4.9. A point whose normal lies in the plane looks symmetric wherever the plane
-  /// stands: outside the proposing segment it is weak evidence.
+  /// Eqs. 4.4 to 4.9. A point whose normal lies in the plane looks symmetric under any parallel
+  /// plane: outside the proposing segment it is weak evidence.
   std::vector<Affinity> affinities(const ReflectionPlane& plane, const PointIndices& support,
                                    const std::vector<Correspondence>& matches) const {
     const PlaneReflector reflector(plane);
@@ -69,16 +69,17 @@ class ReflectionalCutter {
     }
     for (const Correspondence& match : matches) {
       const float facing = safe_acos(std::abs(cloud_.normal(match.from).dot(reflector.normal())));
-      const float weak = std::binary_search(support.begin(), support.end(), match.from)
-                             ? 0.0F
-                             : ScoreRange{options_.loud_angle, options_.silent_angle}(facing);
+      const float weak =
+          std::binary_search(support.begin(), support.end(), match.from)
+              ? 0.0F
+              : ScoreRange{options_.full_weight_angle, options_.zero_weight_angle}(facing);
       affinities[match.from].object = (1.0F - options_.angle_range()(match.angle)) * (1.0F - weak);
     }
     return affinities;
   }
 
-  /// The surface's edges and one between every two symmetric points, which ties the halves
-  /// together.
+  /// The edges of the surface graph and one between every two symmetric points, which joins the
+  /// halves of an object.
   std::vector<WeightedEdge> edges_with_pairs(const std::vector<Correspondence>& matches) const {
     std::vector<std::pair<Index, Index>> pairs;
     for (const Correspondence& match : matches) pairs.push_back(std::minmax(match.from, match.to));
@@ -99,8 +100,7 @@ class ReflectionalCutter {
     return result;
   }
 
-  /// Pieces that neither touch the proposing segment nor mirror a piece that does are another
-  /// object's.
+  /// Drops the components without a point of the proposing segment: they belong to other objects.
   static void keep_components_of(const PointIndices& support,
                                  const std::vector<WeightedEdge>& edges,
                                  std::vector<std::uint8_t>& is_object) {
@@ -143,8 +143,9 @@ class ReflectionalCutter {
     return is_usable(fit.status) ? fit.plane : plane;
   }
 
-  HypothesisScores scores(const PlaneCut& cut, const ReflectionPlane& plane,
-                          const PointIndices& points) const {
+  /// Eqs. 4.11 to 4.13.
+  HypothesisResiduals residuals(const PlaneCut& cut, const ReflectionPlane& plane,
+                                const PointIndices& points) const {
     double symmetry = 0.0;
     double matched = 0.0;
     for (const Correspondence& match : cut.matches) {
@@ -171,30 +172,20 @@ class ReflectionalCutter {
 }  // namespace
 
 void ReflectionalSegmentationOptions::validate() const {
-  matching.validate();
+  check_fields(*this);
   require_score_ranges(*this);
-  require_option(max_angle <= std::numbers::pi && silent_angle <= std::numbers::pi,
-                 "max_angle, silent_angle", "angles of at most pi rad",
-                 std::max(max_angle, silent_angle));
-  require_option(loud_angle >= 0.0 && loud_angle < silent_angle, "silent_angle",
-                 "an angle above loud_angle", silent_angle);
-  require_option(background_weight >= 0.0 && background_weight < 1000.0, "background_weight",
-                 "a weight in [0, 1000)", background_weight);
-  require_option(edge_factor >= 0.0 && edge_factor < 1000.0, "edge_factor", "a weight in [0, 1000)",
-                 edge_factor);
-  require_option(pair_weight >= 0.0 && pair_weight * edge_factor < 8000.0, "pair_weight",
-                 "a weight of at least 0 that times edge_factor is below 8000", pair_weight);
-  require_option(min_support_share >= 0.0 && min_support_share <= 1.0, "min_support_share",
-                 "a share in [0, 1]", min_support_share);
-  bounds.validate();
+  require_option(full_weight_angle < zero_weight_angle, "zero_weight_angle",
+                 "an angle above full_weight_angle", zero_weight_angle);
+  require_option(pair_weight * edge_factor < 8000.0, "pair_weight",
+                 "a weight that times edge_factor is below 8000", pair_weight);
 }
 
-HypothesisSet segment_reflectional(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+HypothesisSet segment_reflectional(const ObservedSurface& surface,
                                    const std::vector<ReflectionalCandidate>& candidates,
-                                   const DistanceField& field, const PlaneFitOptions& fit,
+                                   const PlaneFitOptions& fit,
                                    const ReflectionalSegmentationOptions& options) {
   options.validate();
-  const ReflectionalCutter cutter(cloud, edges, field, fit, options);
+  const ReflectionalCutter cutter(surface, fit, options);
   std::vector<std::variant<Hypothesis, Rejection>> outcomes(candidates.size());
   parallel_for_each(candidates.size(),
                     [&](std::size_t c) { outcomes[c] = cutter.segment(candidates[c]); });

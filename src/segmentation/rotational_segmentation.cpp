@@ -11,7 +11,7 @@
 namespace symscene {
 namespace {
 
-/// Pieces far smaller than the largest are chance agreement elsewhere in the scene.
+/// Components far smaller than the largest agree with the axis by chance.
 void drop_small_components(std::vector<std::uint8_t>& is_object,
                            const std::vector<WeightedEdge>& edges, double min_share) {
   const std::vector<Index> component = connected_components(is_object, edges);
@@ -31,12 +31,11 @@ void drop_small_components(std::vector<std::uint8_t>& is_object,
 
 class RotationalCutter {
  public:
-  RotationalCutter(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
-                   const DistanceField& field, const RotationalDetectionOptions& detection,
+  RotationalCutter(const ObservedSurface& surface, const RotationalDetectionOptions& detection,
                    const RotationalSegmentationOptions& options)
-      : cloud_(cloud),
-        scaled_edges_(edges),
-        field_(field),
+      : cloud_(surface.cloud),
+        scaled_edges_(surface.edges),
+        field_(surface.field),
         detection_(detection),
         options_(options) {
     for (WeightedEdge& edge : scaled_edges_) edge.weight *= static_cast<float>(options.edge_factor);
@@ -49,22 +48,24 @@ class RotationalCutter {
     hypothesis.points = object_nodes(is_object);
     const RotationalScores scores =
         rotational_scores(select(cloud_, hypothesis.points), axis, field_, detection_);
-    hypothesis.scores = {scores.symmetry_residual, scores.occlusion_residual,
-                         smoothness(is_object, scaled_edges_)};
+    hypothesis.residuals = {scores.symmetry_residual, scores.occlusion_residual,
+                            smoothness(is_object, scaled_edges_)};
     hypothesis.rotational = {{axis, scores.symmetry_residual}};
     return hypothesis;
   }
 
  private:
-  /// Eqs. 4.4 and 4.5, weighted by how much a point's normal says of the axis.
+  /// Eqs. 4.4 and 4.5. A normal parallel to the axis agrees with any parallel axis: the weight of
+  /// the evidence falls to zero there.
   Affinity affinity(const AxisScorer& scorer, Index i) const {
     const Eigen::Vector3f p = cloud_.position(i);
     const Eigen::Vector3f n = cloud_.normal(i);
     const float symmetry = options_.angle_range()(scorer.plane_angle(p, n));
     const float occlusion = options_.occlusion_range()(scorer.free_distance(p, field_));
-    const float says = ramp(scorer.axis_angle(n), 0.0F, static_cast<float>(options_.silent_angle));
-    return {(1.0F - symmetry) * (1.0F - occlusion) * says,
-            static_cast<float>(options_.background_weight) * (symmetry * says + occlusion)};
+    const float weight =
+        ramp(scorer.axis_angle(n), 0.0F, static_cast<float>(options_.full_weight_angle));
+    return {(1.0F - symmetry) * (1.0F - occlusion) * weight,
+            static_cast<float>(options_.background_weight) * (symmetry * weight + occlusion)};
   }
 
   std::vector<std::uint8_t> cut(const RotationAxis& axis) const {
@@ -95,30 +96,16 @@ class RotationalCutter {
 }  // namespace
 
 void RotationalSegmentationOptions::validate() const {
+  check_fields(*this);
   require_score_ranges(*this);
-  require_option(max_angle <= std::numbers::pi / 2, "max_angle", "an angle of at most pi/2 rad",
-                 max_angle);
-  require_option(silent_angle > 0.0 && silent_angle <= std::numbers::pi / 2, "silent_angle",
-                 "an angle in (0, pi/2] rad", silent_angle);
-  require_option(background_weight >= 0.0 && background_weight < 1000.0, "background_weight",
-                 "a weight in [0, 1000)", background_weight);
-  require_option(edge_factor >= 0.0 && edge_factor < 1000.0, "edge_factor", "a weight in [0, 1000)",
-                 edge_factor);
-  require_option(max_refinement >= 0.0, "max_refinement", "an angle of at least 0 rad",
-                 max_refinement);
-  require_option(min_component >= 0.0 && min_component <= 1.0, "min_component", "a share in [0, 1]",
-                 min_component);
-  bounds.validate();
 }
 
-std::vector<Hypothesis> segment_rotational(const PointCloud& cloud,
-                                           const std::vector<WeightedEdge>& edges,
+std::vector<Hypothesis> segment_rotational(const ObservedSurface& surface,
                                            const std::vector<RotationalCandidate>& candidates,
-                                           const DistanceField& field,
                                            const RotationalDetectionOptions& detection,
                                            const RotationalSegmentationOptions& options) {
   options.validate();
-  const RotationalCutter cutter(cloud, edges, field, detection, options);
+  const RotationalCutter cutter(surface, detection, options);
   std::vector<Hypothesis> hypotheses(candidates.size());
   parallel_for_each(candidates.size(),
                     [&](std::size_t c) { hypotheses[c] = cutter.segment(candidates[c].axis); });

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
-#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
@@ -29,13 +28,6 @@ class EdgeWeight {
 };
 
 }  // namespace
-
-void SurfaceGraphOptions::validate() const {
-  require_option(neighbors >= 1, "neighbors", "at least 1 point", neighbors);
-  require_option(radius > 0.0, "radius", "a length above 0 m", radius);
-  require_option(convex_sigma > 0.0, "convex_sigma", "a number above 0", convex_sigma);
-  require_option(concave_sigma > 0.0, "concave_sigma", "a number above 0", concave_sigma);
-}
 
 std::vector<WeightedEdge> surface_graph(const PointCloud& cloud,
                                         const SurfaceGraphOptions& options) {

@@ -32,8 +32,8 @@ class MissedObjects : public ::testing::Test {
   void propose(const ReflectionPlane& plane, PointIndices support) {
     proposals_.planes.push_back({plane, {}, std::move(support)});
   }
-  void cut(PointIndices points, HypothesisScores scores = {0.1, 0.001, 0.1}) {
-    proposals_.reflectional.push_back({std::move(points), scores, {}, {{mirror, 0.1}}});
+  void cut(PointIndices points, HypothesisResiduals residuals = {0.1, 0.001, 0.1}) {
+    proposals_.reflectional.push_back({std::move(points), residuals, {}, {{mirror, 0.1}}});
   }
   /// The outcome of the object with the pipeline's own selection.
   ObjectOutcome outcome() const { return outcome(choose_objects(proposals_, options_)); }

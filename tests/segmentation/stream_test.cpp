@@ -24,11 +24,12 @@ PointIndices range(Index first, Index count) {
   return indices;
 }
 
-std::vector<Hypothesis> cut_about_z(const PointCloud& cloud,
-                                    const RotationalSegmentationOptions& options = {}) {
+std::vector<Hypothesis> hypotheses_about_z(const PointCloud& cloud,
+                                           const RotationalSegmentationOptions& options = {}) {
   RotationalCandidate candidate;
   candidate.axis = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()};
-  return segment_rotational(cloud, surface_graph(cloud), {candidate}, all_seen(cloud), {}, options);
+  return segment_rotational({cloud, surface_graph(cloud), all_seen(cloud)}, {candidate}, {},
+                            options);
 }
 
 /// A box about the z axis and a vase beside it, which the plane y = 0 mirrors too.
@@ -48,8 +49,8 @@ struct BoxAndVase {
 
   HypothesisSet cut(const ReflectionPlane& plane,
                     const ReflectionalSegmentationOptions& options = {}) const {
-    return segment_reflectional(cloud, surface_graph(cloud), {{plane, {}, face()}}, all_seen(cloud),
-                                {}, options);
+    return segment_reflectional({cloud, surface_graph(cloud), all_seen(cloud)},
+                                {{plane, {}, face()}}, {}, options);
   }
 };
 
@@ -58,9 +59,9 @@ const ReflectionPlane mirror_of_the_box{Eigen::Vector3d(0.0, 0.0, 0.08), Eigen::
 TEST(SegmentRotational, CutsTheVaseOutAndNotTheBoxBesideIt) {
   const PointCloud alone = vase();
   const PointCloud cloud = joined(alone, shifted(box({0.1, 0.1, 0.1}), {0.2, 0.0, 0.0}));
-  const std::vector<Hypothesis> cuts = cut_about_z(cloud);
-  ASSERT_EQ(cuts.size(), 1U);
-  const Hypothesis& found = cuts[0];
+  const std::vector<Hypothesis> hypotheses = hypotheses_about_z(cloud);
+  ASSERT_EQ(hypotheses.size(), 1U);
+  const Hypothesis& found = hypotheses[0];
   EXPECT_GT(intersection_over_union(found.points, range(0, alone.size())), 0.95);
   EXPECT_EQ(intersection_size(found.points, range(alone.size(), cloud.size() - alone.size())), 0U);
   ASSERT_EQ(found.rotational.size(), 1U);
@@ -68,7 +69,7 @@ TEST(SegmentRotational, CutsTheVaseOutAndNotTheBoxBesideIt) {
   EXPECT_LT(line_angle(found.rotational[0].axis.direction, Eigen::Vector3d::UnitZ()), radians(0.5));
 }
 
-TEST(SegmentRotational, DropsPiecesFarSmallerThanTheLargest) {
+TEST(SegmentRotational, DropsComponentsFarSmallerThanTheLargest) {
   const PointCloud alone = vase();
   const std::array<ProfilePoint, 4> profile{
       ProfilePoint{0.0, 0.0}, {0.012, 0.0}, {0.012, 0.02}, {0.0, 0.02}};
@@ -78,19 +79,19 @@ TEST(SegmentRotational, DropsPiecesFarSmallerThanTheLargest) {
   const PointCloud cloud = joined(alone, button);
 
   RotationalSegmentationOptions options;
-  const std::vector<Hypothesis> dropped = cut_about_z(cloud, options);
+  const std::vector<Hypothesis> dropped = hypotheses_about_z(cloud, options);
   ASSERT_EQ(dropped.size(), 1U);
   EXPECT_EQ(intersection_size(dropped[0].points, of_button), 0U);
   options.min_component = 0.0;
-  const std::vector<Hypothesis> kept = cut_about_z(cloud, options);
+  const std::vector<Hypothesis> kept = hypotheses_about_z(cloud, options);
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_GT(intersection_size(kept[0].points, of_button), button.size() * 9 / 10);
 }
 
-TEST(Judge, SaysWhichBoundAHypothesisBroke) {
+TEST(Judge, NamesTheBoundThatAHypothesisBreaks) {
   Hypothesis hypothesis;
   hypothesis.points = range(0, 150);
-  hypothesis.scores = {0.02, 0.01, 0.1};
+  hypothesis.residuals = {0.02, 0.01, 0.1};
   EXPECT_FALSE(judge(hypothesis, {0.03, 0.015, 0.3, 150}, "rotational"));
   const auto few = judge(hypothesis, {0.03, 0.015, 0.3, 151}, "rotational");
   ASSERT_TRUE(few);
@@ -122,7 +123,7 @@ TEST(SegmentReflectional, CutsTheBoxOutThatHoldsTheFace) {
   EXPECT_LT(line_angle(found.reflectional[0].plane.normal, mirror_of_the_box.normal), radians(0.5));
 }
 
-TEST(SegmentReflectional, RefusesAPlaneThatItsSupportContradicts) {
+TEST(SegmentReflectional, RejectsAPlaneThatItsSupportContradicts) {
   const ReflectionPlane off_centre{Eigen::Vector3d(0.025, 0.0, 0.0), Eigen::Vector3d::UnitX()};
   const HypothesisSet set = BoxAndVase{}.cut(off_centre);
   EXPECT_TRUE(set.hypotheses.empty());

@@ -1,23 +1,29 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/point_cloud.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/segmentation/graph_cut.hpp"
+#include "symscene/segmentation/hypothesis.hpp"
 
 namespace symscene {
 
-/// The 5 mm cloud with its space and its surface: what both streams read.
+/// The sampled cloud with the space around it and the structure of its surface: the input of both
+/// streams. World frame.
 struct Workspace {
-  PointCloud cloud;
+  PointCloud cloud;  ///< one point per voxel, with unit normals
   DistanceField field;
-  std::optional<Eigen::Vector3d> up;
-  std::vector<WeightedEdge> edges;
-  NeighborLists neighbors;  ///< of region growing: all within a voxel's diagonal
-  std::vector<PointIndices> segments;
+  std::optional<Eigen::Vector3d> up;   ///< unit normal of the table, where known
+  std::vector<WeightedEdge> edges;     ///< the surface graph of `cloud`
+  NeighborLists neighbors;             ///< for region growing: within the diagonal of a voxel
+  std::vector<PointIndices> segments;  ///< smooth segments, largest first
+  std::vector<std::string> warnings;   ///< a sentence each
+
+  ObservedSurface surface() const { return {cloud, edges, field}; }
 };
 
 }  // namespace symscene

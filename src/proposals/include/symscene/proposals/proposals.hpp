@@ -38,6 +38,7 @@ struct SceneProposals {
   std::vector<ObjectProposal> objects;        ///< distinct hypotheses and parts, by falling score
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
+  std::vector<std::string> warnings;  ///< the scene's and those of the pipeline, a sentence each
 
   ObservedScene observed() const { return {cloud, field, table}; }
 };

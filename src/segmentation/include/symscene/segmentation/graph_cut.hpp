@@ -8,34 +8,34 @@
 
 namespace symscene {
 
-/// An undirected edge between two nodes and what it costs to part them.
+/// An undirected edge and the cost of giving its nodes different labels.
 struct WeightedEdge {
   Index a = 0;
   Index b = 0;
   float weight = 0.0F;
 };
 
-/// What a node gains from each label (Eqs. 4.4, 4.5 are affinities): labelling it background costs
-/// `object`, labelling it object costs `background`.
+/// The affinities of a node to both labels (Eqs. 4.4, 4.5): the label "background" costs `object`,
+/// the label "object" costs `background`.
 struct Affinity {
   float object = 0.0F;
   float background = 0.0F;
 };
 
 struct GraphCut {
-  std::vector<std::uint8_t> is_object;  ///< one a node
-  double flow = 0.0;                    ///< the maximum flow: Eq. 4.1 at its minimum
+  std::vector<std::uint8_t> is_object;  ///< one per node
+  double flow = 0.0;                    ///< the maximum flow, equal to the minimum of Eq. 4.1
 };
 
 /// The labelling that minimises Eq. 4.1: a minimum cut, found as a maximum flow. Of all minimal
 /// labellings the one with the fewest object nodes: a node is object only if the evidence of some
 /// object node reaches it.
 ///
-/// The search is that of Boykov and Kolmogorov (2004) with one tree: it grows from the nodes with
-/// evidence for the object alone, so that its cost is that of the neighbourhood of the object and
-/// not of the scene. Capacities are fixed point (1/65536), so that flow and energy are exact.
-/// `edges` may repeat a pair (weights add up); weights and affinities are finite, not negative and
-/// below 2^13. Throws InputError if an edge names a node that is not there or a weight is out of
+/// The search is that of Boykov and Kolmogorov (2004) with one tree, which grows only from nodes
+/// with evidence for the object, so that its cost depends on the neighbourhood of the object and
+/// not on the size of the scene. Capacities are fixed point (1/65536), so that flow and energy are
+/// exact. `edges` may repeat a pair (weights add up); weights and affinities are finite, not
+/// negative and below 2^13. Throws InputError if an edge names a missing node or a weight is out of
 /// range.
 GraphCut cut_graph(std::span<const Affinity> nodes, std::span<const WeightedEdge> edges);
 

@@ -1,68 +1,80 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "symscene/core/options.hpp"
 #include "symscene/core/scene.hpp"
+#include "symscene/occupancy/distance_field.hpp"
 #include "symscene/segmentation/graph_cut.hpp"
 
 namespace symscene {
 
-/// Measures of a segment under the symmetry that cut it out (section 4.3.3). Lower is better.
-struct HypothesisScores {
-  double symmetry = 0.0;   ///< Eq. 4.11, in [0, 1]
-  double occlusion = 0.0;  ///< Eq. 4.12, in [0, 1]
-  double smoothness =
-      0.0;  ///< weight of the edges that the cut broke, a point of the segment (Eq. 4.13 as used)
+/// The surface and the space that hypotheses are cut out of. A view: it owns nothing.
+struct ObservedSurface {
+  const PointCloud& cloud;                 ///< with unit normals
+  const std::vector<WeightedEdge>& edges;  ///< the surface graph of `cloud` (Eq. 4.10)
+  const DistanceField& field;
 };
 
-/// The bounds beyond which a segment is no object (section 4.3.3).
+/// Residuals of a hypothesis under its symmetry (section 4.3.3). Lower is better.
+struct HypothesisResiduals {
+  double symmetry = 0.0;    ///< Eq. 4.11, in [0, 1]
+  double occlusion = 0.0;   ///< Eq. 4.12, in [0, 1]
+  double smoothness = 0.0;  ///< weight of the broken edges per point (Eq. 4.13 as used)
+};
+
+/// The bounds that a hypothesis must satisfy to be an object (section 4.3.3).
 struct HypothesisBounds {
   double max_symmetry = 0.03;
   double max_occlusion = 0.015;
   double max_smoothness = 0.3;
-  int min_size = 100;  ///< [points]
+  int min_size = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("max_symmetry", self.max_symmetry, "", "greatest mean symmetry score of an object");
-    visit("max_occlusion", self.max_occlusion, "", "greatest mean occlusion score of an object");
-    visit("max_smoothness", self.max_smoothness, "", "greatest weight of broken edges a point");
-    visit("min_size", self.min_size, "points", "least size of an object");
+    visit("max_symmetry", self.max_symmetry, "", at_least(0.0),
+          "a hypothesis with a mean symmetry residual of this or more is rejected (Eq. 4.11)");
+    visit("max_occlusion", self.max_occlusion, "", at_least(0.0),
+          "a hypothesis with a mean occlusion residual of this or more is rejected (Eq. 4.12)");
+    visit("max_smoothness", self.max_smoothness, "", at_least(0.0),
+          "a hypothesis whose broken edges weigh this or more per point is rejected (Eq. 4.13)");
+    visit("min_size", self.min_size, "points", at_least(1.0),
+          "smaller hypotheses are rejected (section 4.3.3)");
   }
-  /// Throws InputError on a bound that is negative or a size below 1.
-  void validate() const;
+  /// Throws InputError if a bound is negative or the size below 1.
+  void validate() const { check_fields(*this); }
 };
 
-/// A set of points that one symmetry explains.
+/// A set of points that the graph cut found consistent with one symmetry (section 4.3).
 struct Hypothesis {
   PointIndices points;  ///< into the cloud that was cut, ascending
-  HypothesisScores scores;
+  HypothesisResiduals residuals;
   std::vector<ScoredAxis> rotational;     ///< one, or none
   std::vector<ScoredPlane> reflectional;  ///< one, or none
 };
 
-/// What the cuts of one stream left.
+/// The hypotheses of one stream.
 struct HypothesisSet {
   std::vector<Hypothesis> hypotheses;
-  std::vector<Rejection> rejected;  ///< cuts that lost what proposed them
+  std::vector<Rejection> rejected;  ///< hypotheses that lost the segment that proposed them
 };
 
-/// The first bound that a segment breaks, or nothing.
+/// The first bound that a hypothesis breaks, or nothing. `kind` is "rotational" or "reflectional".
 std::optional<Rejection> judge(const Hypothesis& hypothesis, const HypothesisBounds& bounds,
                                const std::string& kind);
 
-/// Confidence in [0, 1]: the geometric mean of how far each score stays from its bound.
-double confidence(const HypothesisScores& scores, const HypothesisBounds& bounds);
+/// Confidence in [0, 1]: the geometric mean of 1 − residual / bound over the three residuals.
+double confidence(const HypothesisResiduals& residuals, const HypothesisBounds& bounds);
 
-/// The weight of the broken edges a point of the object (Eq. 4.13 as used); `edges` carry the λ of
-/// the cut.
+/// The summed weight of the edges between object and background, per object node (Eq. 4.13 as
+/// used); `edges` carry the λ of the cut.
 double smoothness(const std::vector<std::uint8_t>& is_object, std::span<const WeightedEdge> edges);
 
-/// For every node the number of its connected component over the edges between nodes that are both
-/// object; components count from 0 by their lowest node, and `no_component` stands at nodes that
-/// are background.
+/// For every node the number of its connected component over the edges between object nodes.
+/// Components count from 0 by their lowest node; background nodes have `no_component`.
 inline constexpr Index no_component = ~Index{0};
 std::vector<Index> connected_components(const std::vector<std::uint8_t>& is_object,
                                         std::span<const WeightedEdge> edges);

@@ -1,18 +1,17 @@
-#include "symscene/segmentation/surface_parts.hpp"
+#include "segmentation/surface_regions.hpp"
 
 #include <algorithm>
 #include <map>
 #include <queue>
 #include <tuple>
 
-#include "symscene/core/error.hpp"
 #include "symscene/segmentation/oversegmentation.hpp"
 
 namespace symscene {
 namespace {
 
-/// Joins nodes two at a time; what is joined is a node with the next number. A fragment, such as
-/// the rounding of an edge, is no surface of its own: fragments go first.
+/// Merges nodes two at a time; a merged node gets the next number. Fragments, such as the rounding
+/// of an edge, are not surfaces of their own and are merged first.
 class RegionJoiner {
  public:
   RegionJoiner(std::vector<std::size_t> sizes, std::size_t fragment)
@@ -26,7 +25,7 @@ class RegionJoiner {
     borders_[b][a] += border;
   }
 
-  /// Calls on_join(a, b, bend of the border between them); what is joined has the next number.
+  /// Calls on_join(a, b, bend of the border between them) before each merge.
   template <class OnJoin>
   void run(OnJoin&& on_join) {
     for (Index a = 0; a < borders_.size(); ++a) {
@@ -91,21 +90,13 @@ class RegionJoiner {
 
 }  // namespace
 
-void SurfacePartsOptions::validate() const {
-  require_option(smooth_angle > 0.0 && smooth_angle < std::numbers::pi, "smooth_angle",
-                 "an angle in (0, pi) rad", smooth_angle);
-  require_option(fragment >= 0, "fragment", "at least 0 points", fragment);
-  require_option(min_size >= 1, "min_size", "at least 1 point", min_size);
-  require_option(min_seam_share >= 0.0 && min_seam_share <= 0.5, "min_seam_share",
-                 "a share in [0, 0.5]", min_seam_share);
-}
-
 SurfaceRegions::SurfaceRegions(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
                                const NeighborLists& neighbors, const SurfacePartsOptions& options)
     : options_(options) {
   options_.validate();
   OversegmentationOptions growing;
   growing.min_size = 1;
+  growing.min_smooth_fraction = options_.min_smooth_fraction;
   regions_ = grow_regions(cloud, neighbors, options_.smooth_angle, growing);
   region_of_.resize(cloud.size());
   for (Index r = 0; r < regions_.size(); ++r) {
@@ -145,10 +136,12 @@ std::vector<PointIndices> SurfaceRegions::parts() const {
 }
 
 double SurfaceRegions::seam(std::span<const Index> points) const {
-  std::map<Index, std::size_t> held;  // points of the set in every region
+  std::map<Index, std::size_t> held;  // points of the set by region
   for (const Index i : points) ++held[region_of_[i]];
-  std::erase_if(held,
-                [&](const auto& entry) { return 2 * entry.second < regions_[entry.first].size(); });
+  std::erase_if(held, [&](const auto& entry) {
+    return static_cast<double>(entry.second) <
+           options_.min_region_share * static_cast<double>(regions_[entry.first].size());
+  });
   std::vector<std::size_t> sizes;
   std::map<Index, Index> node_of;
   for (const auto& [region, count] : held) {

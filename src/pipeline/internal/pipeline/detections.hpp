@@ -4,12 +4,13 @@
 
 namespace symscene {
 
-/// The symmetries that a scene's smooth segments propose, before anything is cut out: what section
-/// 3.6 evaluates. Planes are sought on the whole scene, rotational objects and all.
+/// The symmetries that the smooth segments of a scene propose, before segmentation: the input of
+/// the evaluation in section 3.6. Planes are detected on the whole scene, with rotational objects.
 struct SceneDetections {
-  PointCloud cloud;  ///< the 5 mm cloud that supports count in
+  PointCloud cloud;  ///< the sampled cloud that supports index
   std::vector<RotationalCandidate> axes;
   std::vector<ReflectionalCandidate> planes;
+  std::vector<std::string> warnings;  ///< a sentence each
 };
 
 /// Throws InputError as segment_scene() does.

@@ -1,4 +1,4 @@
-#include "symscene/segmentation/surface_parts.hpp"
+#include "segmentation/surface_regions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "symscene/completion/completion.hpp"
+#include "symscene/core/normal_estimation.hpp"
+#include "symscene/core/options.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+#include "symscene/occupancy/outward_vote.hpp"
+#include "symscene/pipeline/model_options.hpp"
+#include "symscene/proposals/proposals.hpp"
+#include "symscene/proposals/selection_options.hpp"
+#include "symscene/segmentation/oversegmentation.hpp"
+#include "symscene/segmentation/reflectional_segmentation.hpp"
+#include "symscene/segmentation/rotational_segmentation.hpp"
+#include "symscene/segmentation/surface_graph.hpp"
+#include "symscene/symmetry/object_symmetry_options.hpp"
+
+namespace symscene {
+
+/// Every option of every stage.
+struct PipelineOptions {
+  double voxel_size = 0.005;
+  double stray_radius = 0.02;
+  int stray_neighbors = 3;
+  double space_margin = 0.15;
+  double min_removal_score = 0.6;
+  bool rotational_stream = true;
+  NormalEstimationOptions normals;
+  OutwardVoteOptions outward_vote;
+  DistanceFieldOptions distance_field;
+  OversegmentationOptions oversegmentation;
+  SurfaceGraphOptions surface_graph;
+  SurfacePartsOptions surface_parts;
+  RotationalDetectionOptions rotational_detection;
+  RotationalSegmentationOptions rotational_segmentation;
+  ReflectionalDetectionOptions reflectional_detection;
+  ReflectionalSegmentationOptions reflectional_segmentation;
+  ContinuationOptions continuation;
+  MergeOptions merge;
+  ObjectFeatureOptions object_features;
+  ProposalContextOptions proposal_context;
+  ObjectScoreOptions object_score;
+  SelectionOptions selection;
+  ObjectSymmetryOptions object_symmetry;
+  CompletionOptions completion;
+  ModelOptions models;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("voxel_size", self.voxel_size, "m", between(1e-4, 1.0),
+          "spacing of the sampled cloud that all stages work on (section 2.1.1)");
+    visit("stray_radius", self.stray_radius, "m", above_up_to(0.0, 1.0),
+          "radius in which a point needs stray_neighbors others (section 2.1.1)");
+    visit("stray_neighbors", self.stray_neighbors, "points", at_least(0.0),
+          "a point with fewer others within stray_radius is left out as stray (section 2.1.1)");
+    visit("space_margin", self.space_margin, "m", between(0.0, 10.0),
+          "margin around the cloud within which free space is read (section 2.1.2)");
+    visit("min_removal_score", self.min_removal_score, "", between(0.0, 1.0),
+          "a rotational hypothesis of lower confidence leaves its points to the reflectional "
+          "stream too (section 4.4)");
+    visit("rotational_stream", self.rotational_stream, "", any_value(),
+          "detect rotational objects first; without this, reflection planes alone find the objects "
+          "(section 4.5)");
+    visit("normals", self.normals);
+    visit("outward_vote", self.outward_vote);
+    visit("distance_field", self.distance_field);
+    visit("oversegmentation", self.oversegmentation);
+    visit("surface_graph", self.surface_graph);
+    visit("surface_parts", self.surface_parts);
+    visit("rotational_detection", self.rotational_detection);
+    visit("rotational_segmentation", self.rotational_segmentation);
+    visit("reflectional_detection", self.reflectional_detection);
+    visit("reflectional_segmentation", self.reflectional_segmentation);
+    visit("continuation", self.continuation);
+    visit("merge", self.merge);
+    visit("object_features", self.object_features);
+    visit("proposal_context", self.proposal_context);
+    visit("object_score", self.object_score);
+    visit("selection", self.selection);
+    visit("object_symmetry", self.object_symmetry);
+    visit("completion", self.completion);
+    visit("models", self.models);
+  }
+  /// Throws InputError if a field of any stage is out of its range.
+  void validate() const { check_fields(*this); }
+
+  ProposalOptions proposal_options() const;
+  SymmetrySearchOptions symmetry_search_options() const;
+};
+
+}  // namespace symscene
