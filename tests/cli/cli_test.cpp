@@ -126,7 +126,8 @@ TEST_F(Command, RefusesBadOptionsOfStagesInOneSentence) {
       {R"({"voxel_sise": 0.01})", "did you mean \"voxel_size\"?"},
       {R"({"completely different": 1})", "completely different"},
       {R"({"voxel_size": "5 mm"})", "expected a number for \"voxel_size\", found \"5 mm\""},
-      {R"({"voxel_size": -1})", "bad.json"},
+      {R"({"voxel_size": -1})",
+       "bad.json: expected a number in [0.0001, 1] m for \"voxel_size\", found -1"},
       {R"({"object_symmetry": {"min_axis_probability": 7}})",
        "bad.json: expected a number in [0, 1] for \"object_symmetry.min_axis_probability\", found "
        "7"},
