@@ -91,12 +91,13 @@ void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& model
 
 void run(const Arguments& arguments) {
   const ThreadLimit limit(arguments.threads);
-  const std::vector<ObjectModel> models = arguments.meshes.empty()
-                                              ? std::vector<ObjectModel>{}
-                                              : read_models(arguments.meshes, arguments.symmetries);
+  const ModelFolder folder = arguments.meshes.empty()
+                                 ? ModelFolder{}
+                                 : read_models(arguments.meshes, arguments.symmetries);
+  for (const std::string& warning : folder.warnings) fmt::print(stderr, "{}\n", warning);
   fmt::print("{}", scene_header());
   SceneScore total;
-  for (int i = 0; i < arguments.sweeps; ++i) run_sweep(arguments, models, i, total);
+  for (int i = 0; i < arguments.sweeps; ++i) run_sweep(arguments, folder.models, i, total);
   fmt::print("{}\n{}", scene_row("all", total), kind_table(total));
 }
 

@@ -44,7 +44,7 @@ struct Dataset {
   Split split() const { return parse_split(split_name, "--split"); }
 
   /// The meshes of this split, as models that can be dropped.
-  std::vector<ObjectModel> read_models_of_split() const {
+  ModelFolder read_models_of_split() const {
     if (meshes.empty()) {
       if (!symmetries.empty())
         throw InputError("--symmetries", "--meshes, to which the symmetries belong", "none");
@@ -52,12 +52,12 @@ struct Dataset {
     }
     if (!has_physics())
       throw InputError("--meshes", "a build with physics (MuJoCo) to drop them", "one without");
-    std::vector<ObjectModel> models =
-        droppable(models_of(split(), read_models(meshes, symmetries)));
-    if (models.empty())
+    ModelFolder folder = read_models(meshes, symmetries);
+    folder.models = droppable(models_of(split(), folder.models));
+    if (folder.models.empty())
       throw InputError(meshes.string(), fmt::format("a solid for the {} split", split_name),
                        "none");
-    return models;
+    return folder;
   }
 
   /// dataset.json.
@@ -73,21 +73,23 @@ struct Dataset {
   void run() {
     const OptionFields fields = configure();
     if (!meshes.empty()) require_not_input(dir, meshes);
-    const std::vector<ObjectModel> models = read_models_of_split();
-    begin_dataset_folder(dir, description(fields, models));
+    const ModelFolder folder = read_models_of_split();
+    begin_dataset_folder(dir, description(fields, folder.models));
     const auto wanted = missing_scenes(dir, static_cast<std::size_t>(options.scenes));
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     const std::size_t processes =
         std::min(wanted.size(), shared.threads == 0 ? cores : shared.threads);
     // The pool forks, so it comes before the session, whose progress line has a thread.
     ProcessPool pool(processes, [&](std::size_t i) {
-      return make_and_write_scene(absolute(dir), options, split(), models, i);
+      return make_and_write_scene(absolute(dir), options, split(), folder.models, i);
     });
-    make_missing(wanted, pool);
+    make_missing(wanted, pool, folder.warnings);
   }
 
-  void make_missing(const std::vector<std::size_t>& wanted, ProcessPool& pool) const {
+  void make_missing(const std::vector<std::size_t>& wanted, ProcessPool& pool,
+                    const std::vector<std::string>& warnings) const {
     Session session("dataset", shared);
+    session.warn(warnings);
     const auto total = static_cast<std::size_t>(options.scenes);
     const std::size_t before = total - wanted.size();
     if (!has_physics())

@@ -31,9 +31,14 @@ class Facts {
         ReportMember::raw(key, value.dump(-1, ' ', false, Json::error_handler_t::replace)));
   }
 
+  void add_warnings(const std::vector<std::string>& warnings) {
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  }
+
   /// One line per row, with the texts aligned.
   std::string table() const;
   const std::vector<ReportMember>& members() const { return members_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   struct Row {
@@ -42,6 +47,7 @@ class Facts {
   };
   std::vector<Row> rows_;
   std::vector<ReportMember> members_;
+  std::vector<std::string> warnings_;
 };
 
 /// Reads `samples` frames spread over the sequence.

@@ -44,6 +44,7 @@ struct Info {
     Session session("info", shared);
     StageTimer timer(session.on_begin());
     const Facts found = timer.time("read", [&] { return facts(); });
+    session.warn(found.warnings());
     session.print_line(found.table());
     std::vector<ReportMember> members{{"path", path}};
     members.insert(members.end(), found.members().begin(), found.members().end());

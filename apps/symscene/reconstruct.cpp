@@ -136,6 +136,7 @@ struct Reconstruct {
     Session session("reconstruct", shared);
     StageTimer timer(session.on_begin());
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
+    session.warn(sequence->warnings());
     require_poses(*sequence);
     Reconstruction reconstruction(sequence->camera(), options.reconstruction);
     FrameLog log;

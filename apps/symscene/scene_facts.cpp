@@ -115,6 +115,7 @@ void add_truth(Facts& facts, const SceneTruth& truth) {
 Facts scene_facts(const fs::path& dir) {
   const Scene scene = read_scene(dir);
   Facts facts("scene");
+  facts.add_warnings(scene.warnings);
   facts.add_row("scene", folder_name(dir));
   add_cloud(facts, scene.cloud);
   if (scene.occupancy) add_occupancy(facts, *scene.occupancy);

@@ -137,6 +137,7 @@ void add_poses(Facts& facts, const DepthSequence& sequence) {
 
 Facts sequence_facts(const DepthSequence& sequence, std::size_t samples) {
   Facts facts("sequence");
+  facts.add_warnings(sequence.warnings());
   facts.add("sequence", sequence.layout(), "layout", sequence.layout());
   add_times(facts, sequence);
   add_camera(facts, sequence.camera());

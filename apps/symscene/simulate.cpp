@@ -59,21 +59,21 @@ struct Simulate {
   }
 
   /// A table with scanned meshes that were dropped onto it, or with arranged household objects.
-  Tabletop furnish(StageTimer& timer) {
+  Tabletop furnish(Session& session, StageTimer& timer) {
     if (meshes.empty()) {
       if (!symmetries.empty())
         throw InputError("--symmetries", "--meshes, to which the symmetries belong", "none");
       return timer.time("arrange", [&] { return arrange_tabletop(tabletop()); });
     }
-    const std::vector<ObjectModel> models =
-        timer.time("read", [&] { return read_models(meshes, symmetries); });
+    const ModelFolder folder = timer.time("read", [&] { return read_models(meshes, symmetries); });
+    session.warn(folder.warnings);
     return timer.time("drop", [&] {
-      return naming(meshes, [&] { return drop_tabletop(models, tabletop(), drop()); });
+      return naming(meshes, [&] { return drop_tabletop(folder.models, tabletop(), drop()); });
     });
   }
 
   void scan_table(const OptionFields& fields, Session& session, StageTimer& timer) {
-    const Tabletop table = furnish(timer);
+    const Tabletop table = furnish(session, timer);
     session.warn(table.warnings);
     const SimulatedScene simulated = timer.time("simulate", [&] {
       return fuse_frames(table, capture_frames(table, fused.scan), fused.scan);
@@ -92,7 +92,7 @@ struct Simulate {
 
   void sweep_table(const OptionFields& fields, Session& session, StageTimer& timer) {
     SequenceWriter writer(absolute(shared.output), sweep.camera.intrinsics());
-    const Tabletop table = furnish(timer);
+    const Tabletop table = furnish(session, timer);
     session.warn(table.warnings);
     timer.time("frames", [&] {
       int number = 0;

@@ -171,6 +171,7 @@ struct Stitch {
     Session session("stitch", shared);
     StageTimer timer(session.on_begin());
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
+    session.warn(sequence->warnings());
     const ColorFrames read = timer.time("read", [&] { return this->read(*sequence, session); });
     session.on_begin()("stitch");
     const StitchingResult stitched =

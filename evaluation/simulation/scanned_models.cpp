@@ -52,12 +52,13 @@ bool is_ball(const TriangleMesh& mesh) {
   return true;
 }
 
-std::vector<ObjectModel> read_models(const std::filesystem::path& meshes,
-                                     const std::filesystem::path& symmetries) {
+ModelFolder read_models(const std::filesystem::path& meshes,
+                        const std::filesystem::path& symmetries) {
   std::vector<TrueObject> known;
   if (!symmetries.empty()) known = read_model_symmetries(symmetries);
-  std::vector<ObjectModel> models;
-  for (NamedMesh& file : read_mesh_folder(meshes)) {
+  MeshFolder folder = read_mesh_folder(meshes);
+  ModelFolder result{{}, std::move(folder.warnings)};
+  for (NamedMesh& file : folder.meshes) {
     ObjectModel model{std::move(file.name), std::move(file.mesh), {}, {}, false};
     const auto own = std::find_if(known.begin(), known.end(), [&](const TrueObject& object) {
       return object.name == model.name;
@@ -67,9 +68,9 @@ std::vector<ObjectModel> read_models(const std::filesystem::path& meshes,
       model.reflectional = own->reflectional;
       model.sphere = own->sphere || is_ball(model.mesh);
     }
-    models.push_back(std::move(model));
+    result.models.push_back(std::move(model));
   }
-  return models;
+  return result;
 }
 
 }  // namespace symscene

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "core/log.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/image.hpp"
 #include "symscene/io/intrinsics.hpp"
@@ -46,6 +45,8 @@ class ImageSequence final : public DepthSequence {
     return content_.frames.at(i).T_world_camera;
   }
 
+  const std::vector<std::string>& warnings() const override { return content_.warnings; }
+
   DepthFrame read(std::size_t i) const override {
     const ImageFrame& files = content_.frames.at(i);
     const DepthImage image = read_depth_png(files.depth);
@@ -81,7 +82,7 @@ class ImageSequence final : public DepthSequence {
     if (colored == nullptr) return;
     const ImageSize size = read_image_size(colored->color);
     if (size == camera_size()) return;
-    log(LogLevel::warning,
+    content_.warnings.push_back(
         fmt::format("{}: colour images of {} are not registered to depth images of {}: read "
                     "without colour",
                     content_.path.string(), size_text(size), size_text(camera_size())));

@@ -37,6 +37,7 @@ struct ImageFrames {
   Calibration calibration;
   std::uint16_t invalid = 0;  ///< beside 0 the value that stands for nothing measured
   std::vector<ImageFrame> frames;
+  std::vector<std::string> warnings = {};
 };
 
 /// The sequence of these frames. Colour images of another size than the depth images are left out

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "core/log.hpp"
 #include "io/atomic_file.hpp"
 #include "mesh_formats.hpp"
 #include "symscene/core/error.hpp"
@@ -40,16 +39,17 @@ bool is_mesh_file(const std::filesystem::path& path) {
          std::find(known.begin(), known.end(), lower_case_extension(path)) != known.end();
 }
 
-/// The meshes of a folder by name, one of each name.
-std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& dir) {
+/// The mesh files of a folder by name, one of each name.
+std::vector<std::filesystem::path> mesh_files(const std::filesystem::path& dir,
+                                              std::vector<std::string>& warnings) {
   std::map<std::string, std::filesystem::path> files;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(dir, error)) {
     if (!is_mesh_file(entry.path())) continue;
     const auto [other, is_new] = files.try_emplace(entry.path().stem().string(), entry.path());
     if (is_new) continue;
-    log(LogLevel::warning, fmt::format("{} and {} have one name: only one is used",
-                                       entry.path().string(), other->second.string()));
+    warnings.push_back(fmt::format("{} and {} have one name: only one is used",
+                                   entry.path().string(), other->second.string()));
     other->second = std::min(other->second, entry.path());
   }
   if (error) throw InputError(dir.string(), "a folder of meshes", error.message());
@@ -67,18 +67,18 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   return parse(read_file(path), lower_case_extension(path), path.string(), read_beside);
 }
 
-std::vector<NamedMesh> read_mesh_folder(const std::filesystem::path& dir) {
-  std::vector<NamedMesh> meshes;
-  for (const std::filesystem::path& file : mesh_files(dir)) {
+MeshFolder read_mesh_folder(const std::filesystem::path& dir) {
+  MeshFolder folder;
+  for (const std::filesystem::path& file : mesh_files(dir, folder.warnings)) {
     try {
-      meshes.push_back({file.stem().string(), read_mesh(file)});
+      folder.meshes.push_back({file.stem().string(), read_mesh(file)});
     } catch (const InputError& error) {
-      log(LogLevel::warning, fmt::format("not used: {}", error.what()));
+      folder.warnings.push_back(fmt::format("not used: {}", error.what()));
     }
   }
-  if (meshes.empty())
+  if (folder.meshes.empty())
     throw InputError(dir.string(), "a folder of meshes (PLY, OBJ, STL, GLB, glTF)", "none in it");
-  return meshes;
+  return folder;
 }
 
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& extension,

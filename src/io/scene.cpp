@@ -4,7 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "core/log.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
 #include "octomap_log_odds.hpp"
@@ -40,10 +39,11 @@ fs::path find_cloud(const fs::path& dir) {
   throw InputError(dir.string(), scene_folder, "a folder with no cloud.ply");
 }
 
-/// Whether `file` is there; if not, a warning that says what follows.
-bool is_there(const fs::path& file, const char* consequence) {
+/// Whether `file` exists; if not, `warnings` gets a sentence with the consequence.
+bool exists_or_warn(const fs::path& file, const char* consequence,
+                    std::vector<std::string>& warnings) {
   if (fs::exists(file)) return true;
-  log(LogLevel::warning, file.string() + " is not there: " + consequence);
+  warnings.push_back(file.string() + " is not there: " + consequence);
   return false;
 }
 
@@ -60,11 +60,12 @@ Scene read_scene(const fs::path& dir) {
   Scene scene;
   scene.cloud = read_cloud(find_cloud(dir));
   const fs::path occupancy = dir / "occupancy.bt";
-  if (is_there(occupancy, "all space off the surface counts as never seen")) {
+  if (exists_or_warn(occupancy, "all space off the surface counts as never seen", scene.warnings)) {
     scene.occupancy = read_octomap(occupancy);
   }
   const fs::path table = dir / "table_plane.txt";
-  if (is_there(table, "the table is not known")) scene.table = read_table_plane(table);
+  if (exists_or_warn(table, "the table is not known", scene.warnings))
+    scene.table = read_table_plane(table);
   return scene;
 }
 

@@ -11,7 +11,6 @@
 #include <rosbag/view.h>
 
 #include "bag.hpp"
-#include "core/log.hpp"
 #include "image_lists.hpp"
 #include "image_sequence.hpp"
 #include "mapped_file.hpp"
@@ -143,7 +142,8 @@ std::string names_of(const std::vector<ImageTopic>& topics) {
   return names.empty() ? "none of type sensor_msgs/Image" : names;
 }
 
-ImageTopic choose_depth(const std::vector<ImageTopic>& topics, const std::string& name) {
+ImageTopic choose_depth(const std::vector<ImageTopic>& topics, const std::string& name,
+                        std::vector<std::string>& warnings) {
   std::vector<ImageTopic> candidates;
   std::copy_if(topics.begin(), topics.end(), std::back_inserter(candidates), is_depth);
   if (candidates.empty()) {
@@ -151,15 +151,16 @@ ImageTopic choose_depth(const std::vector<ImageTopic>& topics, const std::string
   }
   std::stable_sort(candidates.begin(), candidates.end(), better_depth);
   if (candidates.size() > 1) {
-    log(LogLevel::warning, fmt::format("{}: several topics of depth images, {}: the first is read",
-                                       name, names_of(candidates)));
+    warnings.push_back(fmt::format("{}: several topics of depth images, {}: the first is read",
+                                   name, names_of(candidates)));
   }
   return std::move(candidates.front());
 }
 
 /// Colour of the same camera and size, if there is a topic of it.
 std::optional<ImageTopic> choose_color(const std::vector<ImageTopic>& topics,
-                                       const ImageTopic& depth, const std::string& name) {
+                                       const ImageTopic& depth, const std::string& name,
+                                       std::vector<std::string>& warnings) {
   const ImageTopic* chosen = nullptr;
   bool unregistered = false;
   for (const ImageTopic& images : topics) {
@@ -172,15 +173,17 @@ std::optional<ImageTopic> choose_color(const std::vector<ImageTopic>& topics,
   }
   if (chosen != nullptr) return *chosen;
   if (unregistered) {
-    log(LogLevel::warning, fmt::format("{}: the colour images are of another size or frame than "
-                                       "those of {}, not registered to them: read without colour",
-                                       name, depth.topic));
+    warnings.push_back(
+        fmt::format("{}: the colour images are of another size or frame than "
+                    "those of {}, not registered to them: read without colour",
+                    name, depth.topic));
   }
   return std::nullopt;
 }
 
 /// The camera on the topic camera_info beside the images'.
-std::optional<CameraIntrinsics> find_camera(Bag& bag, const ImageTopic& images) {
+std::optional<CameraIntrinsics> find_camera(Bag& bag, const ImageTopic& images,
+                                            std::vector<std::string>& warnings) {
   const std::string topic = images.topic.substr(0, images.topic.rfind('/') + 1) + "camera_info";
   const std::vector<std::string> topics = bag.topics("sensor_msgs/CameraInfo");
   if (std::find(topics.begin(), topics.end(), topic) == topics.end()) return std::nullopt;
@@ -190,7 +193,7 @@ std::optional<CameraIntrinsics> find_camera(Bag& bag, const ImageTopic& images) 
   const RosCameraInfo info = parse_ros_camera_info(message_bytes(messages.front()), name);
   const bool rectified = images.named("rect") && info.rectified.fx > 0.0;
   if (info.distorted && !rectified) {
-    log(LogLevel::warning, name + ": the distortion that it gives is left out of account");
+    warnings.push_back(name + ": its lens distortion is not corrected");
   }
   const CameraIntrinsics& camera = rectified ? info.rectified : info.raw;
   require_camera(camera, name);
@@ -201,9 +204,9 @@ class BagSequence final : public DepthSequence {
  public:
   BagSequence(std::unique_ptr<Bag> bag, const SequenceOptions& options) : bag_(std::move(bag)) {
     const std::vector<ImageTopic> topics = bag_->image_topics();
-    ImageTopic depth = choose_depth(topics, bag_->name());
+    ImageTopic depth = choose_depth(topics, bag_->name(), warnings_);
     std::optional<CameraIntrinsics> camera;
-    if (!options.intrinsics) camera = find_camera(*bag_, depth);
+    if (!options.intrinsics) camera = find_camera(*bag_, depth, warnings_);
     const Calibration used = resolve_calibration(
         bag_->name(), bag_layout, {camera, default_depth_scale(depth.first.encoding)}, options);
     camera_ = *used.intrinsics;
@@ -212,7 +215,7 @@ class BagSequence final : public DepthSequence {
       camera_.width = depth.first.size.width, camera_.height = depth.first.size.height;
     }
     encoding_ = depth.first.encoding;
-    if (auto color = choose_color(topics, depth, bag_->name()))
+    if (auto color = choose_color(topics, depth, bag_->name(), warnings_))
       colors_ = std::move(color->messages);
     depths_ = std::move(depth.messages);
     pair_colors();
@@ -227,6 +230,7 @@ class BagSequence final : public DepthSequence {
   }
   bool has_color(std::size_t i) const override { return color_of_.at(i) >= 0; }
   std::optional<Eigen::Isometry3d> pose(std::size_t) const override { return std::nullopt; }
+  const std::vector<std::string>& warnings() const override { return warnings_; }
 
   DepthFrame read(std::size_t i) const override {
     DepthFrame frame;
@@ -281,6 +285,7 @@ class BagSequence final : public DepthSequence {
   Messages depths_;
   Messages colors_;
   std::vector<int> color_of_;  ///< −1 where there is none
+  std::vector<std::string> warnings_;
   mutable std::mutex mutex_;
 };
 

@@ -1,7 +1,6 @@
 // SymScene's own sequence folder.
 #include <fmt/format.h>
 
-#include "core/log.hpp"
 #include "image_files.hpp"
 #include "image_sequence.hpp"
 #include "io/atomic_file.hpp"
@@ -75,9 +74,6 @@ SequencePointer open_own_layout(const fs::path& path, const SequenceOptions& opt
     set_poses(content.frames, path / "poses.txt");
   } else if (fs::exists(path / "times.txt")) {
     set_times(content.frames, path / "times.txt");
-  } else {
-    log(LogLevel::info,
-        fmt::format("{}: no times: taken to be {:g} frames a second", path.string(), default_rate));
   }
   return make_image_sequence(std::move(content));
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "core/log.hpp"
 #include "image_files.hpp"
 #include "image_lists.hpp"
 #include "image_sequence.hpp"
@@ -91,14 +90,15 @@ std::optional<CameraIntrinsics> find_camera(const fs::path& path) {
   return std::nullopt;
 }
 
-/// trajectory.log, or the only .log file there is.
-fs::path find_log(const fs::path& path) {
+/// trajectory.log, or the only .log file; empty, with a warning, if there are several.
+fs::path find_log(const fs::path& path, std::vector<std::string>& warnings) {
   if (fs::exists(path / "trajectory.log")) return path / "trajectory.log";
   const std::vector<fs::path> logs = files_ending(path, {".log"});
   if (logs.size() > 1) {
-    log(LogLevel::warning, fmt::format("{}: {} .log files and none of them trajectory.log: read "
-                                       "without poses",
-                                       path.string(), logs.size()));
+    warnings.push_back(
+        fmt::format("{}: {} .log files and none of them trajectory.log: read "
+                    "without poses",
+                    path.string(), logs.size()));
   }
   return logs.size() == 1 ? logs.front() : fs::path();
 }
@@ -138,7 +138,8 @@ SequencePointer open_redwood(const fs::path& path, const SequenceOptions& option
     content.frames.push_back(
         {depth.time.value_or(by_rate), depth.file, colors.beside(depth), std::nullopt});
   }
-  if (const fs::path file = find_log(path); !file.empty()) set_poses(content.frames, file);
+  const fs::path poses = find_log(path, content.warnings);
+  if (!poses.empty()) set_poses(content.frames, poses);
   return make_image_sequence(std::move(content));
 }
 

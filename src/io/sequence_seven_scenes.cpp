@@ -1,7 +1,6 @@
 // 7-Scenes: a folder of frame-NNNNNN.depth.png, .color.png and .pose.txt.
 #include <fmt/format.h>
 
-#include "core/log.hpp"
 #include "image_files.hpp"
 #include "image_sequence.hpp"
 #include "io/atomic_file.hpp"
@@ -39,8 +38,8 @@ ImageFrame frame_of(const fs::path& depth, std::size_t position) {
   return frame;
 }
 
-void warn_of(const fs::path& path, const char* what) {
-  log(LogLevel::warning, fmt::format("{}: 7-Scenes {}", path.string(), what));
+void warn(ImageFrames& content, const char* what) {
+  content.warnings.push_back(fmt::format("{}: 7-Scenes {}", content.path.string(), what));
 }
 
 }  // namespace
@@ -59,11 +58,11 @@ SequencePointer open_seven_scenes(const fs::path& path, const SequenceOptions& o
     color = color || !content.frames.back().color.empty();
   }
   if (!options.intrinsics) {
-    warn_of(path,
-            "says of its camera only that it is about 585,585,320,240, which is used here "
-            "(a better one: --intrinsics fx,fy,cx,cy)");
+    warn(content,
+         "documents its camera only as about 585,585,320,240, which is used here "
+         "(to give a better one: --intrinsics fx,fy,cx,cy)");
   }
-  if (color) warn_of(path, "did not register colour to depth: it is some pixels off");
+  if (color) warn(content, "did not register colour to depth: it is some pixels off");
   return make_image_sequence(std::move(content));
 }
 

@@ -1,7 +1,6 @@
 // ROS 1 bags, written by rosbag itself where it is installed.
 #include "io/bag.hpp"
 
-#include "core/log.hpp"
 #include "io/sequence_support.hpp"
 
 #ifdef SYMSCENE_HAS_ROSBAG
@@ -150,11 +149,9 @@ TEST_F(RosBag, BigEndianImagesAndPackedChunksAreRead) {
 
 TEST_F(RosBag, ColourOfAnotherCameraIsLeftOutWithAWarning) {
   write([](int i) { return depth_16(i); }, color("rgb8", "other_camera"));
-  std::string warning;
-  const LogSink before =
-      set_log_sink([&](LogLevel, std::string_view message) { warning = message; });
   const auto sequence = open_sequence(file);
-  set_log_sink(before);
+  ASSERT_EQ(sequence->warnings().size(), 1U);
+  const std::string& warning = sequence->warnings()[0];
   EXPECT_FALSE(sequence->has_color());
   EXPECT_NE(warning.find("not registered"), std::string::npos);
   expect_same_frame(sequence->read(0), small_frame(0, false), 1e-6);
@@ -182,11 +179,9 @@ TEST_F(RosBag, OfSeveralDepthTopicsTheRegisteredOneIsReadWithAWarning) {
   bag.write("/camera/depth_registered/image", stamp(0), depth_16(0));
   bag.write("/camera/ir/image", stamp(0), image_message("mono16", 2));
   bag.close();
-  std::string warning;
-  const LogSink before =
-      set_log_sink([&](LogLevel, std::string_view message) { warning = message; });
   const auto sequence = open_sequence(file, given_camera());
-  set_log_sink(before);
+  ASSERT_EQ(sequence->warnings().size(), 1U);
+  const std::string& warning = sequence->warnings()[0];
   EXPECT_NE(warning.find("/camera/depth_registered/image (16UC1), /camera/depth/image (16UC1): the "
                          "first is read"),
             std::string::npos)

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-#include "core/log.hpp"
 #include "io/io_support.hpp"
 #include "symscene/io/ply.hpp"
 
@@ -234,15 +233,31 @@ TEST(MeshFolder, IsReadByNameAndWithoutWhatCannotBeRead) {
   write_ply(folder / "a.ply", tetrahedron());
   write_text(folder / "corrupt.ply", "ply\nformat");
   write_text(folder / "notes.txt", "no mesh");
-  std::string warnings;
-  const LogSink before = set_log_sink([&](LogLevel, std::string_view text) { warnings += text; });
-  const std::vector<NamedMesh> meshes = read_mesh_folder(folder / ".");
-  set_log_sink(before);
+  const auto [meshes, warnings] = read_mesh_folder(folder / ".");
   ASSERT_EQ(meshes.size(), 2U);
   EXPECT_EQ(meshes[0].name, "a");
   EXPECT_EQ(meshes[1].name, "b");
-  EXPECT_NE(warnings.find("corrupt.ply"), std::string::npos);
-  EXPECT_EQ(warnings.find("notes"), std::string::npos);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("corrupt.ply"), std::string::npos);
+}
+
+TEST(MeshFolder, OfFilesWithOneNameTheFirstIsReadWithAWarning) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.obj", tetrahedron_obj);
+  write_text(folder / "a.glb", triangle_glb());
+  const auto [meshes, warnings] = read_mesh_folder(folder / ".");
+  ASSERT_EQ(meshes.size(), 1U);
+  EXPECT_EQ(meshes[0].mesh.triangles.rows(), 1);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("have one name: only one is used"), std::string::npos);
+}
+
+TEST(Mesh, DeeplyNestedJsonIsRead) {
+  std::string gltf = strip_gltf(R"({"mesh":0})");
+  const std::size_t depth = 300'000;
+  gltf.back() = ',';
+  gltf += "\"extras\":" + std::string(depth, '[') + std::string(depth, ']') + "}";
+  EXPECT_EQ(parse_mesh(gltf, "gltf", "x").triangles.rows(), 2);
 }
 
 TEST(MeshFolder, WithoutAnyMeshIsRefused) {

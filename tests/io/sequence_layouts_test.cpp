@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "core/log.hpp"
 #include "io/sequence_support.hpp"
 #include "symscene/io/trajectory.hpp"
 
@@ -12,18 +11,6 @@ using namespace io_test;
 
 std::string color_png() { return format_png(color_ramp(frame_size)); }
 std::string other_size_png() { return format_png(color_ramp({16, 12})); }
-
-/// The warnings that `call` logs.
-template <class Call>
-std::vector<std::string> warnings(const Call& call) {
-  std::vector<std::string> messages;
-  const LogSink before = set_log_sink([&](LogLevel level, std::string_view message) {
-    if (level == LogLevel::warning) messages.emplace_back(message);
-  });
-  call();
-  set_log_sink(before);
-  return messages;
-}
 
 std::string matrix_text(const Eigen::Isometry3d& pose) {
   std::string text;
@@ -101,13 +88,12 @@ TEST_F(Tum, ListsThatLeaveTheFolderAreRefused) {
 
 TEST_F(Tum, ColourOfAnotherSizeIsLeftOutWithOneWarning) {
   write_image(dir / "rgb/a.png", other_size_png());
-  const auto messages = warnings([&] {
-    const auto sequence = open_sequence(dir, given_camera());
-    EXPECT_FALSE(sequence->has_color());
-    expect_same_frame(sequence->read(0), small_frame(0, false));
-  });
-  ASSERT_EQ(messages.size(), 1U);
-  EXPECT_NE(messages[0].find("16×12 are not registered to depth images of 8×6"), std::string::npos);
+  const auto sequence = open_sequence(dir, given_camera());
+  EXPECT_FALSE(sequence->has_color());
+  expect_same_frame(sequence->read(0), small_frame(0, false));
+  ASSERT_EQ(sequence->warnings().size(), 1U);
+  EXPECT_NE(sequence->warnings()[0].find("16×12 are not registered to depth images of 8×6"),
+            std::string::npos);
 }
 
 TEST_F(Tum, AssociationsReplaceLists) {
@@ -169,8 +155,8 @@ class SevenScenes : public ::testing::Test {
 };
 
 TEST_F(SevenScenes, IsReadWithTheCameraThatItDocuments) {
-  std::unique_ptr<DepthSequence> sequence;
-  const auto messages = warnings([&] { sequence = open_sequence(dir); });
+  const auto sequence = open_sequence(dir);
+  const std::vector<std::string>& messages = sequence->warnings();
   ASSERT_EQ(messages.size(), 2U);
   EXPECT_NE(messages[0].find("585,585,320,240"), std::string::npos);
   EXPECT_NE(messages[1].find("did not register"), std::string::npos);

@@ -21,9 +21,16 @@ struct NamedMesh {
   TriangleMesh mesh;
 };
 
-/// All meshes in a folder by name; a warning in the log for those that cannot be read.
+/// The meshes of a folder.
+struct MeshFolder {
+  std::vector<NamedMesh> meshes;      ///< by name
+  std::vector<std::string> warnings;  ///< a sentence per file that was not used
+};
+
+/// All meshes in a folder; files that cannot be read are skipped with a warning, and of files that
+/// differ only in their extension one is used.
 /// Throws InputError if `dir` is no folder or holds no mesh that can be read.
-std::vector<NamedMesh> read_mesh_folder(const std::filesystem::path& dir);
+MeshFolder read_mesh_folder(const std::filesystem::path& dir);
 
 /// A mesh from bytes; files that they refer to are not looked for. `extension` is "ply", "obj",
 /// "stl", "glb" or "gltf"; `name` stands for the file in messages.

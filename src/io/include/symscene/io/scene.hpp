@@ -9,8 +9,8 @@
 
 namespace symscene {
 
-/// A scene folder: cloud.ply or cloud.pcd; occupancy.bt and table_plane.txt if they are there, a
-/// warning in the log if not.
+/// A scene folder: cloud.ply or cloud.pcd; occupancy.bt and table_plane.txt if they are there, and
+/// Scene::warnings if not.
 /// Throws InputError if `dir` is no such folder or a file in it is not what it should be.
 Scene read_scene(const std::filesystem::path& dir);
 

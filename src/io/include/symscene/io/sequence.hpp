@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "symscene/core/depth_frame.hpp"
 
@@ -30,6 +31,9 @@ class DepthSequence {
 
   /// The frame's pose, where the sequence has one for it. The world is the sequence's own.
   virtual std::optional<Eigen::Isometry3d> pose(std::size_t i) const = 0;
+
+  /// What to doubt about the sequence, such as colour that was left out, a sentence each.
+  virtual const std::vector<std::string>& warnings() const = 0;
 
   /// Throws InputError if the image is not there, cut off, or not of the camera's size.
   virtual DepthFrame read(std::size_t i) const = 0;
