@@ -7,8 +7,8 @@
 #include <octomap/OcTree.h>
 #endif
 
-#include "core/parallel.hpp"
 #include "stopwatch.hpp"
+#include "symscene/core/thread_limit.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
 #include "symscene/simulation/simulation.hpp"

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cstdio>
 
-#include "core/parallel.hpp"
 #include "simulation/true_surface.hpp"
+#include "symscene/core/thread_limit.hpp"
 #include "symscene/dataset/swept_scene.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "core/parallel.hpp"
 #include "stopwatch.hpp"
+#include "symscene/core/thread_limit.hpp"
 #include "symscene/reconstruction/model_view.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
 #include "symscene/simulation/sweep.hpp"

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cstdio>
 
-#include "core/parallel.hpp"
 #include "scene_cache.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/thread_limit.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"

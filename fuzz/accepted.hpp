@@ -12,8 +12,8 @@ inline std::string_view as_bytes(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// What `parse` returns, or nothing if it refuses its input with an InputError. Whatever else it
-/// throws is a finding.
+/// The result of `parse`, or nothing if it refuses its input with an InputError. Any other
+/// exception is a finding.
 template <class Parse>
 auto accepted(const Parse& parse) -> std::optional<decltype(parse())> {
   try {

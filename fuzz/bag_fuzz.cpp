@@ -3,7 +3,7 @@
 #include "accepted.hpp"
 #include "io/bag.hpp"
 
-/// Any bytes are a sound ROS 1 bag or refused.
+/// Any bytes are a consistent ROS 1 bag or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   fuzz::accepted([&] {

@@ -4,7 +4,7 @@
 #include "accepted.hpp"
 #include "symscene/io/image.hpp"
 
-/// Any bytes are a depth image that is written and read back bit for bit, or refused.
+/// Any bytes are a depth image that keeps its bits when written and read, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   const std::string_view bytes = fuzz::as_bytes(data, size);

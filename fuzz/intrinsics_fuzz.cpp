@@ -2,9 +2,10 @@
 #include <string>
 
 #include "accepted.hpp"
+#include "io/camera_formats.hpp"
 #include "symscene/io/intrinsics.hpp"
 
-/// Any bytes are a camera, as text or JSON, that is written and read back bit for bit, or refused.
+/// Any bytes are a camera, as text or JSON, that keeps its bits when written and read, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   const std::string_view bytes = fuzz::as_bytes(data, size);

@@ -4,7 +4,7 @@
 #include "accepted.hpp"
 #include "io/octomap_log_odds.hpp"
 
-/// Any bytes are a map that is written and read back with as many leaves, or refused.
+/// Any bytes are a map that keeps its number of leaves when written and read, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   const std::string_view bytes = fuzz::as_bytes(data, size);

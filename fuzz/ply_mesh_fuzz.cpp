@@ -2,9 +2,9 @@
 #include <string>
 
 #include "accepted.hpp"
-#include "symscene/io/ply.hpp"
+#include "io/ply.hpp"
 
-/// Any bytes are a mesh that is written and read back with as many triangles, or refused.
+/// Any bytes are a mesh that keeps its triangles when written and read, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   const std::string_view bytes = fuzz::as_bytes(data, size);

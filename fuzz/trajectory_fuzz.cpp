@@ -2,9 +2,10 @@
 #include <string>
 
 #include "accepted.hpp"
+#include "io/pose_formats.hpp"
 #include "symscene/io/trajectory.hpp"
 
-/// Any bytes are a trajectory that is written and read back with as many poses, or refused; the
+/// Any bytes are a trajectory that keeps its number of poses when written and read, or refused; the
 /// same bytes are a matrix or a log, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;

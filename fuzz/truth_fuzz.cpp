@@ -4,7 +4,7 @@
 #include "accepted.hpp"
 #include "symscene/io/truth.hpp"
 
-/// Any bytes are a truth whose text stays the same when read and written again, or refused.
+/// Any bytes are a ground truth whose text stays the same when read and written again, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   const std::string_view bytes = fuzz::as_bytes(data, size);

@@ -2,7 +2,7 @@
 
 #include <tbb/task_arena.h>
 
-#include "core/parallel.hpp"
+#include "symscene/core/thread_limit.hpp"
 
 namespace symscene::testing {
 

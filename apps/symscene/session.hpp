@@ -6,10 +6,10 @@
 
 #include "arguments.hpp"
 #include "core/log.hpp"
-#include "core/parallel.hpp"
 #include "progress.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/stage_timer.hpp"
+#include "symscene/core/thread_limit.hpp"
 
 namespace symscene::app {
 

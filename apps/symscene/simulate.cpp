@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "io/ply.hpp"
 #include "session.hpp"
-#include "symscene/io/ply.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/io/truth.hpp"

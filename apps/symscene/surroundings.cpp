@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "symscene/io/ply.hpp"
+#include "symscene/io/mesh.hpp"
 #include "symscene/io/trajectory.hpp"
 #include "symscene/viewer/page_surface.hpp"
 
@@ -28,7 +28,7 @@ Surroundings scene_surroundings(const std::filesystem::path& scene,
   const std::filesystem::path mesh = scene / "mesh.ply";
   const std::filesystem::path poses = scene / "poses.txt";
   const auto shown = [&] {
-    const TriangleMesh surface = read_ply_mesh(mesh);
+    const TriangleMesh surface = read_mesh(mesh);
     return naming(mesh, [&] { return page_surface(surface, result); });
   };
   return {read_if_there<TriangleMesh>(mesh, session, shown),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/geometry.hpp"
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/parallel.hpp"
+#include "core/random.hpp"
 #include "depth_renderer.hpp"
 #include "shapes.hpp"
 #include "simulation/thinned_size.hpp"

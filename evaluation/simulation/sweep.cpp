@@ -7,6 +7,7 @@
 #include <tbb/parallel_pipeline.h>
 
 #include "core/parallel.hpp"
+#include "core/random.hpp"
 #include "depth_renderer.hpp"
 #include "symscene/core/error.hpp"
 #include "tabletop_meshes.hpp"

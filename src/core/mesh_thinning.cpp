@@ -43,7 +43,7 @@ std::vector<bool> vertices_inside(const TriangleMesh& mesh, const Ball& ball) {
   return inside;
 }
 
-/// The part of the mesh that these triangles are.
+/// The submesh of these triangles.
 TriangleMesh part(const TriangleMesh& mesh, std::vector<Triangle> triangles) {
   std::vector<Index> renamed(static_cast<std::size_t>(mesh.vertices.rows()), none);
   PointIndices used;
@@ -64,7 +64,7 @@ TriangleMesh part(const TriangleMesh& mesh, std::vector<Triangle> triangles) {
   return result;
 }
 
-/// The vertices that become one.
+/// The vertices that are merged into one.
 struct Cluster {
   Eigen::Vector3f facing;  ///< the normal of its first vertex
   Index other_side = none;
@@ -118,7 +118,7 @@ class Clustering {
     return static_cast<Index>(clusters_.size() - 1);
   }
 
-  /// The cluster of this cell on the side that the normal is on.
+  /// The cluster of this cell on the side that the normal faces.
   Index find(std::uint64_t key, const Eigen::Vector3f& normal) {
     const auto [entry, is_new] = first_in_cell_.try_emplace(key, none);
     if (is_new) return entry->second = create(normal);
@@ -143,7 +143,7 @@ class Clustering {
     return index;
   }
 
-  /// Those that keep three corners, each once.
+  /// The triangles that keep three different corners, each once.
   std::vector<Triangle> triangles() const {
     std::vector<Triangle> kept;
     for (Eigen::Index t = 0; t < mesh_.triangles.rows(); ++t) {
@@ -193,7 +193,7 @@ TriangleMesh thin(const TriangleMesh& mesh, Index max_triangles, float smallest_
   if (mesh.triangles.rows() <= max_triangles) return mesh;
   TriangleMesh thinned = cluster_vertices(mesh, smallest_cell);
   for (float cell = smallest_cell; thinned.triangles.rows() > max_triangles;) {
-    // Triangles fall with the square of the cell; a little more, so that few rounds are needed.
+    // The number of triangles falls with the square of the cell; the margin saves iterations.
     const auto excess = static_cast<double>(thinned.triangles.rows()) / max_triangles;
     cell *= static_cast<float>(1.02 * std::sqrt(excess));
     thinned = cluster_vertices(mesh, cell);

@@ -90,7 +90,7 @@ CellList::CellList(const Points& points, float cell_size) {
                static_cast<std::size_t>(cells_.x()) +
            static_cast<std::size_t>(x);
   };
-  // Counting sort: sizes, then their running sum, then every point to its place.
+  // Counting sort: cell sizes, prefix sums, then the position of every point.
   cell_begin_.assign(static_cast<std::size_t>(cells.prod()) + 1, 0);
   for (Eigen::Index i = 0; i < points.rows(); ++i) ++cell_begin_[cell_of(i) + 1];
   for (std::size_t cell = 1; cell < cell_begin_.size(); ++cell)
@@ -117,7 +117,7 @@ std::pair<Index, float> CellList::nearest(const Eigen::Vector3f& query, float ra
       }
     });
   };
-  // Half the radius needs a fraction of the cells, and what it finds is the nearest.
+  // Half the radius visits an eighth of the volume; a point found there is the nearest.
   search(0.5F * radius);
   if (best.first == none) search(radius);
   return best;

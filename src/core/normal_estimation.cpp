@@ -12,8 +12,8 @@
 namespace symscene {
 namespace {
 
-/// The normal of the plane through a point's neighbourhood, of either sign; zero if there is no
-/// such plane.
+/// The normal, of either orientation, of the plane fitted to a point and its neighbours; zero if
+/// they do not span a plane.
 Eigen::Vector3f tangent_plane_normal(const Points& points, Index i,
                                      std::span<const Index> neighbors) {
   if (neighbors.size() < 3) return Eigen::Vector3f::Zero();
@@ -33,7 +33,7 @@ Eigen::Vector3f tangent_plane_normal(const Points& points, Index i,
                      : Eigen::Vector3f::Zero();
 }
 
-/// An edge by which a sign can spread; the least cost spreads first.
+/// An edge of the spanning tree; edges of low cost are taken first.
 struct Spread {
   float cost;
   Index from;
@@ -44,7 +44,7 @@ struct Spread {
   }
 };
 
-/// Spreads the sign of a seed over its connected piece and gives the piece.
+/// Propagates the orientation of the seed over its connected piece. Returns the piece.
 PointIndices align_piece(Index seed, const NeighborLists& lists, Points& normals,
                          std::vector<bool>& visited) {
   PointIndices piece;
@@ -68,10 +68,6 @@ PointIndices align_piece(Index seed, const NeighborLists& lists, Points& normals
 }
 
 }  // namespace
-
-void NormalEstimationOptions::validate() const {
-  require_option(neighbors >= 3 && neighbors <= 256, "neighbors", "3 to 256 points", neighbors);
-}
 
 Points estimate_normals(const Points& points, const OutwardVote& outward,
                         const NormalEstimationOptions& options) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/octree.hpp"
+
 namespace symscene {
 namespace {
 
@@ -9,7 +11,7 @@ OccupancyLeaf occupancy_leaf(std::uint64_t code, int level, VoxelState state) {
   return {octree_key(code), static_cast<std::uint8_t>(level), state};
 }
 
-/// Tells the states of cubes of a block.
+/// The states of the cubes of a block.
 class BlockStates {
  public:
   explicit BlockStates(const VoxelBlock& block) : block_(block) {}
@@ -32,7 +34,7 @@ class BlockStates {
   const VoxelBlock& block_;
 };
 
-/// Tells the labels of cubes; asked for in depth-first order, it goes through the leaves once.
+/// The labels of cubes. Queries in depth-first order pass over the leaves once.
 class LeafLabels {
  public:
   LeafLabels(const std::vector<LogOddsLeaf>& leaves, double threshold)

@@ -27,7 +27,7 @@ constexpr std::size_t longest_text = 60000;
 constexpr char mark_done = '+';
 constexpr char mark_failed = '-';
 
-/// This process ends when `parent`, which made it, does.
+/// Makes this process end when its parent does.
 void end_with_parent(pid_t parent) {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -40,7 +40,7 @@ bool send_packet(int socket, const std::string& bytes) {
          static_cast<ssize_t>(bytes.size());
 }
 
-/// A packet; empty when the other side is gone.
+/// Receives a packet; empty if the other side has closed.
 std::string receive_packet(int socket) {
   std::string bytes(longest_text + 1, '\0');
   ssize_t size = 0;
@@ -51,7 +51,7 @@ std::string receive_packet(int socket) {
   return bytes;
 }
 
-/// What cannot be told ends the process: its end tells of it.
+/// Ends the process if the packet cannot be sent; the other side sees the closed socket.
 void send_outcome(int socket, char mark, std::string text) {
   if (text.size() > longest_text) {
     if (mark == mark_done) text = "what it had to tell is too long";
@@ -74,7 +74,7 @@ std::string describe_end(int status) {
   return fmt::format("its process ended with code {}", WEXITSTATUS(status));
 }
 
-/// The process of one item. Never returns.
+/// Runs the process of one item. Never returns.
 [[noreturn]] void do_item(int socket, std::size_t item, const ProcessPool::Work& work,
                           pid_t parent) {
   end_with_parent(parent);
@@ -88,7 +88,7 @@ std::string describe_end(int status) {
   _exit(0);
 }
 
-/// A worker hands each item on to a process of its own. Never returns.
+/// Runs a worker, which starts a process per item. Never returns.
 [[noreturn]] void serve(int socket, const ProcessPool::Work& work, pid_t parent) {
   end_with_parent(parent);
   const pid_t self = getpid();
@@ -139,7 +139,7 @@ void ProcessPool::add_worker(const Work& work) {
   const pid_t self = getpid();
   const pid_t process = fork();
   if (process == 0) {
-    // The ends of the others would keep these from seeing that this process is gone.
+    // Open sockets of the other workers would hide from them that this process has ended.
     for (const Worker& other : workers_) close(other.socket);
     close(sockets[0]);
     serve(sockets[1], work, self);

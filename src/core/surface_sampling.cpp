@@ -60,7 +60,7 @@ PointCloud sample_surface(const TriangleMesh& mesh, std::size_t count) {
   if (mesh.colors.rows() != 0) cloud.colors.resize(cloud.positions.rows(), 3);
 
   Eigen::Index next = 0;
-  double owed = 0.5 * area_per_point;  // area passed that no point stands for yet
+  double owed = 0.5 * area_per_point;  // area that no point represents yet
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
     const Triangle shape = triangle(mesh, t);
     owed += shape.area_vector().norm();

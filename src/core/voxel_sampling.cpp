@@ -30,7 +30,7 @@ Box box_of(const Points& points, const PointIndices& indices) {
   return box;
 }
 
-/// The finite points with the key of their voxel, sorted: a voxel's points stand together.
+/// The finite points with the key of their voxel, sorted by key.
 std::vector<KeyedPoint> sort_into_voxels(const Points& points, double voxel_size) {
   const PointIndices finite = finite_points(points);
   if (finite.empty()) return {};
@@ -80,7 +80,7 @@ class VoxelMean {
   }
 
  private:
-  /// Zero where the two faces of a thin wall cancel out.
+  /// Zero where the normals of the two faces of a thin wall cancel out.
   Eigen::Vector3d mean_normal() const {
     const bool cancel_out = normal_.norm() < 0.1 * static_cast<double>(count_);
     return cancel_out ? Eigen::Vector3d::Zero() : normal_.normalized();

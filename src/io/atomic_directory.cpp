@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder that a path means: no trailing slash, symbolic links followed.
+/// The folder of a path: without trailing slash, symbolic links followed.
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   fs::path result = fs::weakly_canonical(fs::absolute(path), error);
@@ -47,7 +47,7 @@ void require_replaceable(const fs::path& dir, const DirectoryLayout& layout) {
   }
 }
 
-/// Exchanges two folders in one step where the file system can. Returns whether it could.
+/// Exchanges two folders in one step, if the file system supports it. Returns whether it did.
 bool exchange(const fs::path& a, const fs::path& b) {
 #ifdef RENAME_EXCHANGE
   return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
@@ -57,7 +57,7 @@ bool exchange(const fs::path& a, const fs::path& b) {
 #endif
 }
 
-/// Puts `staging` in the place of the folder `target`; after this `staging` is the old one.
+/// Replaces the folder `target` by `staging`; afterwards `staging` is the old one.
 void swap_folders(const fs::path& staging, const fs::path& target) {
   if (exchange(staging, target)) return;
   const fs::path old = temporary_beside(target);
@@ -110,7 +110,7 @@ void AtomicDirectory::commit() {
   try {
     require_replaceable(target_, layout_);
     if (fs::exists(target_)) {
-      swap_folders(staging_, target_);  // the old one goes with the destructor, at the latest
+      swap_folders(staging_, target_);  // the destructor removes the old one
       std::error_code ignored;
       fs::remove_all(staging_, ignored);
     } else {

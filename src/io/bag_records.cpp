@@ -1,4 +1,4 @@
-// The records of a ROS 1 bag, as the description of its format 2.0 has them.
+// The records of a ROS 1 bag, format 2.0.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view magic = "#ROSBAG V2.0\n";
 constexpr const char* a_bag = "a whole ROS 1 bag of version 2.0";
 
-/// A chunk that claims to hold more, in bytes, is not unpacked.
+/// Largest decompressed size of a chunk that is accepted. [byte]
 constexpr std::uint32_t largest_chunk = std::uint32_t{1} << 28;
 
 enum Operation : std::uint8_t {
@@ -26,7 +26,7 @@ enum Operation : std::uint8_t {
   connection = 7
 };
 
-/// A header, which is fields of name=value, and data.
+/// A record: a header of fields name=value, and data.
 struct Record {
   std::map<std::string_view, std::string_view> fields;
   std::string_view data;
@@ -63,7 +63,7 @@ Record take_record(ByteCursor& bytes, const std::string& name) {
   return record;
 }
 
-/// Looks at the records in their order and remembers what the later ones refer to.
+/// Checks the records in order and remembers what later ones refer to.
 class BagCheck {
  public:
   BagCheck(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
@@ -195,9 +195,9 @@ class BagCheck {
   }
 
   struct Chunk {
-    std::uint32_t size = 0;  ///< unpacked [byte]
+    std::uint32_t size = 0;  ///< decompressed [byte]
     std::size_t indices = 0;
-    std::optional<std::set<std::uint32_t>> messages;  ///< where they begin, if not packed
+    std::optional<std::set<std::uint32_t>> messages;  ///< offsets of messages, unless compressed
   };
 
   std::string_view bytes_;

@@ -11,10 +11,10 @@
 
 namespace symscene {
 
-/// Takes little-endian numbers and texts off the front of bytes; all that ROS 1 writes are such.
+/// Reads little-endian numbers and strings, as ROS 1 writes them, from the front of bytes.
 class ByteCursor {
  public:
-  /// `name` stands for the file in messages, `what` for what the bytes are; both must outlive this.
+  /// `name` is the file in messages, `what` describes the bytes; both must outlive the cursor.
   ByteCursor(std::string_view bytes, const std::string& name, const char* what)
       : rest_(bytes), name_(&name), what_(what) {}
 
@@ -47,7 +47,7 @@ class ByteCursor {
     return value;
   }
 
-  /// What its length in four bytes stands before.
+  /// Bytes that are preceded by their length in four bytes.
   std::string_view block() { return take(number<std::uint32_t>()); }
 
  private:

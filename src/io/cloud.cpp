@@ -1,9 +1,9 @@
 #include "symscene/io/cloud.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/ply.hpp"
+#include "pcd.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/pcd.hpp"
-#include "symscene/io/ply.hpp"
 #include "text.hpp"
 
 namespace symscene {
@@ -17,6 +17,13 @@ PointCloud read_cloud(const std::filesystem::path& path) {
   }
   throw InputError(path.string(), "a point cloud in PLY or PCD format",
                    bytes.empty() ? "an empty file" : in_quotes(first_line));
+}
+
+void write_cloud(const std::filesystem::path& path, const PointCloud& cloud) {
+  const std::filesystem::path extension = path.extension();
+  if (extension != ".ply" && extension != ".pcd")
+    throw InputError(path.string(), "a name that ends in .ply or .pcd", extension.string());
+  write_file_atomically(path, extension == ".ply" ? format_ply(cloud) : format_pcd(cloud));
 }
 
 }  // namespace symscene

@@ -7,7 +7,7 @@
 
 namespace symscene {
 
-/// Throws InputError unless normals and colours, where there are any, are one a point.
+/// Throws InputError unless there are no normals (colours) or one per point.
 inline void require_consistent(const PointCloud& cloud, const std::string& what) {
   const auto check = [&](Eigen::Index rows, const char* expected) {
     if (rows == 0 || rows == cloud.positions.rows()) return;
@@ -15,8 +15,8 @@ inline void require_consistent(const PointCloud& cloud, const std::string& what)
         what, expected,
         std::to_string(rows) + " for " + std::to_string(cloud.positions.rows()) + " points");
   };
-  check(cloud.normals.rows(), "no normals or one a point");
-  check(cloud.colors.rows(), "no colours or one a point");
+  check(cloud.normals.rows(), "no normals or one per point");
+  check(cloud.colors.rows(), "no colours or one per point");
 }
 
 }  // namespace symscene

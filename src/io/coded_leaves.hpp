@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "core/octree.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/octree.hpp"
 
 namespace symscene {
 
-/// What messages call a map that cannot be written.
+/// Names a map that cannot be written in messages.
 constexpr const char* map_to_write = "occupancy map to write";
 
-/// A leaf by its place in depth-first order.
+/// A leaf by its position in depth-first order.
 template <class Value>
 struct CodedLeaf {
   std::uint64_t begin;  ///< of its first voxel
@@ -42,7 +42,7 @@ inline void require_aligned(const OctreeKey& keys, int level) {
   }
 }
 
-/// Adds a leaf; one of the whole tree as its eight children.
+/// Adds a leaf; a leaf that is the whole tree is added as its eight children.
 template <class Value>
 void add_coded(const OctreeKey& key, int level, Value value, std::vector<CodedLeaf<Value>>& coded) {
   require_aligned(key, level);
@@ -56,7 +56,7 @@ void add_coded(const OctreeKey& key, int level, Value value, std::vector<CodedLe
   }
 }
 
-/// Puts leaves in depth-first order. Throws InputError if two overlap.
+/// Sorts leaves into depth-first order. Throws InputError if two overlap.
 template <class Value>
 void put_in_order(std::vector<CodedLeaf<Value>>& coded) {
   const auto before = [](const auto& a, const auto& b) { return a.begin < b.begin; };
@@ -69,7 +69,7 @@ void put_in_order(std::vector<CodedLeaf<Value>>& coded) {
   }
 }
 
-/// Takes the leaves before `end` off the front.
+/// Removes the leaves before `end` from the front and returns them.
 template <class Value>
 std::span<const CodedLeaf<Value>> take_until(std::span<const CodedLeaf<Value>>& leaves,
                                              std::uint64_t end) {

@@ -7,13 +7,13 @@
 
 namespace symscene {
 
-/// The nearest colour value in [0, 255]; 0 for NaN.
+/// Rounds and clamps to [0, 255]; 0 for NaN.
 inline std::uint8_t to_color(float value) {
   if (std::isnan(value)) return 0;
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 255.0F)));
 }
 
-/// N×3 values times `scale` as colours.
+/// N×3 values, multiplied by `scale`, as colours.
 template <class Values>
 Colors to_colors(const Values& values, float scale) {
   Colors colors(values.rows(), 3);

@@ -16,7 +16,7 @@ constexpr std::size_t triangles_mode = 4;
 constexpr std::size_t strip_mode = 5;
 constexpr std::size_t fan_mode = 6;
 
-/// Nodes may share a mesh: a small file can ask for the product of its nodes and primitives.
+/// Nodes may share a mesh, so a small file can contain many primitives.
 constexpr std::size_t max_primitives = 1'000'000;
 
 Eigen::Vector3d vector_or(const JsonCursor& node, const char* key, double otherwise) {
@@ -36,7 +36,7 @@ Eigen::Matrix3d rotation_of(const JsonCursor& node) {
 Eigen::Affine3d transform_of(const JsonCursor& node) {
   Eigen::Affine3d T_parent_node = Eigen::Affine3d::Identity();
   if (const auto matrix = node.find("matrix")) {
-    const auto numbers = matrix->items(16);  // column after column
+    const auto numbers = matrix->items(16);  // by columns
     for (Eigen::Index i = 0; i < 16; ++i) {
       if (i % 4 == 3) continue;
       T_parent_node(i % 4, i / 4) = numbers[static_cast<std::size_t>(i)].number();
@@ -48,7 +48,7 @@ Eigen::Affine3d transform_of(const JsonCursor& node) {
   return T_parent_node;
 }
 
-/// Joins the meshes of a scene, each at the place of its node.
+/// Joins the meshes of a scene, each transformed by its node.
 class GltfJoiner {
  public:
   GltfJoiner(const GltfDocument& document, const std::string& name)
@@ -111,7 +111,7 @@ class GltfJoiner {
     if (const auto index = attributes.find("COLOR_0")) {
       colors = document_.accessor(*index);
       if (colors->components < 3 || colors->count != positions.count) {
-        index->fail("a colour a vertex");
+        index->fail("one colour per vertex");
       }
     }
     for (std::size_t v = 0; v < positions.count; ++v) {
@@ -125,7 +125,7 @@ class GltfJoiner {
     }
   }
 
-  /// The vertices of a primitive, which were added from `first` on, in the order of its corners.
+  /// The vertices of a primitive, added from `first` on, in the order of its corners.
   std::vector<Index> corners_of(const JsonCursor& primitive, std::size_t first) const {
     const std::size_t vertices = builder_.vertices() - first;
     std::vector<Index> corners;
@@ -158,7 +158,7 @@ class GltfJoiner {
 
   const GltfDocument& document_;
   ModelBuilder builder_;
-  std::size_t primitives_ = 0;  ///< of every mesh, once for each node that shows it
+  std::size_t primitives_ = 0;  ///< of all meshes, once per node that refers to them
 };
 
 }  // namespace

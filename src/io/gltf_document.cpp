@@ -154,7 +154,7 @@ void GltfDocument::require_known_extensions() const {
   }
 }
 
-/// The bytes of the buffer view of an accessor, and the bytes from one element to the next.
+/// The bytes of the buffer view of an accessor; `stride` becomes the distance of its elements.
 std::string_view GltfDocument::view(const JsonCursor& accessor, std::size_t& stride) const {
   const JsonCursor view = root().at("bufferViews").at(accessor.at("bufferView").count());
   const std::size_t buffer = view.at("buffer").count();

@@ -10,7 +10,7 @@
 
 namespace symscene {
 
-/// Values in a buffer: `count` elements of `components` numbers, inside the buffer.
+/// `count` elements of `components` numbers inside a buffer.
 struct GltfAccessor {
   const char* first;
   std::size_t stride;
@@ -19,19 +19,20 @@ struct GltfAccessor {
   ScalarType type;
 
   double value(std::size_t element, std::size_t component) const;
-  /// Integers mean fractions of their largest value.
+  /// As value(), but integers are fractions of their largest value.
   double fraction(std::size_t element, std::size_t component) const;
 };
 
-/// A glTF 2.0 file: its JSON and the bytes of its buffers.
+/// A glTF 2.0 file: its JSON and its buffers.
 class GltfDocument {
  public:
-  /// Throws InputError if `bytes` are no such file or need an extension that changes the shape.
+  /// Throws InputError if `bytes` are no such file or require an extension that affects the
+  /// geometry.
   GltfDocument(std::string_view bytes, std::string name, const ReadBeside& read_beside);
 
   JsonCursor root() const { return JsonCursor(json_, name_); }
 
-  /// The accessor that a value of the JSON names. Throws InputError if it leaves its buffer.
+  /// The accessor with this index. Throws InputError if it exceeds its buffer.
   GltfAccessor accessor(const JsonCursor& index) const;
 
  private:

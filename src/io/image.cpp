@@ -11,7 +11,7 @@
 namespace symscene {
 namespace {
 
-/// As much of a file as the head of a PNG.
+/// Reads as many bytes of a file as a PNG header has.
 std::string read_head(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string head(64, '\0');

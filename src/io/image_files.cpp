@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the digits off the front of `text`, and leaves out the zeros before others.
+/// Removes the digits from the front of `text`; returns them without leading zeros.
 std::string_view take_digits(std::string_view& text) {
   const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
   std::string_view taken = text.substr(0, static_cast<std::size_t>(end - text.begin()));

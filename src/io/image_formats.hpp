@@ -7,17 +7,24 @@
 
 namespace symscene {
 
+/// The most pixels an image may have: 4096 × 4096.
+constexpr std::size_t largest_image = std::size_t{1} << 24;
+
 inline bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
 inline bool is_jpeg(std::string_view bytes) { return bytes.starts_with("\xff\xd8\xff"); }
 
-/// Throws InputError unless an image of this size is one that is read.
+/// Throws InputError unless an image has between 1 and largest_image pixels.
 void require_image_size(std::uint64_t width, std::uint64_t height, const std::string& name);
 
 ColorImage parse_color_png(std::string_view bytes, const std::string& name);
 ColorImage parse_jpeg(std::string_view bytes, const std::string& name);
 ImageSize parse_jpeg_size(std::string_view bytes, const std::string& name);
 
-/// What the head of a PNG says.
+/// The size in the header of a PNG or JPEG file. Throws InputError if it is neither.
+ImageSize parse_image_size(std::string_view bytes, const std::string& name);
+ImageSize read_image_size(const std::filesystem::path& path);
+
+/// The header of a PNG.
 struct PngHeader {
   ImageSize size;
   int bit_depth = 0;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The images that the words of a line name in pairs.
+/// The images of a line of "time path" pairs.
 std::vector<TimedImage> parse_pairs(const std::vector<std::string_view>& words, const fs::path& dir,
                                     const std::string& where) {
   std::vector<TimedImage> images;
@@ -27,7 +27,7 @@ std::vector<TimedImage> parse_pairs(const std::vector<std::string_view>& words, 
   return images;
 }
 
-/// Calls take(images) for every line that names `count` images.
+/// Calls take(images) for every line, each of which must have `count` images.
 template <class Take>
 void for_each_line(const fs::path& list, std::size_t count, const char* expected,
                    const Take& take) {

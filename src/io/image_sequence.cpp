@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "camera_formats.hpp"
+#include "image_formats.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/image.hpp"
-#include "symscene/io/intrinsics.hpp"
 
 namespace symscene {
 namespace {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 std::string size_text(ImageSize size) { return fmt::format("{}×{}", size.width, size.height); }
 
-/// Values to metres, 0 where nothing was measured.
+/// Converts values to metres, 0 where there is no measurement.
 std::vector<float> to_metres(const std::vector<std::uint16_t>& values, double scale,
                              std::uint16_t invalid) {
   std::vector<float> depth(values.size());

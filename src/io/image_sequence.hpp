@@ -11,37 +11,37 @@
 
 namespace symscene {
 
-/// What is known of a sequence's camera.
+/// The camera of a sequence, as far as it is known.
 struct Calibration {
-  std::optional<CameraIntrinsics> intrinsics;  ///< size 0×0: that of the images
-  std::optional<double> depth_scale;           ///< values of the depth images in a metre
+  std::optional<CameraIntrinsics> intrinsics;  ///< size 0×0: the size of the images
+  std::optional<double> depth_scale;           ///< value of the depth images that is 1 m [1/m]
 };
 
-/// What is given, else what is known.
-/// Throws InputError that says what to pass if one is neither, or a given one is no such thing.
+/// Combines the given values with the known ones; given values take precedence. Throws InputError,
+/// which names the missing options, if one is neither, or if one is not valid.
 Calibration resolve_calibration(const std::filesystem::path& path, const std::string& layout,
                                 const Calibration& known, const SequenceOptions& given);
 
-/// A frame as files.
+/// The files of a frame.
 struct ImageFrame {
   double time = 0.0;  ///< [s]
   std::filesystem::path depth;
-  std::filesystem::path color;  ///< empty where there is none
+  std::filesystem::path color;  ///< empty if there is none
   std::optional<Eigen::Isometry3d> T_world_camera;
 };
 
-/// A sequence as files.
+/// The files of a sequence.
 struct ImageFrames {
   std::filesystem::path path;
   std::string layout;
   Calibration calibration;
-  std::uint16_t invalid = 0;  ///< beside 0 the value that stands for nothing measured
+  std::uint16_t invalid = 0;  ///< the value, in addition to 0, of pixels without measurement
   std::vector<ImageFrame> frames;
   std::vector<std::string> warnings = {};
 };
 
-/// The sequence of these frames. Colour images of another size than the depth images are left out
-/// with a warning. Throws InputError if there is no frame.
+/// Makes a sequence of these frames. Colour images whose size differs from that of the depth images
+/// are left out with a warning. Throws InputError if there is no frame.
 std::unique_ptr<DepthSequence> make_image_sequence(ImageFrames content);
 
 }  // namespace symscene

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "camera_formats.hpp"
 #include "image_formats.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"

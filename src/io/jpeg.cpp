@@ -1,6 +1,6 @@
 #include <array>
 #include <csetjmp>
-#include <cstdio>  // jpeglib.h takes it for granted
+#include <cstdio>  // needed by jpeglib.h
 #include <cstring>
 
 #include <jpeglib.h>
@@ -11,12 +11,12 @@
 namespace symscene {
 namespace {
 
-/// Many scans over a large image cost time out of proportion to the file's size.
+/// Bounds the time per file: a small progressive file can contain many scans of a large image.
 constexpr int most_scans = 100;
 
-/// What libjpeg says when it gives up, which it does by longjmp: while a call runs, nothing with a
-/// destructor may be on the stack above `jump`. `base` is first, so that a pointer to it is one to
-/// the whole.
+/// The error message of libjpeg, which leaves a failed call by longjmp: while a call runs, nothing
+/// with a destructor may be on the stack above `jump`. `base` is first, so that a pointer to it is
+/// one to the whole.
 struct ErrorManager {
   jpeg_error_mgr base;
   std::jmp_buf jump;
@@ -29,7 +29,7 @@ extern "C" void symscene_jpeg_error(j_common_ptr info) {
   std::longjmp(errors->jump, 1);
 }
 
-/// A warning is a corrupt image that libjpeg fills up with grey.
+/// libjpeg warns of corrupt images and fills them with grey; they are refused.
 extern "C" void symscene_jpeg_message(j_common_ptr info, int level) {
   if (level < 0) symscene_jpeg_error(info);
 }
@@ -42,7 +42,7 @@ extern "C" void symscene_jpeg_progress(j_common_ptr info) {
   std::longjmp(errors->jump, 1);
 }
 
-/// A JPEG as libjpeg decodes it.
+/// Decodes a JPEG with libjpeg.
 class Decoder {
  public:
   Decoder(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
@@ -61,7 +61,7 @@ class Decoder {
     return {info_.image_width, info_.image_height};
   }
 
-  /// Decodes the pixels into rows of three bytes a pixel.
+  /// Decodes the pixels into rows of three bytes per pixel.
   void read(std::uint8_t* pixels) { require(finish(pixels)); }
 
  private:

@@ -12,7 +12,7 @@
 namespace symscene {
 namespace {
 
-/// A value as it may stand in a message.
+/// A value for a message.
 std::string describe(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return fmt::format("an array of {}", value.size());
@@ -20,8 +20,8 @@ std::string describe(const Json& value) {
   return value.dump();
 }
 
-/// Refuses objects with absurdly many members as they are read: an ordered object compares every
-/// new key with all before it.
+/// Refuses objects with very many members while parsing: an ordered object compares every new key
+/// with all previous ones.
 class MemberLimit {
  public:
   explicit MemberLimit(std::string name) : name_(std::move(name)) {}
@@ -38,7 +38,7 @@ class MemberLimit {
  private:
   static constexpr std::size_t limit = 1000;
   std::string name_;
-  std::vector<std::size_t> members_;  ///< of the objects that are open
+  std::vector<std::size_t> members_;  ///< number per open object
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ class LogOddsReader {
  private:
   struct Inner {
     OctreeKey key{};
-    unsigned children = 0;  ///< those that are still to be read, a bit each
+    unsigned children = 0;  ///< children still to be read, one bit each
   };
 
   void enter(const OctreeKey& key, int level) {

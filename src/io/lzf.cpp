@@ -5,7 +5,7 @@
 namespace symscene {
 namespace {
 
-/// Takes a byte off the front; nothing at the end.
+/// Removes a byte from the front; returns nothing at the end.
 std::optional<std::size_t> take_byte(std::string_view& stream) {
   if (stream.empty()) return std::nullopt;
   const auto byte = static_cast<std::uint8_t>(stream.front());
@@ -13,7 +13,7 @@ std::optional<std::size_t> take_byte(std::string_view& stream) {
   return byte;
 }
 
-/// Control byte 000LLLLL: the L + 1 bytes that follow stand for themselves.
+/// Control byte 000LLLLL: L + 1 literal bytes follow.
 bool copy_literals(std::string_view& stream, std::size_t control, std::string& out) {
   const std::size_t length = control + 1;
   if (length > stream.size()) return false;
@@ -22,8 +22,8 @@ bool copy_literals(std::string_view& stream, std::size_t control, std::string& o
   return true;
 }
 
-/// Control byte LLLHHHHH, L of 7 continued in a byte, then the low byte of the distance H:
-/// L + 2 bytes again from distance + 1 back. Source and copy may overlap.
+/// Control byte LLLHHHHH, one more byte of L if L is 7, then the low byte of the distance whose
+/// high bits are H: L + 2 bytes are repeated from distance + 1 back. Source and copy may overlap.
 bool copy_reference(std::string_view& stream, std::size_t control, std::string& out) {
   std::size_t length = (control >> 5) + 2;
   if (length == 9) {

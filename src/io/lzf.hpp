@@ -7,10 +7,10 @@
 
 namespace symscene {
 
-/// An LZF stream never grows by more than this factor: three bytes stand for at most 264.
+/// Largest ratio of decompressed to compressed size: three bytes encode at most 264.
 constexpr std::size_t lzf_largest_growth = 88;
 
-/// The `size` bytes that an LZF stream stands for; nothing if it is not such a stream.
+/// Decompresses an LZF stream of `size` bytes; returns nothing if it is not such a stream.
 std::optional<std::string> decompress_lzf(std::string_view stream, std::size_t size);
 
 }  // namespace symscene

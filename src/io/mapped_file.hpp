@@ -5,7 +5,7 @@
 
 namespace symscene {
 
-/// The bytes of a file, of which only those that are looked at are read.
+/// A file mapped into memory: only the bytes that are accessed are read.
 class MappedFile {
  public:
   /// Throws InputError if there is no such file or it cannot be read.

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "io/atomic_file.hpp"
+#include "io/ply.hpp"
 #include "mesh_formats.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/ply.hpp"
 
 namespace symscene {
 namespace {
@@ -67,6 +67,10 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   return parse(read_file(path), lower_case_extension(path), path.string(), read_beside);
 }
 
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  write_file_atomically(path, format_ply(mesh));
+}
+
 MeshFolder read_mesh_folder(const std::filesystem::path& dir) {
   MeshFolder folder;
   for (const std::filesystem::path& file : mesh_files(dir, folder.warnings)) {
@@ -84,7 +88,7 @@ MeshFolder read_mesh_folder(const std::filesystem::path& dir) {
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& extension,
                         const std::string& name) {
   const ReadBeside read_nothing = [&](const std::string& relative) -> std::string {
-    throw InputError(name, "a file that stands for itself", "one that refers to " + relative);
+    throw InputError(name, "a file without references to others", "one to " + relative);
   };
   return parse(bytes, extension, name, read_nothing);
 }

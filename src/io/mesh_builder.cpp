@@ -11,7 +11,7 @@
 namespace symscene {
 namespace {
 
-/// Above it a file is hostile: one that uses the same data again and again.
+/// Bounds the memory that a small file takes by using the same data many times.
 constexpr std::size_t most_values = 150'000'000;
 constexpr std::uint8_t white = 255;
 

@@ -15,13 +15,13 @@ class ModelBuilder {
 
   std::size_t vertices() const { return positions_.size() / 3; }
   void add_vertex(const Eigen::Vector3f& position);
-  /// The colour of the vertex that was added last; white for those without, if any has one.
+  /// Colours the vertex that was added last. If any vertex has a colour, those without are white.
   void color_vertex(const Eigen::Vector3f& zero_to_one);
-  /// A polygon as a fan about its first corner; nothing of fewer than three corners.
+  /// Adds a polygon as a fan about its first corner; ignores one of fewer than three corners.
   void add_polygon(std::span<const Index> corners);
 
-  /// The mesh, vertices at the same place made one.
-  /// Throws InputError if there is no triangle or one names a vertex that was not added.
+  /// The mesh, vertices at equal positions merged.
+  /// Throws InputError if there is no triangle or one refers to a vertex that was not added.
   TriangleMesh build() const;
 
  private:
@@ -29,7 +29,7 @@ class ModelBuilder {
 
   std::string name_;
   std::vector<float> positions_;
-  std::vector<std::uint8_t> colors_;  ///< of the first vertices
+  std::vector<std::uint8_t> colors_;  ///< of the first vertices; the others are white
   std::vector<Index> corners_;
 };
 

@@ -33,7 +33,7 @@ Json format_object(const SceneObject& object, std::size_t id) {
   return json;
 }
 
-/// What is not finite is null.
+/// null unless the value is finite.
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json format_rejection(const Rejection& rejection) {

@@ -43,7 +43,7 @@ std::string format_octomap_header(const OctomapHeader& header, std::string_view 
 
 void require_nodes(const OctomapHeader& header, std::uint64_t nodes, const std::string& name) {
   if (nodes == header.size) return;
-  throw InputError(name, fmt::format("{} nodes, as its header says", header.size),
+  throw InputError(name, fmt::format("{} nodes, as its header declares", header.size),
                    std::to_string(nodes));
 }
 

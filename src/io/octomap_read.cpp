@@ -43,7 +43,7 @@ class TreeReader {
   std::uint64_t nodes() const { return nodes_; }
 
  private:
-  /// A node's children that are still to be taken, a mask bit for every even bit of its two bytes.
+  /// The children of a node that are still to be read, one mask bit per child, at the even bits.
   struct Node {
     OctreeKey key{};
     unsigned states = 0;
@@ -86,7 +86,7 @@ class TreeReader {
   std::string name_;
   std::array<Node, octree_depth> stack_{};
   std::size_t depth_ = 0;
-  std::uint64_t nodes_ = 0;  ///< inner ones, until all are read
+  std::uint64_t nodes_ = 0;  ///< inner nodes only, until all are read
   std::vector<OccupancyLeaf> leaves_;
 };
 

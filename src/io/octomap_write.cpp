@@ -73,8 +73,4 @@ std::string format_octomap(const OccupancyMap& map) {
   return format_octomap_header({writer.nodes(), map.resolution}, first_line) + writer.body();
 }
 
-void write_octomap(const std::filesystem::path& path, const OccupancyMap& map) {
-  write_file_atomically(path, format_octomap(map));
-}
-
 }  // namespace symscene

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
-#include "symscene/core/octree.hpp"
+#include "core/octree.hpp"
 
 namespace symscene {
 
-/// What the two bits of a child say in OctoMap's binary format.
+/// The two bits of a child in OctoMap's binary format.
 enum class ChildState : std::uint8_t { unknown = 0, free = 1, occupied = 2, inner = 3 };
 
 /// The child's number: bit 0 is the half along x, bit 1 along y, bit 2 along z. `child_level` is

@@ -1,4 +1,4 @@
-#include "symscene/io/pcd.hpp"
+#include "pcd.hpp"
 
 #include <array>
 #include <optional>
@@ -169,10 +169,6 @@ PointCloud parse_pcd(std::string_view bytes, const std::string& name) {
   return cloud_of(header, BinaryBody(data, header, true));
 }
 
-PointCloud read_pcd(const std::filesystem::path& path) {
-  return parse_pcd(read_file(path), path.string());
-}
-
 std::string format_pcd(const PointCloud& cloud) {
   require_consistent(cloud, "point cloud to write");
   const bool normals = cloud.has_normals();
@@ -196,10 +192,6 @@ std::string format_pcd(const PointCloud& cloud) {
     append_scalar(out, (color[0] << 16) | (color[1] << 8) | color[2]);
   }
   return out;
-}
-
-void write_pcd(const std::filesystem::path& path, const PointCloud& cloud) {
-  write_file_atomically(path, format_pcd(cloud));
 }
 
 }  // namespace symscene

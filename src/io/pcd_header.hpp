@@ -14,9 +14,9 @@ enum class PcdEncoding { ascii, binary, binary_compressed };
 struct PcdField {
   std::string name;
   ScalarType type = ScalarType::float32;
-  std::size_t count = 1;         ///< values a point
-  std::size_t offset = 0;        ///< bytes from the begin of a point
-  std::size_t first_column = 0;  ///< values from the begin of a point
+  std::size_t count = 1;         ///< values per point
+  std::size_t offset = 0;        ///< from the beginning of a point [byte]
+  std::size_t first_column = 0;  ///< number of values before it in a point
 };
 
 struct PcdHeader {

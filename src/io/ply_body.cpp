@@ -45,7 +45,7 @@ void PlyBody::read_lists(const PlyElement& element, std::size_t property,
       });
 }
 
-/// The least bytes that a value takes; in text a digit and what parts it from the next.
+/// The least number of bytes of a value; in text a digit and a separator.
 std::size_t PlyBody::least_size(ScalarType type) const {
   return encoding_ == PlyEncoding::ascii ? 2 : size_of(type);
 }
@@ -55,7 +55,7 @@ void PlyBody::require_rows(const PlyElement& element) const {
   for (const PlyProperty& property : element.properties) {
     least_row += least_size(property.length_type.value_or(property.type));
   }
-  // The last value of a text file needs nothing after it.
+  // The last value of a text file needs no separator.
   const std::size_t available = rest_.size() + (encoding_ == PlyEncoding::ascii ? 1 : 0);
   if (least_row == 0 || element.count <= available / least_row) return;
   throw InputError(name_, fmt::format("{} rows of element {}", element.count, element.name),

@@ -9,8 +9,8 @@
 
 namespace symscene {
 
-/// Reads the elements after a PLY header, one after another. Each declared size is checked against
-/// the bytes that remain before anything is allocated; all throw InputError where it does not fit.
+/// Reads the elements after a PLY header in order. Each declared size is checked against the
+/// remaining bytes before anything is allocated; all members throw InputError if it does not fit.
 class PlyBody {
  public:
   PlyBody(std::string_view bytes, PlyEncoding encoding, std::string name)
@@ -18,10 +18,10 @@ class PlyBody {
 
   void skip(const PlyElement& element);
 
-  /// The named single-value properties of an element, a column each.
+  /// The single-value properties of an element at these positions, one column each.
   Eigen::MatrixXf read_columns(const PlyElement& element, std::span<const std::size_t> properties);
 
-  /// Calls visit(values) for the list of every row.
+  /// Calls visit(values) with the list of every row.
   void read_lists(const PlyElement& element, std::size_t property,
                   const std::function<void(std::span<const double>)>& visit);
 

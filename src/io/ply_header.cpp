@@ -54,7 +54,7 @@ std::optional<PlyProperty> parse_property(const Words& words) {
   return property;
 }
 
-/// One header line into `header`. Returns what was expected of the line if it is wrong.
+/// Parses one line into `header`. Returns what was expected if the line is wrong.
 const char* add_line(const Words& words, PlyHeader& header, bool& has_format) {
   if (words[0] == "format") {
     const auto encoding = parse_format(words);

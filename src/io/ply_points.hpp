@@ -9,13 +9,13 @@
 
 namespace symscene {
 
-/// A cloud with a mark at every point: 1 where it was observed, 0 where completion added it.
+/// A cloud with a mark per point: 1 if it was observed, 0 if completion added it.
 struct MarkedCloud {
   PointCloud cloud;
-  std::vector<std::uint8_t> observed;  ///< N, or empty if the file does not say
+  std::vector<std::uint8_t> observed;  ///< N, or empty if the file has no such property
 };
 
-/// The vertices of a PLY file with their property "observed". Throws InputError.
+/// Parses the vertices of a PLY file with their property "observed". Throws InputError.
 MarkedCloud parse_ply_marked(std::string_view bytes, const std::string& name);
 
 /// A PLY file with the extra property "observed" unless that is empty. Throws InputError.

@@ -7,24 +7,24 @@
 
 #include "color.hpp"
 #include "io/atomic_file.hpp"
+#include "io/ply.hpp"
 #include "ply_body.hpp"
 #include "ply_points.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/ply.hpp"
 
 namespace symscene {
 namespace {
 
 constexpr double max_index = std::numeric_limits<Index>::max();
 
-/// Which properties of the vertices are wanted, by their position in the element.
+/// The properties of the vertices to read, by their position in the element.
 struct VertexColumns {
-  std::vector<std::size_t> properties;  ///< x, y, z, then as they are there: normal, colour, mark
+  std::vector<std::size_t> properties;  ///< x, y, z, then those present of normal, colour, mark
   bool normals = false;
   bool colors = false;
   bool observed = false;
 
-  /// Adds properties if all are there as single values. Returns whether they are.
+  /// Adds properties if all exist as single values. Returns whether they do.
   bool add(const PlyElement& vertex, std::initializer_list<const char*> names) {
     std::vector<std::size_t> found;
     for (const char* name : names) {
@@ -82,7 +82,7 @@ MarkedCloud read_vertices(PlyBody& body, const PlyElement& vertex, const std::st
   return result;
 }
 
-/// Triangles as they are read, three indices each.
+/// Collects triangles while they are read, three indices each.
 using Corners = std::vector<Index>;
 
 void add_fan(std::span<const double> polygon, Corners& corners, const std::string& name) {
@@ -143,10 +143,6 @@ PointCloud parse_ply_cloud(std::string_view bytes, const std::string& name) {
   return parse_ply_marked(bytes, name).cloud;
 }
 
-PointCloud read_ply_cloud(const std::filesystem::path& path) {
-  return parse_ply_cloud(read_file(path), path.string());
-}
-
 TriangleMesh parse_ply_mesh(std::string_view bytes, const std::string& name) {
   const PlyHeader header = parse_ply_header(bytes, name);
   const PlyElement& vertex = require_element(header, "vertex", name);
@@ -171,10 +167,6 @@ TriangleMesh parse_ply_mesh(std::string_view bytes, const std::string& name) {
   mesh.triangles = Eigen::Map<decltype(mesh.triangles)>(
       corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
   return mesh;
-}
-
-TriangleMesh read_ply_mesh(const std::filesystem::path& path) {
-  return parse_ply_mesh(read_file(path), path.string());
 }
 
 }  // namespace symscene

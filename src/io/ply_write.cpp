@@ -2,9 +2,9 @@
 
 #include "cloud_checks.hpp"
 #include "io/atomic_file.hpp"
+#include "io/ply.hpp"
 #include "ply_points.hpp"
 #include "scalar.hpp"
-#include "symscene/io/ply.hpp"
 
 namespace symscene {
 namespace {
@@ -68,14 +68,6 @@ std::string format_ply(const TriangleMesh& mesh) {
     for (Eigen::Index k = 0; k < 3; ++k) append_scalar(out, mesh.triangles(t, k));
   }
   return out;
-}
-
-void write_ply(const std::filesystem::path& path, const PointCloud& cloud) {
-  write_file_atomically(path, format_ply(cloud));
-}
-
-void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  write_file_atomically(path, format_ply(mesh));
 }
 
 }  // namespace symscene

@@ -13,7 +13,7 @@
 namespace symscene {
 namespace {
 
-/// Deflate packs at most 1032 bytes into one: more pixels than that cannot be in a file.
+/// Largest compression ratio of deflate; a file cannot contain more pixels than that.
 constexpr std::size_t most_inflation = 1032;
 
 constexpr std::uint32_t big_endian(std::string_view bytes) {
@@ -22,7 +22,7 @@ constexpr std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-/// What libpng reads from, and what it says when it gives up. It leaves a call that fails by
+/// The source of libpng and its error message. It leaves a failed call by
 /// longjmp: while one runs, nothing with a destructor may be on the stack above `jump`.
 struct Source {
   std::string_view rest;
@@ -45,7 +45,7 @@ extern "C" void symscene_png_read(png_structp png, png_bytep data, std::size_t s
   source->rest.remove_prefix(size);
 }
 
-/// A PNG as libpng decodes it.
+/// Decodes a PNG with libpng.
 class Decoder {
  public:
   Decoder(std::string_view bytes, const std::string& name) : name_(name) {
@@ -62,7 +62,7 @@ class Decoder {
   Decoder(const Decoder&) = delete;
   Decoder& operator=(const Decoder&) = delete;
 
-  /// Reads up to the pixels, of which `convert` says what they are to become.
+  /// Reads up to the pixels; `convert` sets their transformations.
   void begin(void (*convert)(png_structp)) {
     convert_ = convert;
     require(start());
@@ -109,7 +109,7 @@ class Decoder {
   int passes_ = 1;
 };
 
-/// Refuses sizes before anything is allocated for them.
+/// Checks the size before anything is allocated for it.
 void require_plausible(const PngHeader& header, std::size_t file_size, const std::string& name) {
   require_image_size(header.size.width, header.size.height, name);
   const std::size_t bits = header.size.pixels() * static_cast<std::size_t>(header.bit_depth);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* what = "image to write";
 
-/// Where libpng writes to. It leaves a call that fails by longjmp, so that nothing may throw in it.
+/// The destination of libpng. It leaves a failed call by longjmp, so nothing may throw inside.
 struct Target {
   std::string bytes;
   bool out_of_memory = false;
@@ -47,7 +47,7 @@ struct Pixels {
   int color_type;
 };
 
-/// Whether all could be written.
+/// Returns whether everything was written.
 bool encode(png_structp png, png_infop info, const Pixels& pixels, Target& target) {
   if (setjmp(target.jump) != 0) return false;
   png_set_write_fn(png, &target, symscene_png_write, symscene_png_flush);

@@ -7,9 +7,10 @@
 
 #include "cloud_checks.hpp"
 #include "io/atomic_file.hpp"
+#include "io/ply.hpp"
 #include "ply_points.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/ply.hpp"
+#include "symscene/io/mesh.hpp"
 #include "symscene/io/trajectory.hpp"
 
 namespace symscene {
@@ -38,7 +39,8 @@ std::string object_file(std::size_t id) { return fmt::format("objects/{}.ply", i
 void require_writable(const SegmentationResult& result) {
   require_consistent(result.cloud, what);
   if (!result.completed.empty() && result.completed.size() != result.objects.size()) {
-    throw InputError(what, fmt::format("{} completed clouds, one an object", result.objects.size()),
+    throw InputError(what,
+                     fmt::format("{} completed clouds, one per object", result.objects.size()),
                      std::to_string(result.completed.size()));
   }
   for (const PointCloud& completed : result.completed) require_consistent(completed, what);
@@ -55,7 +57,7 @@ void require_writable(const SegmentationResult& result) {
   }
 }
 
-/// The rows of `above` and `below`; zeros for those that one of them does not have.
+/// The rows of `above`, then those of `below`; zeros where one of them has none.
 template <class Rows>
 Rows stacked(const Rows& above, Eigen::Index above_rows, const Rows& below,
              Eigen::Index below_rows) {
@@ -121,7 +123,7 @@ SegmentationResult read_result(const fs::path& dir) {
     throw InputError(dir.string(), "a result folder, which holds cloud.ply and objects.json",
                      fs::exists(dir) ? "no objects.json" : "nothing of that name");
   }
-  PointCloud cloud = read_ply_cloud(dir / "cloud.ply");
+  PointCloud cloud = parse_ply_cloud(read_file(dir / "cloud.ply"), (dir / "cloud.ply").string());
   const fs::path objects = dir / "objects.json";
   SegmentationResult result =
       parse_objects_json(read_file(objects), objects.string(), cloud.size());
@@ -134,7 +136,7 @@ SegmentationResult read_result(const fs::path& dir) {
 
 Surroundings read_result_surroundings(const fs::path& dir) {
   Surroundings found;
-  if (fs::exists(dir / "surface.ply")) found.surface = read_ply_mesh(dir / "surface.ply");
+  if (fs::exists(dir / "surface.ply")) found.surface = read_mesh(dir / "surface.ply");
   if (fs::exists(dir / "poses.txt")) found.trajectory = read_trajectory(dir / "poses.txt");
   return found;
 }

@@ -12,7 +12,7 @@
 namespace symscene {
 namespace {
 
-/// The header that messages begin with; returns the frame's name.
+/// Reads the header at the beginning of messages. Returns the frame id.
 std::string take_header(ByteCursor& bytes) {
   bytes.take(12);  // sequence number and time
   return std::string(bytes.block());
@@ -23,7 +23,7 @@ std::size_t bytes_a_pixel(std::string_view encoding) {
   return is_color_encoding(encoding) ? 3 : 2;
 }
 
-/// Throws unless the rows lie in the data.
+/// Throws InputError unless the data contain all rows.
 void require_rows(const RosImage& image, const std::string& name) {
   require_image_size(image.size.width, image.size.height, name);
   const std::size_t row = bytes_a_pixel(image.encoding) * image.size.width;
@@ -91,7 +91,7 @@ RosCameraInfo parse_ros_camera_info(std::string_view bytes, const std::string& n
   RosCameraInfo info;
   const auto height = rest.number<std::uint32_t>();
   const auto width = rest.number<std::uint32_t>();
-  rest.block();  // the name of the distortion's model
+  rest.block();  // name of the distortion model
   for (auto left = rest.number<std::uint32_t>(); left > 0; --left) {
     if (rest.number<double>() != 0.0) info.distorted = true;
   }

@@ -9,13 +9,13 @@
 
 namespace symscene {
 
-/// A message sensor_msgs/Image; `data` lies in the bytes that it was read from.
+/// A message sensor_msgs/Image; `data` refers to the bytes that it was parsed from.
 struct RosImage {
   std::string frame_id;
   ImageSize size;
   std::string encoding;
   bool big_endian = false;
-  std::uint32_t step = 0;  ///< from row to row [byte]
+  std::uint32_t step = 0;  ///< distance of rows [byte]
   std::string_view data;
 };
 
@@ -26,17 +26,17 @@ struct RosCameraInfo {
   bool distorted = false;      ///< whether a number of D is not 0
 };
 
-// Throw InputError if the bytes are no such message; `name` stands for the file in messages.
+// Throw InputError if the bytes are no such message; `name` is the name of the file.
 RosImage parse_ros_image(std::string_view bytes, const std::string& name);
 RosCameraInfo parse_ros_camera_info(std::string_view bytes, const std::string& name);
 
 bool is_depth_encoding(std::string_view encoding);  ///< 16UC1, mono16 or 32FC1
 bool is_color_encoding(std::string_view encoding);  ///< rgb8, bgr8, rgba8 or bgra8
 
-/// How many values of a depth image are a metre where nobody says otherwise.
+/// The default value of a depth image that is 1 m. [1/m]
 double default_depth_scale(std::string_view encoding);
 
-/// Depth in metres, 0 where nothing was measured. [m]
+/// Depth, 0 where there is no measurement. [m]
 std::vector<float> depth_of(const RosImage& image, double scale, const std::string& name);
 Colors colors_of(const RosImage& image, const std::string& name);
 

@@ -59,7 +59,7 @@ inline bool is_float(ScalarType type) {
   return type == ScalarType::float32 || type == ScalarType::float64;
 }
 
-/// The value at `bytes`, whose byte order is the machine's or (`swap`) the other.
+/// The value at `bytes`, in the byte order of the machine or, if `swap`, the opposite one.
 template <class T>
 T load(const char* bytes, bool swap = std::endian::native != std::endian::little) {
   char buffer[sizeof(T)];
@@ -81,7 +81,7 @@ struct ScalarColumn {
   std::size_t stride;
   std::size_t count;
   ScalarType type;
-  bool swap;  ///< the byte order is not the machine's
+  bool swap;  ///< the byte order is opposite to the machine's
 };
 
 /// Converts a column to floats.

@@ -6,11 +6,11 @@
 
 #include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
+#include "io/ply.hpp"
 #include "octomap_log_odds.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/octomap.hpp"
-#include "symscene/io/ply.hpp"
 #include "symscene/io/table_plane.hpp"
 #include "symscene/io/trajectory.hpp"
 #include "symscene/io/truth.hpp"
@@ -47,7 +47,7 @@ bool exists_or_warn(const fs::path& file, const char* consequence,
   return false;
 }
 
-/// The text of scene.json: that which was given, checked, or the least.
+/// The text of scene.json: the given one, checked, or a minimal one.
 std::string scene_text(const std::string& scene_json) {
   if (scene_json.empty()) return "{\"version\": 1}\n";
   parse_json(scene_json, "scene.json to write");

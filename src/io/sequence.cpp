@@ -19,7 +19,7 @@ struct Layout {
   SequencePointer (*open)(const fs::path& path, const SequenceOptions& options);
 };
 
-/// The first that recognises a path opens it.
+/// The first layout that recognises a path opens it.
 constexpr std::array<Layout, 9> layouts = {{
     {is_own_layout, open_own_layout},
     {is_icl_nuim, open_icl_nuim},
@@ -32,7 +32,7 @@ constexpr std::array<Layout, 9> layouts = {{
     {is_image_folder, open_image_folder},
 }};
 
-/// Nothing where no layout recognises the path.
+/// Null if no layout recognises the path.
 const Layout* layout_of(const fs::path& path) {
   for (const Layout& layout : layouts) {
     if (layout.recognises(path)) return &layout;

@@ -1,4 +1,4 @@
-// A ROS 1 bag: depth images, the camera's description beside them, colour images if they fit.
+// A ROS 1 bag: depth images, the camera_info beside them, and colour images registered to them.
 #include "image_files.hpp"
 #include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
@@ -11,11 +11,11 @@
 #include <rosbag/view.h>
 
 #include "bag.hpp"
+#include "camera_formats.hpp"
 #include "image_lists.hpp"
 #include "image_sequence.hpp"
 #include "mapped_file.hpp"
 #include "ros_messages.hpp"
-#include "symscene/io/intrinsics.hpp"
 #endif
 
 namespace symscene {
@@ -41,7 +41,7 @@ namespace {
 
 constexpr const char* bag_layout = "ROS bag";
 
-/// What librosbag throws is an InputError about the bag.
+/// Turns exceptions of librosbag into an InputError about the bag.
 template <class Call>
 auto reading(const std::string& name, const Call& call) {
   try {
@@ -63,7 +63,7 @@ std::string message_bytes(const rosbag::MessageInstance& message) {
 
 using Messages = std::vector<rosbag::MessageInstance>;
 
-/// A topic of images and what its first message tells.
+/// A topic of images and its first message.
 struct ImageTopic {
   std::string topic;
   RosImage first;  ///< without its data
@@ -100,7 +100,7 @@ class Bag {
     return found;
   }
 
-  /// The topics of images with something in them.
+  /// The topics with at least one image.
   std::vector<ImageTopic> image_topics() {
     std::vector<ImageTopic> found;
     for (const std::string& topic : topics("sensor_msgs/Image")) {
@@ -124,7 +124,7 @@ bool is_depth(const ImageTopic& images) {
   return is_depth_encoding(encoding) && (encoding != "mono16" || images.named("depth"));
 }
 
-/// The best first: depth by name, registered to colour, more images.
+/// Whether `a` is preferred: named depth, then registered to colour, then more images.
 bool better_depth(const ImageTopic& a, const ImageTopic& b) {
   const auto rank = [](const ImageTopic& images) {
     return std::tuple(images.named("depth"), images.named("registered") || images.named("aligned"),
@@ -157,7 +157,7 @@ ImageTopic choose_depth(const std::vector<ImageTopic>& topics, const std::string
   return std::move(candidates.front());
 }
 
-/// Colour of the same camera and size, if there is a topic of it.
+/// A topic of colour images of the same camera and size, if there is one.
 std::optional<ImageTopic> choose_color(const std::vector<ImageTopic>& topics,
                                        const ImageTopic& depth, const std::string& name,
                                        std::vector<std::string>& warnings) {
@@ -181,7 +181,7 @@ std::optional<ImageTopic> choose_color(const std::vector<ImageTopic>& topics,
   return std::nullopt;
 }
 
-/// The camera on the topic camera_info beside the images'.
+/// The camera on the topic camera_info beside the topic of the images.
 std::optional<CameraIntrinsics> find_camera(Bag& bag, const ImageTopic& images,
                                             std::vector<std::string>& warnings) {
   const std::string topic = images.topic.substr(0, images.topic.rfind('/') + 1) + "camera_info";
@@ -250,7 +250,7 @@ class BagSequence final : public DepthSequence {
   }
 
  private:
-  /// librosbag reads one message at a time.
+  /// librosbag is not thread-safe.
   std::string bytes_of(const rosbag::MessageInstance& message) const {
     const std::lock_guard lock(mutex_);
     return reading(bag_->name(), [&] { return message_bytes(message); });

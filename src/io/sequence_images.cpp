@@ -1,4 +1,4 @@
-// Depth images and nothing else: one file, or a folder of them.
+// Depth images alone: one file, or a folder of them.
 #include "image_files.hpp"
 #include "image_sequence.hpp"
 #include "sequence_layouts.hpp"
@@ -26,7 +26,7 @@ bool is_single_image(const fs::path& path) {
 }
 
 SequencePointer open_single_image(const fs::path& path, const SequenceOptions& options) {
-  if (!is_depth_png(path)) read_depth_png(path);  // says what it is
+  if (!is_depth_png(path)) read_depth_png(path);  // throws, and describes the image
   return open_images(path, "image", {path}, options);
 }
 

@@ -9,8 +9,7 @@ namespace symscene {
 
 using SequencePointer = std::unique_ptr<DepthSequence>;
 
-// Whether a path looks like a layout, and the sequence that it is then. docs/formats.md describes
-// them.
+// For every layout (docs/formats.md): whether a path has it, and the sequence at that path.
 bool is_own_layout(const std::filesystem::path& path);
 SequencePointer open_own_layout(const std::filesystem::path& path, const SequenceOptions& options);
 bool is_own_layout_without_camera(const std::filesystem::path& path);

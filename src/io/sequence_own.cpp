@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* layout = "sequence";
 
-/// The colour image of the same number, or nothing.
+/// The colour image of the same number; empty if there is none.
 fs::path color_beside(const fs::path& dir, const std::string& number) {
   for (const char* ending : {".png", ".jpg"}) {
     if (fs::path file = dir / "color" / (number + ending); fs::exists(file)) return file;
@@ -36,15 +36,15 @@ std::vector<ImageFrame> find_frames(const fs::path& dir) {
   return frames;
 }
 
-void require_line_a_frame(std::size_t lines, std::size_t frames, const fs::path& file) {
+void require_line_per_frame(std::size_t lines, std::size_t frames, const fs::path& file) {
   if (lines == frames) return;
-  throw InputError(file.string(), fmt::format("{} lines, one a depth image", frames),
+  throw InputError(file.string(), fmt::format("{} lines, one per depth image", frames),
                    fmt::format("{}", lines));
 }
 
 void set_poses(std::vector<ImageFrame>& frames, const fs::path& file) {
   const Trajectory poses = read_trajectory(file);
-  require_line_a_frame(poses.size(), frames.size(), file);
+  require_line_per_frame(poses.size(), frames.size(), file);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].time = poses[i].time;
     frames[i].T_world_camera = poses[i].T_world_camera;
@@ -53,7 +53,7 @@ void set_poses(std::vector<ImageFrame>& frames, const fs::path& file) {
 
 void set_times(std::vector<ImageFrame>& frames, const fs::path& file) {
   const std::vector<double> times = parse_times(read_file(file), file.string());
-  require_line_a_frame(times.size(), frames.size(), file);
+  require_line_per_frame(times.size(), frames.size(), file);
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i].time = times[i];
 }
 

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "camera_formats.hpp"
 #include "image_files.hpp"
 #include "image_lists.hpp"
 #include "image_sequence.hpp"
 #include "io/atomic_file.hpp"
+#include "pose_formats.hpp"
 #include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/intrinsics.hpp"
-#include "symscene/io/trajectory.hpp"
 
 namespace symscene {
 namespace {
@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* layout = "Redwood";
 
-/// A file of more bytes is no camera.
+/// Larger files are not read as camera files. [byte]
 constexpr std::uintmax_t largest_camera_file = 1 << 20;
 
-/// What the name of an image tells: NUMBER or NUMBER-MICROSECONDS.
+/// An image whose name is NUMBER or NUMBER-MICROSECONDS.
 struct NumberedImage {
   std::uint64_t number = 0;
   std::optional<double> time;  ///< [s]
@@ -57,7 +57,7 @@ fs::path color_folder(const fs::path& path) {
   return {};
 }
 
-/// The colour images, for look-up by number or by time.
+/// The colour images, found by number or by time.
 class ColorImages {
  public:
   explicit ColorImages(const std::vector<NumberedImage>& images) : by_number_(images) {
@@ -79,7 +79,7 @@ class ColorImages {
   std::vector<TimedImage> by_time_;
 };
 
-/// The camera of the JSON file that has one: camera_primesense.json, or whatever its name is.
+/// The camera of the first JSON file that has one, whatever its name.
 std::optional<CameraIntrinsics> find_camera(const fs::path& path) {
   for (const fs::path& file : files_ending(path, {".json"})) {
     if (fs::file_size(file) > largest_camera_file) continue;
@@ -103,7 +103,7 @@ fs::path find_log(const fs::path& path, std::vector<std::string>& warnings) {
   return logs.size() == 1 ? logs.front() : fs::path();
 }
 
-/// The poses are one a frame, or say by their number which frame they are of.
+/// There is one pose per frame, or each pose has the number of its frame.
 void set_poses(std::vector<ImageFrame>& frames, const fs::path& file) {
   const Trajectory poses = parse_trajectory_log(read_file(file), file.string());
   for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -4,8 +4,8 @@
 #include "image_files.hpp"
 #include "image_sequence.hpp"
 #include "io/atomic_file.hpp"
+#include "pose_formats.hpp"
 #include "sequence_layouts.hpp"
-#include "symscene/io/trajectory.hpp"
 
 namespace symscene {
 namespace {
@@ -15,8 +15,9 @@ namespace fs = std::filesystem;
 constexpr const char* layout = "7-Scenes";
 constexpr const char* depth_ending = ".depth.png";
 
-/// What the data set says of its camera, which nobody has calibrated.
+/// The camera as the dataset documents it; it was not calibrated.
 constexpr CameraIntrinsics documented_camera{640, 480, 585.0, 585.0, 320.0, 240.0};
+/// The value of pixels without measurement.
 constexpr std::uint16_t not_measured = 65535;
 
 std::vector<fs::path> depth_files(const fs::path& path) {

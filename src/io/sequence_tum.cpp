@@ -4,6 +4,7 @@
 #include "image_files.hpp"
 #include "image_lists.hpp"
 #include "image_sequence.hpp"
+#include "pose_formats.hpp"
 #include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/trajectory.hpp"
@@ -13,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Both formats' own: 5000 is a metre.
+/// Value that is 1 m in both formats. [1/m]
 constexpr double depth_scale = 5000.0;
 
-/// Between poses that are further apart the camera is not known. [s]
+/// Poses are not interpolated over longer gaps. [s]
 constexpr double largest_pose_gap = 0.1;
 
 std::vector<ImageFrame> frames_of_lists(const fs::path& path) {
@@ -31,7 +32,7 @@ std::vector<ImageFrame> frames_of_lists(const fs::path& path) {
   return frames;
 }
 
-/// Frames that are numbered, their times the numbers.
+/// Frames with numbers, which are used as times.
 std::vector<ImageFrame> numbered_frames(const fs::path& path) {
   if (fs::exists(path / "associations.txt")) return read_associations(path / "associations.txt");
   std::vector<ImageFrame> frames;
@@ -45,10 +46,10 @@ std::vector<ImageFrame> numbered_frames(const fs::path& path) {
   return frames;
 }
 
-/// The camera of all of ICL-NUIM, whose y axis points up: (481.2, −480, 319.5, 239.5).
+/// The camera of ICL-NUIM, documented as (481.2, −480, 319.5, 239.5) because its y axis points up.
 constexpr CameraIntrinsics icl_camera{640, 480, 481.2, 480.0, 319.5, 239.5};
 
-/// From axes x right, y up, z forward to y down: both the camera's and the world's are mirrored.
+/// Converts axes x right, y up, z forward to y down, by mirroring both camera and world.
 Eigen::Isometry3d y_down(const Eigen::Isometry3d& y_up) {
   const Eigen::Vector3d flip(1.0, -1.0, 1.0);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "camera_formats.hpp"
 #include "image_files.hpp"
 #include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr const char* what = "sequence to write";
 
-/// Whether `name` is FOLDER/NUMBER and one of the endings.
+/// Whether `name` is FOLDER/NUMBER with one of the endings.
 bool is_frame_file(const std::filesystem::path& name) {
   const std::string folder = name.parent_path().string();
   const std::string ending = name.extension().string();
@@ -32,7 +33,7 @@ bool is_true_mesh(const std::filesystem::path& name) {
   return name.parent_path() == "meshes" && name.extension() == ".ply";
 }
 
-/// Files that say more of a sequence: truth.json, table_plane.txt, meshes/mug.ply.
+/// Optional files of a sequence: truth.json, table_plane.txt, meshes/mug.ply.
 bool is_file_beside(const std::string& name) {
   if (is_true_mesh(name)) return true;
   return name.find('/') == std::string::npos && name.size() > 5 &&
@@ -46,7 +47,7 @@ bool belongs(const std::string& relative) {
          is_frame_file(relative);
 }
 
-/// Metres to whole millimetres, 0 where nothing was measured or 16 bits do not reach.
+/// Converts metres to whole millimetres; 0 where there is no measurement or it exceeds 16 bits.
 std::vector<std::uint16_t> to_millimetres(const std::vector<float>& depth) {
   std::vector<std::uint16_t> values(depth.size());
   for (std::size_t i = 0; i < depth.size(); ++i) {
@@ -65,7 +66,7 @@ struct SequenceWriter::Implementation {
 
   CameraIntrinsics camera;
   AtomicDirectory folder;
-  Trajectory frames;  ///< identity where there is no pose
+  Trajectory frames;  ///< identity if there is no pose
   bool posed = false;
   bool finished = false;
 

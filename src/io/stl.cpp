@@ -11,11 +11,11 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t header_size = 84;  ///< 80 bytes of anything, then the number of triangles
+constexpr std::size_t header_size = 84;  ///< 80 arbitrary bytes, then the number of triangles
 constexpr std::size_t triangle_size = 50;
 constexpr std::size_t normal_size = 12;
 
-/// The number of triangles that a binary file says it has.
+/// The number of triangles that a binary file declares.
 std::uint64_t declared_triangles(std::string_view bytes) {
   return bytes.size() < header_size ? 0 : load<std::uint32_t>(bytes.data() + 80);
 }
@@ -44,7 +44,7 @@ TriangleMesh parse_binary(std::string_view bytes, const std::string& name) {
   return builder.build();
 }
 
-/// The text format, line by line.
+/// Reads the text format line by line.
 class TextReader {
  public:
   explicit TextReader(const std::string& name) : name_(name), builder_(name) {}

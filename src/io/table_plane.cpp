@@ -39,8 +39,4 @@ std::string format_table_plane(const Plane& plane) {
                      plane.offset);
 }
 
-void write_table_plane(const std::filesystem::path& path, const Plane& plane) {
-  write_file_atomically(path, format_table_plane(plane));
-}
-
 }  // namespace symscene

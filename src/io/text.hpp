@@ -12,7 +12,7 @@ namespace symscene {
 
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Takes the next word, ended by white space, off the front of `text`; empty at the end.
+/// Removes the next word, ended by white space, from the front of `text`; empty at the end.
 inline std::string_view next_word(std::string_view& text) {
   std::size_t begin = 0;
   while (begin < text.size() && is_space(text[begin])) ++begin;
@@ -23,7 +23,8 @@ inline std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-/// Takes the next line, without its end, off the front of `text`; nothing if no line ends there.
+/// Removes the next line from the front of `text` and returns it without its end; nothing if no
+/// line ends.
 inline std::optional<std::string_view> next_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
@@ -33,7 +34,7 @@ inline std::optional<std::string_view> next_line(std::string_view& text) {
   return line;
 }
 
-/// Takes the next line off the front of `text`, the last one even if nothing ends it.
+/// As next_line(), but the end of `text` ends a line too.
 inline std::string_view take_line(std::string_view& text) {
   if (const auto line = next_line(text)) return *line;
   return std::exchange(text, {});
@@ -52,7 +53,7 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// The number that the whole of `word` spells.
+/// The number that `word` is, as a whole.
 template <class Number>
 std::optional<Number> to_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
@@ -62,7 +63,7 @@ std::optional<Number> to_number(std::string_view word) {
   return value;
 }
 
-/// Text from a file as it may stand in a message: quoted, short, printable.
+/// Text from a file for a message: quoted, shortened, printable.
 inline std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text.substr(0, 40)) result += c >= ' ' && c <= '~' ? c : '?';

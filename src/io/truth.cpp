@@ -5,7 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/io/ply.hpp"
+#include "symscene/io/mesh.hpp"
 
 namespace symscene {
 namespace {
@@ -136,7 +136,7 @@ std::vector<TriangleMesh> read_truth_meshes(const std::filesystem::path& dir,
     const std::filesystem::path name = object.mesh;
     if (name.empty() || name != name.filename())
       throw InputError(dir.string(), "truth that names each object's mesh", object.mesh);
-    meshes.push_back(read_ply_mesh(dir / "meshes" / (object.mesh + ".ply")));
+    meshes.push_back(read_mesh(dir / "meshes" / (object.mesh + ".ply")));
   }
   return meshes;
 }
@@ -151,10 +151,6 @@ std::vector<TrueObject> read_model_symmetries(const std::filesystem::path& path)
     models.back().name = model;
   }
   return models;
-}
-
-void write_truth(const std::filesystem::path& path, const SceneTruth& truth) {
-  write_file_atomically(path, format_truth(truth));
 }
 
 }  // namespace symscene

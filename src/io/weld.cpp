@@ -8,9 +8,9 @@
 namespace symscene {
 namespace {
 
-/// For every vertex the first one at its place.
+/// For every vertex the first one at its position.
 std::vector<Index> first_at_place(const Points& vertices) {
-  // Bits are in order where floats are not: NaN. Adding zero makes −0 the same place as 0.
+  // Bits have an order where floats have none (NaN). Adding zero turns −0 into 0.
   const auto place = [&](Index v) {
     const auto bits = [&](Eigen::Index k) {
       return std::bit_cast<std::uint32_t>(vertices(v, k) + 0.0F);

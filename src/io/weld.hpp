@@ -4,8 +4,8 @@
 
 namespace symscene {
 
-/// The mesh with vertices at exactly the same place made one, in the order in which the places come
-/// first; the first one's colour stays. Triangles that lose a corner by it are dropped.
+/// Merges vertices at exactly equal positions, in the order of their first occurrence, whose colour
+/// is kept. Triangles with two equal corners afterwards are dropped.
 TriangleMesh weld_vertices(const TriangleMesh& mesh);
 
 }  // namespace symscene

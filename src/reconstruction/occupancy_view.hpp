@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/octree.hpp"
 #include "occupancy_brick.hpp"
 #include "range_pyramid.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"

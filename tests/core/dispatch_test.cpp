@@ -8,7 +8,7 @@
 namespace symscene {
 namespace {
 
-/// The loop under test, written once for the two functions that compile it.
+/// The loop under test, inlined into both functions.
 inline void multiply_add(const float* a, const float* b, float* out, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) out[i] = a[i] * b[i] + 1.0F / (b[i] + 2.0F);
 }

@@ -57,7 +57,7 @@ TEST(ReflectionPlane, TheMidpointOfAPointAndItsImageIsItsProjection) {
   }
 }
 
-TEST(ReflectionPlane, ItsNormalsSignSaysNothing) {
+TEST(ReflectionPlane, DoesNotDependOnTheSignOfItsNormal) {
   std::mt19937 generator(11);
   const ReflectionPlane plane = random_plane(generator);
   const ReflectionPlane flipped{plane.point, -plane.normal};

@@ -11,7 +11,7 @@
 namespace symscene {
 namespace {
 
-/// A torus of radii 0.1 and 0.04 about z: closed, with colours that are its height.
+/// A closed torus of radii 0.1 and 0.04 about z, coloured by height.
 TriangleMesh make_torus(Index around, Index across) {
   TriangleMesh mesh;
   mesh.vertices.resize(around * across, 3);
@@ -35,7 +35,7 @@ TriangleMesh make_torus(Index around, Index across) {
   return mesh;
 }
 
-/// How often a triangle runs along an edge from a to b more than one runs back.
+/// Number of triangles that contain the edge a → b minus those that contain b → a.
 std::map<std::pair<Index, Index>, int> open_edges(const TriangleMesh& mesh) {
   std::map<std::pair<Index, Index>, int> balance;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
@@ -66,7 +66,7 @@ TEST(MeshThinning, VerticesMoveByLessThanACellsDiagonalAndKeepTheirColors) {
   }
 }
 
-TEST(MeshThinning, TheBudgetIsKeptAndUsed) {
+TEST(MeshThinning, TheResultHasAboutTheAllowedNumberOfTriangles) {
   const TriangleMesh torus = make_torus(300, 120);
   for (const Index budget : {200U, 3000U, 20000U}) {
     const TriangleMesh thinned = thin(torus, budget, 0.0005F);
@@ -76,7 +76,7 @@ TEST(MeshThinning, TheBudgetIsKeptAndUsed) {
   EXPECT_EQ(thin(torus, 0, 0.001F).triangles.rows(), 0);
 }
 
-TEST(MeshThinning, WhatIsSmallEnoughStaysAsItIs) {
+TEST(MeshThinning, ASmallMeshIsUnchanged) {
   const TriangleMesh torus = make_torus(30, 12);
   const TriangleMesh same = thin(torus, static_cast<Index>(torus.triangles.rows()), 0.05F);
   EXPECT_EQ(same.vertices, torus.vertices);

@@ -12,7 +12,7 @@ namespace {
 using testing::clouds_of_all_kinds;
 using testing::random_points;
 
-/// The same arithmetic as the search: what is compared is which points it looks at.
+/// Brute force with the same arithmetic as the search, so that equal sets of points are expected.
 float squared_distance(const Points& points, Index i, const Eigen::Vector3f& query) {
   const float dx = points(i, 0) - query.x();
   const float dy = points(i, 1) - query.y();
@@ -92,7 +92,7 @@ TEST(NearestNeighbors, HaveTheDistancesOfBruteForce) {
   }
 }
 
-TEST(NearestNeighbors, NameNoPointTwice) {
+TEST(NearestNeighbors, ContainNoPointTwice) {
   for (const auto& [kind, points] : clouds_of_all_kinds()) {
     const NeighborLists lists = nearest_neighbors(points, 10);
     for (Index i = 0; i < points.rows(); ++i) {
@@ -109,7 +109,7 @@ TEST(NearestNeighbors, OfCountZeroAreNone) {
   EXPECT_TRUE(lists.neighbors.empty());
 }
 
-TEST(CellList, FindsTheNearestPointOfBruteForceFromAnywhere) {
+TEST(CellList, FindsTheSameNearestPointAsBruteForce) {
   const Points points = random_points(4, 400);
   const CellList cells(points, 0.01F);
   const Points queries = random_points(5, 200, 0.15);

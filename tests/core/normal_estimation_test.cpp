@@ -8,7 +8,7 @@
 namespace symscene {
 namespace {
 
-/// Even points on the unit sphere, from pole to pole along a spiral.
+/// Evenly distributed points on the unit sphere, along a spiral from pole to pole.
 Points sphere(Eigen::Index count) {
   const double golden_angle = radians(180.0) * (3.0 - std::sqrt(5.0));
   Points points(count, 3);
@@ -34,7 +34,7 @@ TEST(EstimateNormals, OfASpherePointAwayFromItsCentre) {
     EXPECT_GT(normals.row(i).dot(points.row(i)), std::cos(radians(3.0))) << i;
 }
 
-TEST(EstimateNormals, AgreeOnOneSignEvenWhereTheVoteIsOfAFewPoints) {
+TEST(EstimateNormals, AgreeInOrientationEvenIfOnlyAFewPointsVote) {
   const Points points = sphere(2000);
   const auto votes_at_the_top = [](const Eigen::Vector3f& position,
                                    const Eigen::Vector3f& direction) {

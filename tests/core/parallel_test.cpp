@@ -1,4 +1,5 @@
 #include "core/parallel.hpp"
+#include "symscene/core/thread_limit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ TEST(ParallelForBlocks, VisitsEveryIndexOnce) {
   }
 }
 
-TEST(ParallelForEach, HandsOnTheExceptionOfItsBody) {
+TEST(ParallelForEach, PassesOnTheExceptionOfItsBody) {
   const auto body = [](std::size_t i) {
     if (i == 17) throw std::runtime_error("seventeen");
   };

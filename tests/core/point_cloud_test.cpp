@@ -21,7 +21,7 @@ PointIndices random_subset(std::uint32_t seed, Index universe) {
   return subset;
 }
 
-TEST(Select, CarriesPositionsNormalsAndColoursInTheOrderAsked) {
+TEST(Select, ReturnsPositionsNormalsAndColoursInTheOrderOfTheIndices) {
   PointCloud cloud;
   cloud.positions = random_points(1, 10);
   cloud.normals = random_points(2, 10);
@@ -37,7 +37,7 @@ TEST(Select, CarriesPositionsNormalsAndColoursInTheOrderAsked) {
   }
 }
 
-TEST(Select, InventsNoNormalsOrColours) {
+TEST(Select, AddsNoNormalsOrColours) {
   PointCloud cloud;
   cloud.positions = random_points(1, 10);
   const PointCloud selected = select(cloud, PointIndices{1, 2});
@@ -77,7 +77,7 @@ TEST(BoundingBox, IsTight) {
             ((box.max.array() + 0.5F) - (box.min.array() - 0.5F)).matrix());
 }
 
-TEST(BoundingBox, OfNothingIsInsideOut) {
+TEST(BoundingBox, OfNoPointsIsEmpty) {
   const Box box = bounding_box(Points(0, 3));
   EXPECT_GT(box.min.x(), box.max.x());
 }

@@ -40,7 +40,7 @@ TEST(ProcessPool, DoesNothingWithoutItemsOrProcesses) {
   EXPECT_FALSE(outcomes(0, 1, [](std::size_t) { return ""; }).at(0).done);
 }
 
-TEST(ProcessPool, GoesOnWhereAnItemFailsOrItsProcessDies) {
+TEST(ProcessPool, ContinuesAfterAFailedItemOrKilledProcess) {
   const auto all = outcomes(2, 6, [](std::size_t i) -> std::string {
     if (i == 1) throw std::runtime_error("the table is bare");
     if (i == 2) raise(SIGKILL);

@@ -1,4 +1,4 @@
-// What core says to its caller: errors, log messages and stage times.
+// Errors, log messages and stage times.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -35,7 +35,7 @@ TEST(Log, HandsMessagesToTheSinkUntilItIsReplaced) {
   EXPECT_EQ(messages[0].second, "no normals");
 }
 
-TEST(StageTimer, ListsStagesInTheOrderInWhichTheyRanAndAnnouncesThem) {
+TEST(StageTimer, ListsStagesInOrderAndAnnouncesThem) {
   std::vector<std::string> announced;
   StageTimer timer([&](const std::string& stage) { announced.push_back(stage); });
   EXPECT_EQ(timer.time("load", [] { return 42; }), 42);

@@ -48,7 +48,7 @@ TriangleMesh two_squares() {
   return mesh;
 }
 
-TEST(SampleSurface, SpreadsAsManyPointsAsAskedByArea) {
+TEST(SampleSurface, DistributesTheRequestedNumberOfPointsByArea) {
   for (const std::size_t count : {1000U, 20000U}) {
     const PointCloud cloud = sample_surface(two_squares(), count);
     const auto asked = static_cast<double>(count);
@@ -58,7 +58,7 @@ TEST(SampleSurface, SpreadsAsManyPointsAsAskedByArea) {
   }
 }
 
-TEST(SampleSurface, PutsPointsAllOverTheSurfaceWithItsNormal) {
+TEST(SampleSurface, CoversTheSurfaceAndHasItsNormals) {
   const PointCloud cloud = sample_surface(two_squares(), 4000);
   Eigen::Matrix4i hits = Eigen::Matrix4i::Zero();
   for (Index i = 0; i < cloud.size(); ++i) {

@@ -6,10 +6,10 @@
 
 #include <set>
 
+#include "io/ply.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/octomap.hpp"
-#include "symscene/io/ply.hpp"
 #include "symscene/io/truth.hpp"
 #include "threads.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/parallel.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/thread_limit.hpp"
 #include "symscene/evaluation/report.hpp"
 #include "symscene/simulation/simulation.hpp"
 

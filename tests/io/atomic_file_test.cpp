@@ -32,7 +32,7 @@ TEST(AtomicFile, BytesAreReadBackAndNothingElseIsLeft) {
   EXPECT_EQ(folder.names(), Names{"file"});
 }
 
-TEST(AtomicFile, AFailureLeavesNothingBehindAndTheOldFileAsItWas) {
+TEST(AtomicFile, AFailureLeavesTheOldFileUnchangedAndNothingBehind) {
   const TemporaryFolder folder;
   fs::create_directories(folder / "target/inside");
   EXPECT_THROW(write_file_atomically(folder / "target", "x"), InputError);
@@ -41,7 +41,7 @@ TEST(AtomicFile, AFailureLeavesNothingBehindAndTheOldFileAsItWas) {
   EXPECT_EQ(folder.names(), Names{"target"});
 }
 
-TEST(AtomicFile, WhatCannotBeReadIsNamed) {
+TEST(AtomicFile, ErrorsNameTheFile) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "dir");
   EXPECT_EQ(refusal([&] { read_file(folder / "none"); }),
@@ -54,12 +54,12 @@ TEST(AtomicFile, WhatCannotBeReadIsNamed) {
   EXPECT_THROW(read_file(folder / "locked"), InputError);
 }
 
-TEST(AtomicFile, AFileWhoseSizeIsNotKnownIsReadWhole) {
+TEST(AtomicFile, AFileOfUnknownSizeIsReadCompletely) {
   if (!fs::exists("/proc/self/status")) GTEST_SKIP() << "skipped: no /proc";
   EXPECT_GT(read_file("/proc/self/status").size(), 100U);
 }
 
-TEST(AtomicDirectory, AnOldFolderIsReplacedWhole) {
+TEST(AtomicDirectory, AnOldFolderIsReplacedCompletely) {
   const TemporaryFolder folder;
   write_folder(folder / "deep/out", "first");
   write_folder(folder / "deep/out/", "second");
@@ -73,7 +73,7 @@ TEST(AtomicDirectory, AnOldFolderIsReplacedWhole) {
   EXPECT_EQ(folder.names(), Names{"deep"});
 }
 
-TEST(AtomicDirectory, WithoutCommitNothingChangesAndNothingIsLeft) {
+TEST(AtomicDirectory, WithoutCommitNothingChangesAndNothingRemains) {
   const TemporaryFolder folder;
   write_folder(folder / "out", "first");
   {
@@ -85,7 +85,7 @@ TEST(AtomicDirectory, WithoutCommitNothingChangesAndNothingIsLeft) {
   EXPECT_EQ(read_text(folder / "out/marker"), "first");
 }
 
-TEST(AtomicDirectory, FoldersOfOtherPeopleAreNotReplaced) {
+TEST(AtomicDirectory, FoldersWithOtherFilesAreNotReplaced) {
   const TemporaryFolder folder;
   write_folder(folder / "out", "first");
   write_text(folder / "out/thesis.tex", "years of work");
@@ -105,7 +105,7 @@ TEST(AtomicDirectory, FoldersOfOtherPeopleAreNotReplaced) {
   EXPECT_EQ(folder.names(), (Names{"file", "out", "unmarked"}));
 }
 
-TEST(AtomicDirectory, AFileThatAppearsBeforeCommitIsNotLost) {
+TEST(AtomicDirectory, AFileThatAppearsBeforeCommitIsKept) {
   const TemporaryFolder folder;
   write_folder(folder / "out", "first");
   AtomicDirectory second(folder / "out", layout());

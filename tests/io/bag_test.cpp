@@ -1,4 +1,4 @@
-// ROS 1 bags, written by rosbag itself where it is installed.
+// ROS 1 bags, written by rosbag if it is installed.
 #include "io/bag.hpp"
 
 #include "io/sequence_support.hpp"
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace io_test;
 
-TEST(Bag, WhatIsNoneIsRefused) {
+TEST(Bag, OtherFilesAreRefused) {
   EXPECT_EQ(refusal([] { require_sound_bag("", "a.bag"); }),
             "a.bag: expected a whole ROS 1 bag of version 2.0, found \"\"");
   EXPECT_THROW(require_sound_bag("#ROSBAG V2.0\n", "a.bag"), InputError);
@@ -29,7 +29,7 @@ TEST(Bag, WhatIsNoneIsRefused) {
 
 #ifdef SYMSCENE_HAS_ROSBAG
 
-/// The messages take an allocator with a member that std::allocator lost in C++20.
+/// The messages need an allocator with a member that C++20 removed from std::allocator.
 template <class T>
 struct RosAllocator : std::allocator<T> {
   template <class U>
@@ -57,7 +57,7 @@ ImageMessage image_message(const std::string& encoding, std::uint32_t pixel_byte
   return image;
 }
 
-/// Calls put(bytes of the pixel, pixel) for all pixels.
+/// Calls put(bytes of the pixel, pixel) for every pixel.
 template <class Put>
 ImageMessage filled(ImageMessage image, std::uint32_t pixel_bytes, const Put& put) {
   for (std::uint32_t k = 0; k < image.width * image.height; ++k) {
@@ -135,12 +135,12 @@ TEST_F(RosBag, DepthInMillimetresAndColourAreRead) {
   expect_small(*open_sequence(file));
 }
 
-TEST_F(RosBag, DepthInMetresIsReadAndNanIsNotMeasured) {
+TEST_F(RosBag, DepthInMetresIsReadAndNanIsNoMeasurement) {
   write(depth_32, color("bgr8"));
   expect_small(*open_sequence(file));
 }
 
-TEST_F(RosBag, BigEndianImagesAndPackedChunksAreRead) {
+TEST_F(RosBag, BigEndianImagesAndCompressedChunksAreRead) {
   for (const auto compression : {rosbag::compression::LZ4, rosbag::compression::BZ2}) {
     write([](int i) { return depth_16(i, true); }, color("rgb8"), compression);
     expect_small(*open_sequence(file));
@@ -189,7 +189,7 @@ TEST_F(RosBag, OfSeveralDepthTopicsTheRegisteredOneIsReadWithAWarning) {
   expect_same_frame(sequence->read(0), small_frame(0, false), 1e-6);
 }
 
-TEST_F(RosBag, ImagesThatAreShorterThanTheySayAreRefused) {
+TEST_F(RosBag, ImagesShorterThanDeclaredAreRefused) {
   ImageMessage short_image = depth_16(0);
   short_image.height = 100000;
   rosbag::Bag bag(file.string(), rosbag::bagmode::Write);

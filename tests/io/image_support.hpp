@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// After cstdio, which it takes for granted.
+// Needs cstdio before it.
 #include <jpeglib.h>
 #include <png.h>
 
@@ -14,7 +14,7 @@
 
 namespace symscene::io_test {
 
-/// The bytes of a PNG of any kind, as libpng writes it by itself.
+/// The bytes of a PNG of any kind, written by libpng.
 struct PngKind {
   int bit_depth = 8;
   int color_type = PNG_COLOR_TYPE_RGB;
@@ -75,7 +75,7 @@ inline std::string make_jpeg(const ColorImage& image, bool progressive = false) 
   return bytes;
 }
 
-/// Any numbers, and numbers that change slowly from pixel to pixel.
+/// Random values, and values that change slowly from pixel to pixel.
 inline DepthImage random_depth(ImageSize size, unsigned seed) {
   std::mt19937 random(seed);
   DepthImage image{size, {}};
@@ -100,7 +100,7 @@ inline int difference(const Colors& a, const Colors& b) {
   return (a.cast<int>() - b.cast<int>()).cwiseAbs().maxCoeff();
 }
 
-/// The head of a PNG with a checksum that holds, and nothing after it.
+/// The header of a PNG with a correct checksum, and nothing after it.
 inline std::string png_head(std::uint32_t width, std::uint32_t height, int bit_depth,
                             int color_type) {
   std::string head("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);

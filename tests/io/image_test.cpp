@@ -1,4 +1,5 @@
 #include "symscene/io/image.hpp"
+#include "io/image_formats.hpp"
 
 #include "io/image_support.hpp"
 
@@ -9,7 +10,7 @@ using namespace io_test;
 
 constexpr ImageSize small{13, 7};
 
-TEST(Image, DepthThatIsWrittenIsReadBackBitForBit) {
+TEST(Image, WritingAndReadingDepthGiveTheSameBits) {
   for (const ImageSize size : {ImageSize{1, 1}, small, ImageSize{64, 48}}) {
     const DepthImage image = random_depth(size, size.width);
     const DepthImage again = parse_depth_png(format_png(image), "x");
@@ -18,14 +19,14 @@ TEST(Image, DepthThatIsWrittenIsReadBackBitForBit) {
   }
 }
 
-TEST(Image, ColoursThatAreWrittenAreReadBackBitForBit) {
+TEST(Image, WritingAndReadingColoursGiveTheSameBits) {
   const ColorImage image = color_ramp(small);
   const ColorImage again = parse_color_image(format_png(image), "x");
   EXPECT_EQ(again.size, small);
   EXPECT_EQ(again.pixels, image.pixels);
 }
 
-TEST(Image, AJpegHasTheColoursButForRounding) {
+TEST(Image, AJpegHasTheColoursUpToRounding) {
   const ColorImage image = color_ramp({40, 24});
   for (const bool progressive : {false, true}) {
     const std::string bytes = make_jpeg(image, progressive);
@@ -55,7 +56,7 @@ TEST(Image, GreyPaletteAlphaAndInterlacedPngsBecomeColours) {
   EXPECT_EQ(interlaced.values, (std::vector<std::uint16_t>{258, 772, 1286, 258, 772, 1286}));
 }
 
-TEST(Image, DepthOfAnotherKindIsRefusedByName) {
+TEST(Image, OtherImagesAreRefusedAsDepthAndDescribed) {
   const auto message = [](const std::string& bytes) {
     return refusal([&] { parse_depth_png(bytes, "0.png"); });
   };
@@ -81,7 +82,7 @@ TEST(Image, HostileSizesAreRefusedBeforeAnythingIsAllocated) {
   EXPECT_NE(refused(4096, 4096).find("too few for 4096×4096 pixels"), std::string::npos);
 }
 
-TEST(Image, NoCutImageIsAccepted) {
+TEST(Image, TruncatedImagesAreRefused) {
   EXPECT_EQ(damage(format_png(random_depth(small, 1)),
                    [](std::string_view bytes) { parse_depth_png(bytes, "x"); }),
             0);
@@ -95,7 +96,7 @@ TEST(Image, NoCutImageIsAccepted) {
   }
 }
 
-TEST(Image, WhatDoesNotFillItsSizeIsNotWritten) {
+TEST(Image, ImagesWithTheWrongNumberOfValuesAreNotWritten) {
   EXPECT_THROW(format_png(DepthImage{{2, 2}, {1, 2, 3}}), InputError);
   EXPECT_THROW(format_png(ColorImage{{0, 0}, {}}), InputError);
 }

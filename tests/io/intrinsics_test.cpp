@@ -1,4 +1,5 @@
 #include "symscene/io/intrinsics.hpp"
+#include "io/camera_formats.hpp"
 
 #include "io/io_support.hpp"
 
@@ -7,7 +8,7 @@ namespace {
 
 using namespace io_test;
 
-TEST(Intrinsics, WhatIsWrittenIsReadBackBitForBit) {
+TEST(Intrinsics, WritingAndReadingGiveTheSameBits) {
   const CameraIntrinsics camera{640, 480, 517.3, 516.5, 318.6, 255.3};
   const CameraIntrinsics again = parse_intrinsics(format_intrinsics(camera), "x");
   EXPECT_EQ(again.width, 640U);
@@ -27,7 +28,7 @@ TEST(Intrinsics, AnythingButACameraIsRefused) {
   }
 }
 
-TEST(Intrinsics, OfOpen3dAreByColumns) {
+TEST(Intrinsics, OfOpen3dAreReadByColumns) {
   const CameraIntrinsics camera = parse_intrinsics_json(
       R"({"width": 640, "height": 480, "intrinsic_matrix": [525, 0, 0, 0, 526, 0, 319.5, 239.5, 1]})",
       "x");

@@ -20,7 +20,7 @@
 
 namespace symscene::io_test {
 
-/// A folder of its own that goes with the test.
+/// A temporary folder, removed at the end of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -36,7 +36,7 @@ class TemporaryFolder {
 
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-  /// The names of everything in it, hidden files too, sorted.
+  /// The names of its entries, including hidden files, sorted.
   std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) {
@@ -59,7 +59,7 @@ inline std::string read_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The folder of real data, or nothing.
+/// The folder of real data, if there is one.
 inline std::optional<std::filesystem::path> data_folder() {
   const char* variable = std::getenv("SYMSCENE_DATA");
   const std::filesystem::path path =
@@ -87,7 +87,7 @@ inline PointCloud random_cloud(Eigen::Index size, unsigned seed, bool normals = 
   return cloud;
 }
 
-/// Equal bit for bit, NaN too.
+/// Equal bit for bit, including NaN.
 template <class Matrix>
 ::testing::AssertionResult same_bits(const Matrix& a, const Matrix& b) {
   if (a.rows() != b.rows() || a.cols() != b.cols()) {
@@ -117,7 +117,7 @@ std::string refusal(const Call& call) {
   return "nothing was refused";
 }
 
-/// Whether `call` ran through or refused its input; anything else ends the test.
+/// Whether `call` returned (true) or threw InputError (false); other exceptions fail the test.
 template <class Call>
 bool accepts(const Call& call) {
   try {
@@ -129,8 +129,8 @@ bool accepts(const Call& call) {
   return true;
 }
 
-/// Cuts `bytes` at every length (at most `cuts` of them), flips single bits and overwrites runs:
-/// `parse` must return or throw InputError. Returns how many of the cuts were accepted.
+/// Truncates `bytes` at every length (at most `cuts` of them), flips single bits and overwrites
+/// runs: `parse` must return or throw InputError. Returns how many truncations were accepted.
 template <class Parse>
 int damage(const std::string& bytes, const Parse& parse, std::size_t cuts = 2000,
            int flips = 2000) {

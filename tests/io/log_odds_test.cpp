@@ -25,7 +25,7 @@ void expect_same_leaves(const LogOddsMap& a, const LogOddsMap& b) {
   }
 }
 
-/// Splits cubes at random, depth first; two of three that are not split are leaves.
+/// Splits cubes at random, depth first; two of three unsplit cubes are leaves.
 void grow(std::mt19937& random, const LogOddsLeaf& cube, LogOddsMap& map) {
   if (cube.level > 0 && (cube.level == 16 || (random() % 8 < 3 && map.leaves.size() < 3000))) {
     for (unsigned child = 0; child < 8; ++child) {
@@ -50,7 +50,7 @@ LogOddsMap random_map(unsigned seed) {
   return map;
 }
 
-TEST(LogOddsFile, LeavesComeBackInDepthFirstOrder) {
+TEST(LogOddsFile, LeavesAreReadInDepthFirstOrder) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const LogOddsMap map = random_map(seed);
     expect_same_leaves(parse_log_odds(format_log_odds(map), "x"), map);
@@ -92,7 +92,7 @@ TEST(LogOddsFile, RefusalsNameFileExpectedAndFound) {
             "a.ot: expected a tree of depth 16, found a voxel with children");
 }
 
-TEST(LogOddsFile, WhatCannotBeWrittenIsRefused) {
+TEST(LogOddsFile, InvalidMapsAreNotWritten) {
   LogOddsMap map;
   map.leaves = {{{8, 8, 8}, 3, 0.5F}, {{9, 10, 15}, 0, 0.5F}};
   EXPECT_THROW(format_log_odds(map), InputError);
@@ -102,7 +102,7 @@ TEST(LogOddsFile, WhatCannotBeWrittenIsRefused) {
   EXPECT_THROW(format_log_odds(map), InputError);
 }
 
-TEST(LogOddsMap, LabelsJoinCubesThatAreAlike) {
+TEST(LogOddsMap, LabelsJoinCubesOfEqualState) {
   LogOddsMap map;
   for (unsigned child = 0; child < 8; ++child) {
     map.leaves.push_back({octree_key(64 + child), 0, child % 2 == 0 ? -0.4F : -0.8F});
@@ -137,7 +137,7 @@ TEST(LogOddsFile, OctoMapReadsTheSameLeavesAndGreatestChildren) {
   }
 }
 
-TEST(LogOddsFile, WhatOctoMapWritesIsRead) {
+TEST(LogOddsFile, FilesOfOctoMapAreRead) {
   octomap::OcTree tree(0.05);
   octomap::Pointcloud points;
   std::mt19937 random(4);

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "io/io_support.hpp"
-#include "symscene/io/ply.hpp"
 
 namespace symscene {
 namespace {
@@ -65,7 +64,7 @@ std::string triangle_glb(const std::string& z_scale = "2") {
   return glb + std::string("BIN\0", 4) + binary;
 }
 
-TEST(Mesh, ObjIsReadWithPolygonsCutIntoTriangles) {
+TEST(Mesh, PolygonsOfAnObjAreSplitIntoTriangles) {
   const TriangleMesh mesh =
       parse_mesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "obj", "x");
   EXPECT_EQ(mesh.vertices.rows(), 4);
@@ -79,7 +78,7 @@ TEST(Mesh, TrianglesOfAnStlShareTheirVertices) {
   EXPECT_EQ(mesh.triangles.rows(), 4);
 }
 
-TEST(Mesh, AVertexThatIsNotANumberIsKept) {
+TEST(Mesh, ANonFiniteVertexIsKept) {
   std::string stl = tetrahedron_stl();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(stl.data() + 84 + 12, &nan, sizeof(nan));
@@ -96,7 +95,7 @@ TEST(Mesh, FilesThatBytesReferToAreNotOpened) {
   EXPECT_EQ(parse_mesh("mtllib /dev/zero\n" + tetrahedron_obj, "obj", "x").triangles.rows(), 4);
 }
 
-TEST(Mesh, NodesOfAGlbPutTheirMeshesInPlace) {
+TEST(Mesh, NodesOfAGlbTransformTheirMeshes) {
   const TriangleMesh mesh = parse_mesh(triangle_glb(), "glb", "x");
   ASSERT_EQ(mesh.triangles.rows(), 1);
   const Eigen::RowVector3f corner = mesh.vertices.row(mesh.triangles(0, 1));
@@ -105,7 +104,7 @@ TEST(Mesh, NodesOfAGlbPutTheirMeshesInPlace) {
   EXPECT_EQ(mesh.colors.row(mesh.triangles(0, 1)).cast<int>(), Eigen::RowVector3i(0, 255, 0));
 }
 
-/// Four corners of a square as a strip, in text, `nodes` around it.
+/// A glTF with a square as a triangle strip, base64 data and these `nodes`.
 std::string strip_gltf(const std::string& nodes, const std::string& count = "4") {
   return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[)" + nodes +
          R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5}]}],"accessors":)"
@@ -116,7 +115,7 @@ std::string strip_gltf(const std::string& nodes, const std::string& count = "4")
          R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAA"}]})";
 }
 
-TEST(Mesh, StripsAndDataInTextAreRead) {
+TEST(Mesh, TriangleStripsAndBase64DataAreRead) {
   const TriangleMesh mesh = parse_mesh(strip_gltf(R"({"mesh":0})"), "gltf", "x");
   decltype(mesh.triangles) expected(2, 3);
   expected << 0, 1, 2, 1, 3, 2;
@@ -124,7 +123,7 @@ TEST(Mesh, StripsAndDataInTextAreRead) {
   EXPECT_EQ(mesh.vertices.row(3), Eigen::RowVector3f(1.0F, 1.0F, 0.0F));
 }
 
-TEST(Mesh, NodesThatAreNoTreeAndDataOutsideTheirBufferAreRefused) {
+TEST(Mesh, CyclesOfNodesAndDataOutsideTheirBufferAreRefused) {
   const auto message = [](const std::string& gltf) {
     return refusal([&] { parse_mesh(gltf, "gltf", "a.gltf"); });
   };
@@ -140,14 +139,14 @@ TEST(Mesh, NodesThatAreNoTreeAndDataOutsideTheirBufferAreRefused) {
             "a.gltf: meshes: expected an array of more than 1, found an array of 1");
 }
 
-/// `count` times the same text as items of a JSON array.
+/// `item` repeated `count` times as items of a JSON array.
 std::string repeated(const std::string& item, std::size_t count) {
   std::string items = item;
   for (std::size_t i = 1; i < count; ++i) items += "," + item;
   return items;
 }
 
-TEST(Mesh, NodesThatRepeatAMeshOfManyPrimitivesAreRefusedBeforeTheyTakeLong) {
+TEST(Mesh, ManyNodesWithAMeshOfManyPrimitivesAreRefusedQuickly) {
   std::string children = "1";
   for (int node = 2; node <= 6000; ++node) children += fmt::format(",{}", node);
   const std::string gltf = fmt::format(
@@ -171,10 +170,10 @@ TEST(Mesh, DataBesideAGltfIsReadFromItsFolder) {
   EXPECT_EQ(read_mesh(folder / "a.gltf").triangles.rows(), 2);
 }
 
-TEST(Mesh, TextStlAndBinaryStlSayTheSame) {
+TEST(Mesh, TextStlAndBinaryStlGiveTheSameMesh) {
   const TriangleMesh binary = parse_mesh(tetrahedron_stl(), "stl", "x");
   const TriangleMesh mesh = tetrahedron();
-  std::string text = "solid a thing\r\n";
+  std::string text = "solid a name\r\n";
   for (Eigen::Index t = 0; t < 4; ++t) {
     text += "facet normal 0 0 0\n  outer loop\n";
     for (int k = 0; k < 3; ++k) {
@@ -183,14 +182,14 @@ TEST(Mesh, TextStlAndBinaryStlSayTheSame) {
     }
     text += "  endloop\nendfacet\n";
   }
-  const TriangleMesh again = parse_mesh(text + "endsolid a thing", "stl", "x");
+  const TriangleMesh again = parse_mesh(text + "endsolid a name", "stl", "x");
   EXPECT_EQ(again.vertices, binary.vertices);
   EXPECT_EQ(again.triangles, binary.triangles);
   EXPECT_EQ(refusal([&] { parse_mesh(text, "stl", "a.stl"); }),
             "a.stl: expected endsolid, found the end of the file");
 }
 
-TEST(Mesh, ObjCornersMayHaveNormalsCountBackwardsAndHaveColors) {
+TEST(Mesh, ObjFacesMayHaveNormalsAndNegativeIndicesAndVerticesColours) {
   const TriangleMesh mesh = parse_mesh(
       "# a comment\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nvt 0 0\n"
       "f 1//1 2/1 3/1/1\nf -1 -2 -3",
@@ -205,7 +204,7 @@ TEST(Mesh, ObjCornersMayHaveNormalsCountBackwardsAndHaveColors) {
   }
 }
 
-TEST(Mesh, AMirroringTransformKeepsTheOutsideOutside) {
+TEST(Mesh, AMirroringTransformKeepsTheOrientation) {
   const TriangleMesh mesh = parse_mesh(triangle_glb("-2"), "glb", "x");
   ASSERT_EQ(mesh.triangles.rows(), 1);
   const auto corner = [&](int k) -> Eigen::Vector3f {
@@ -215,22 +214,22 @@ TEST(Mesh, AMirroringTransformKeepsTheOutsideOutside) {
   EXPECT_LT(normal.z(), 0.0F);
 }
 
-TEST(Mesh, EveryFormatIsToldByItsExtension) {
+TEST(Mesh, EveryFormatIsRecognisedByItsExtension) {
   const TemporaryFolder folder;
   write_text(folder / "a.OBJ", tetrahedron_obj);
   write_text(folder / "a.stl", tetrahedron_stl());
   write_text(folder / "a.glb", triangle_glb());
-  write_ply(folder / "a.ply", tetrahedron());
+  write_mesh(folder / "a.ply", tetrahedron());
   for (const char* file : {"a.OBJ", "a.stl", "a.ply"}) {
     EXPECT_EQ(read_mesh(folder / file).triangles.rows(), 4) << file;
   }
   EXPECT_EQ(read_mesh(folder / "a.glb").triangles.rows(), 1);
 }
 
-TEST(MeshFolder, IsReadByNameAndWithoutWhatCannotBeRead) {
+TEST(MeshFolder, IsSortedByNameAndSkipsFilesThatCannotBeRead) {
   const TemporaryFolder folder;
   write_text(folder / "b.obj", tetrahedron_obj);
-  write_ply(folder / "a.ply", tetrahedron());
+  write_mesh(folder / "a.ply", tetrahedron());
   write_text(folder / "corrupt.ply", "ply\nformat");
   write_text(folder / "notes.txt", "no mesh");
   const auto [meshes, warnings] = read_mesh_folder(folder / ".");
@@ -269,7 +268,7 @@ TEST(MeshFolder, WithoutAnyMeshIsRefused) {
   EXPECT_THROW(read_mesh_folder(folder / "corrupt.ply"), InputError);
 }
 
-TEST(Mesh, WhatIsNoMeshIsRefused) {
+TEST(Mesh, OtherFilesAreRefused) {
   const TemporaryFolder folder;
   EXPECT_EQ(refusal([] { parse_mesh("", "blend", "a.blend"); }),
             "a.blend: expected a mesh in PLY, OBJ, STL, GLB or glTF format, found .blend");

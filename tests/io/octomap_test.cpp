@@ -19,7 +19,7 @@ void expect_same_leaves(const OccupancyMap& a, const OccupancyMap& b) {
   }
 }
 
-/// Splits cubes at random, depth first; what is not split is free, occupied or never seen.
+/// Splits cubes at random, depth first; unsplit cubes are free, occupied or never seen.
 void grow(std::mt19937& random, const OccupancyLeaf& cube, OccupancyMap& map) {
   const bool on_a_path = random() % 8 < 3;
   if (cube.level > 0 && (cube.level == 16 || (on_a_path && map.leaves.size() < 3000))) {
@@ -44,7 +44,7 @@ OccupancyMap random_map(unsigned seed) {
   return map;
 }
 
-TEST(Octomap, LeavesComeBackInDepthFirstOrder) {
+TEST(Octomap, LeavesAreReadInDepthFirstOrder) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const OccupancyMap map = random_map(seed);
     expect_same_leaves(parse_octomap(format_octomap(map), "x"), map);
@@ -67,7 +67,7 @@ TEST(Octomap, TheCornersOfTheTreeAreKept) {
   expect_same_leaves(parse_octomap(format_octomap(map), "x"), map);
 }
 
-TEST(Octomap, ALeafOfTheWholeTreeIsWrittenAsItsChildren) {
+TEST(Octomap, ALeafThatIsTheWholeTreeIsWrittenAsItsChildren) {
   OccupancyMap map;
   map.leaves = {{{}, 16, VoxelState::free}};
   const OccupancyMap again = parse_octomap(format_octomap(map), "x");
@@ -106,7 +106,7 @@ TEST(Octomap, LeavesThatOverlapAreRefused) {
   EXPECT_THROW(format_octomap(map), InputError);
 }
 
-TEST(Octomap, LeavesThatAreNoCubesOfTheTreeAreRefused) {
+TEST(Octomap, MisalignedLeavesAreRefused) {
   OccupancyMap map;
   map.leaves = {{{4, 8, 8}, 3, VoxelState::free}};
   EXPECT_THROW(format_octomap(map), InputError);
@@ -128,7 +128,7 @@ TEST(Octomap, AHugeSizeInTheHeaderTakesNoMemory) {
   const std::string file =
       "# Octomap OcTree binary file\nid OcTree\nsize 18446744073709551615\nres 1\ndata\n\x01";
   EXPECT_EQ(refusal([&] { parse_octomap(file + std::string(1, '\0'), "a.bt"); }),
-            "a.bt: expected 18446744073709551615 nodes, as its header says, found 2");
+            "a.bt: expected 18446744073709551615 nodes, as its header declares, found 2");
 }
 
 TEST(Octomap, RefusalsNameFileExpectedAndFound) {
@@ -148,7 +148,7 @@ TEST(Octomap, DamagedFilesAreReadOrRefused) {
             0);
 }
 
-TEST(Octomap, TheSampleSceneIsWrittenBackByteForByte) {
+TEST(Octomap, ReadingAndWritingTheSampleSceneGivesTheSameBytes) {
   const auto data = data_folder();
   if (!data) GTEST_SKIP() << "skipped: no data";
   const std::string bytes = read_text(*data / "ctd_sample/occupancy.bt");

@@ -1,10 +1,10 @@
-#include "symscene/io/pcd.hpp"
+#include "io/pcd.hpp"
 
 #include <fmt/format.h>
 
 #include "io/io_support.hpp"
+#include "io/ply.hpp"
 #include "symscene/io/cloud.hpp"
-#include "symscene/io/ply.hpp"
 
 namespace symscene {
 namespace {
@@ -16,7 +16,7 @@ void append(std::string& text, T value) {
   text.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// An LZF stream that says again what the last 8 KiB hold where it can, else literals.
+/// Compresses with LZF: references to the last 8 KiB where possible, else literals.
 std::string compress_lzf(const std::string& data) {
   std::string out;
   std::string literals;
@@ -112,7 +112,7 @@ std::string ascii(const PointCloud& cloud, bool float_color) {
   return out;
 }
 
-TEST(Pcd, TheThreeEncodingsSayTheSame) {
+TEST(Pcd, TheThreeEncodingsGiveTheSameCloud) {
   PointCloud cloud = random_cloud(500, 1);
   cloud.positions.col(2).setConstant(0.25F);  // something to compress
   expect_same(parse_pcd(binary(cloud), "x"), cloud);
@@ -121,7 +121,7 @@ TEST(Pcd, TheThreeEncodingsSayTheSame) {
   expect_same(parse_pcd(ascii(cloud, false), "x"), cloud);
 }
 
-TEST(Pcd, WhatIsWrittenIsReadBackBitForBit) {
+TEST(Pcd, WritingAndReadingGiveTheSameBits) {
   for (const bool normals : {false, true}) {
     for (const bool colors : {false, true}) {
       for (const Eigen::Index size : {0, 1, 1000}) {
@@ -150,7 +150,7 @@ TEST(Pcd, DamagedFilesAreReadOrRefused) {
   damage(ascii(cloud, true), parse);
 }
 
-TEST(Pcd, LzfStreamsThatReferBeforeTheirBeginAreRefused) {
+TEST(Pcd, LzfReferencesBeforeTheBeginningAreRefused) {
   std::string file =
       "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
       "DATA binary_compressed\n";
@@ -189,17 +189,31 @@ TEST(Pcd, RefusalsNameFileExpectedAndFound) {
             "a.pcd: expected fields x, y and z, found other fields");
 }
 
-TEST(Cloud, TheFormatIsToldByTheFirstBytesWhateverTheExtension) {
+TEST(Cloud, TheFormatIsRecognisedByTheFirstBytesWhateverTheExtension) {
   const TemporaryFolder folder;
   const PointCloud cloud = random_cloud(20, 4);
-  write_ply(folder / "a.xyz", cloud);
-  write_pcd(folder / "b", cloud);
+  write_text(folder / "a.xyz", format_ply(cloud));
+  write_text(folder / "b", format_pcd(cloud));
   expect_same(read_cloud(folder / "a.xyz"), cloud);
   expect_same(read_cloud(folder / "b"), cloud);
   write_text(folder / "c.ply", "hello\n");
   EXPECT_EQ(refusal([&] { read_cloud(folder / "c.ply"); }),
             (folder / "c.ply").string() +
                 ": expected a point cloud in PLY or PCD format, found \"hello\"");
+}
+
+TEST(Cloud, IsWrittenInTheFormatOfItsExtension) {
+  const TemporaryFolder folder;
+  const PointCloud cloud = random_cloud(20, 4);
+  for (const char* file : {"a.ply", "a.pcd"}) {
+    write_cloud(folder / file, cloud);
+    expect_same(read_cloud(folder / file), cloud);
+  }
+  EXPECT_EQ(read_text(folder / "a.ply"), format_ply(cloud));
+  EXPECT_EQ(read_text(folder / "a.pcd"), format_pcd(cloud));
+  EXPECT_EQ(
+      refusal([&] { write_cloud(folder / "a.xyz", cloud); }),
+      (folder / "a.xyz").string() + ": expected a name that ends in .ply or .pcd, found .xyz");
 }
 
 }  // namespace

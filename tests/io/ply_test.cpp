@@ -1,4 +1,5 @@
-#include "symscene/io/ply.hpp"
+#include "io/ply.hpp"
+#include "symscene/io/cloud.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(All, PlyEncodings,
                          ::testing::Values("ascii", "binary_little_endian", "binary_big_endian"),
                          [](const auto& suite) { return std::string(suite.param); });
 
-TEST(Ply, WhatIsWrittenIsReadBackBitForBit) {
+TEST(Ply, WritingAndReadingGiveTheSameBits) {
   for (const bool normals : {false, true}) {
     for (const bool colors : {false, true}) {
       for (const Eigen::Index size : {0, 1, 1000}) {
@@ -57,14 +58,14 @@ TEST(Ply, WhatIsWrittenIsReadBackBitForBit) {
   }
 }
 
-TEST(Ply, NotANumberStaysNotANumber) {
+TEST(Ply, NonFiniteValuesAreKept) {
   PointCloud cloud = random_cloud(3, 2);
   cloud.positions(1, 2) = std::numeric_limits<float>::quiet_NaN();
   cloud.positions(2, 0) = std::numeric_limits<float>::infinity();
   expect_same(parse_ply_cloud(format_ply(cloud), "x"), cloud);
 }
 
-TEST(Ply, AMeshIsReadBackBitForBit) {
+TEST(Ply, WritingAndReadingAMeshGiveTheSameBits) {
   TriangleMesh mesh;
   mesh.vertices = random_cloud(50, 3).positions;
   mesh.colors = random_cloud(50, 3).colors;
@@ -169,7 +170,7 @@ std::string triangle_of_corner(const std::string& corner) {
          corner + "\n";
 }
 
-TEST(Ply, AFaceThatNamesNoVertexIsRefused) {
+TEST(Ply, AFaceWithAnInvalidVertexIsRefused) {
   EXPECT_EQ(parse_ply_mesh(triangle_of_corner("2"), "x").triangles.rows(), 1);
   for (const char* corner : {"3", "-1", "1.5", "nan", "1e30"}) {
     EXPECT_THROW(parse_ply_mesh(triangle_of_corner(corner), "x"), InputError) << corner;
@@ -202,7 +203,7 @@ TEST(Ply, RefusalsNameFileExpectedAndFound) {
                   "a.ply");
             }),
             "a.ply: expected vertices with x, y and z, found other properties");
-  EXPECT_EQ(refusal([] { read_ply_cloud("/nowhere/a.ply"); }),
+  EXPECT_EQ(refusal([] { read_cloud("/nowhere/a.ply"); }),
             "/nowhere/a.ply: expected a file, found nothing of that name");
 }
 
@@ -212,16 +213,16 @@ TEST(Ply, AMeshWithoutFacesIsRefusedAndACloudWithFacesIsNot) {
   EXPECT_EQ(parse_ply_cloud(triangle_of_corner("2"), "x").size(), 3U);
 }
 
-TEST(Ply, ACloudThatContradictsItselfIsNotWritten) {
+TEST(Ply, AnInconsistentCloudIsNotWritten) {
   PointCloud cloud = random_cloud(3, 5);
   cloud.normals.conservativeResize(2, 3);
   EXPECT_THROW(format_ply(cloud), InputError);
 }
 
-TEST(Ply, TheSampleSceneHasEveryPointOrientedAndColored) {
+TEST(Ply, AllPointsOfTheSampleSceneHaveNormalsAndColours) {
   const auto data = data_folder();
   if (!data) GTEST_SKIP() << "skipped: no data";
-  const PointCloud cloud = read_ply_cloud(*data / "ctd_sample/cloud.ply");
+  const PointCloud cloud = read_cloud(*data / "ctd_sample/cloud.ply");
   EXPECT_EQ(cloud.size(), 88365U);
   EXPECT_TRUE(cloud.has_colors());
   EXPECT_LT((cloud.normals.rowwise().norm().array() - 1.0F).abs().maxCoeff(), 1e-3F);

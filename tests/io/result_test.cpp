@@ -30,7 +30,7 @@ SegmentationResult small_result() {
   return result;
 }
 
-TEST(Result, WhatIsWrittenIsReadBackBitForBit) {
+TEST(Result, WritingAndReadingGiveTheSameBits) {
   const TemporaryFolder folder;
   const SegmentationResult result = small_result();
   write_result(folder / "out", result);
@@ -51,7 +51,7 @@ TEST(Result, WhatIsWrittenIsReadBackBitForBit) {
   EXPECT_EQ(format_objects_json(again), format_objects_json(result));
 }
 
-TEST(Result, WhatSurroundsTheObjectsIsReadBackAndMayBeMissing) {
+TEST(Result, TheSurroundingsAreReadAndMayBeMissing) {
   const TemporaryFolder folder;
   TriangleMesh surface;
   surface.vertices = random_cloud(3, 7).positions;
@@ -114,7 +114,7 @@ TEST(Result, ARejectionMayHaveNoFiniteValue) {
   EXPECT_TRUE(std::isnan(again.rejected[0].value));
 }
 
-TEST(Result, AnOlderResultIsReplacedWhole) {
+TEST(Result, AnOlderResultIsReplacedCompletely) {
   const TemporaryFolder folder;
   write_result(folder / "out", small_result());
   SegmentationResult smaller = small_result();
@@ -126,7 +126,7 @@ TEST(Result, AnOlderResultIsReplacedWhole) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"out"});
 }
 
-TEST(Result, AFailedWriteLeavesTheOldResultAsItWas) {
+TEST(Result, AFailedWriteLeavesTheOldResultUnchanged) {
   const TemporaryFolder folder;
   const SegmentationResult result = small_result();
   write_result(folder / "out", result);
@@ -160,7 +160,7 @@ TEST(Result, AFolderWithOtherFilesIsNotReplaced) {
   write_result(folder / "out", small_result());
 }
 
-TEST(Result, FilesThatContradictEachOtherAreRefused) {
+TEST(Result, InconsistentFilesAreRefused) {
   const TemporaryFolder folder;
   write_result(folder / "out", small_result());
   fs::copy_file(folder / "out/objects/1.ply", folder / "out/objects/0.ply",
@@ -182,7 +182,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-TEST(Result, RefusalsNameThePlaceInTheFile) {
+TEST(Result, RefusalsNameFileAndPath) {
   const std::string text = format_objects_json(small_result());
   const auto message = [&](const std::string& from, const std::string& to) {
     const std::string changed = replaced(text, from, to);

@@ -1,7 +1,7 @@
 #include "symscene/io/scene.hpp"
 
 #include "io/io_support.hpp"
-#include "symscene/io/pcd.hpp"
+#include "symscene/io/cloud.hpp"
 #include "symscene/io/truth.hpp"
 
 namespace symscene {
@@ -18,7 +18,7 @@ Scene small_scene() {
   return scene;
 }
 
-TEST(Scene, WhatIsWrittenIsReadBack) {
+TEST(Scene, WritingAndReadingGiveTheSame) {
   const TemporaryFolder folder;
   const Scene scene = small_scene();
   write_scene(folder / "scene", scene);
@@ -42,15 +42,15 @@ TEST(Scene, WithoutOccupancyAndTableThereIsAWarningForEach) {
   EXPECT_NE(scene.warnings[1].find("table_plane.txt is not there"), std::string::npos);
 }
 
-TEST(Scene, APcdCloudDoesToo) {
+TEST(Scene, TheCloudMayBeAPcdFile) {
   const TemporaryFolder folder;
   const PointCloud cloud = random_cloud(5, 3);
   fs::create_directory(folder / "scene");
-  write_pcd(folder / "scene/cloud.pcd", cloud);
+  write_cloud(folder / "scene/cloud.pcd", cloud);
   expect_same(read_scene(folder / "scene").cloud, cloud);
 }
 
-TEST(Scene, WhatIsNoSceneFolderIsToldWhatOneHolds) {
+TEST(Scene, OtherFoldersAreRefusedAndTheContentsOfASceneFolderNamed) {
   const TemporaryFolder folder;
   const std::string expected =
       ": expected a scene folder, which holds cloud.ply (or cloud.pcd), occupancy.bt and "
@@ -66,7 +66,7 @@ TEST(Scene, WhatIsNoSceneFolderIsToldWhatOneHolds) {
             (folder / "empty").string() + expected + "a folder with no cloud.ply");
 }
 
-TEST(Scene, AFailedWriteLeavesTheOldSceneAsItWas) {
+TEST(Scene, AFailedWriteLeavesTheOldSceneUnchanged) {
   const TemporaryFolder folder;
   const Scene scene = small_scene();
   write_scene(folder / "scene", scene);
@@ -81,16 +81,16 @@ TEST(Scene, AFailedWriteLeavesTheOldSceneAsItWas) {
   expect_same(read_scene(folder / "scene").cloud, scene.cloud);
 }
 
-TEST(Scene, ASceneThatWasNotWrittenHereIsNotReplaced) {
+TEST(Scene, ASceneOfAnotherProgramIsNotReplaced) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "dataset");
-  write_pcd(folder / "dataset/cloud.pcd", random_cloud(5, 3));
+  write_cloud(folder / "dataset/cloud.pcd", random_cloud(5, 3));
   EXPECT_THROW(write_scene(folder / "dataset", small_scene()), InputError);
   write_text(folder / "dataset/scene.json", "{}");
   EXPECT_THROW(write_scene(folder / "dataset", small_scene()), InputError);
 }
 
-TEST(Scene, TruthAndParametersLieBeside) {
+TEST(Scene, GroundTruthAndParametersAreWrittenToo) {
   const TemporaryFolder folder;
   SceneTruth truth;
   truth.objects.push_back({"mug", {1, 2}, {}, {}, false, Eigen::Vector3d::Zero()});
@@ -108,7 +108,7 @@ TEST(Scene, IsWrittenToARelativePathWithoutAFolder) {
   EXPECT_TRUE(std::filesystem::exists(folder / "scene/cloud.ply"));
 }
 
-TEST(Scene, TheSampleSceneIsReadWhole) {
+TEST(Scene, TheSampleSceneIsReadCompletely) {
   const auto data = data_folder();
   if (!data) GTEST_SKIP() << "skipped: no data";
   const Scene scene = read_scene(*data / "ctd_sample");

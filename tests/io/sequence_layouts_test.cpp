@@ -53,7 +53,7 @@ TEST_F(Tum, IsReadWithItsOwnDepthScale) {
   expect_same_frame(sequence->read(1), small_frame(1, false));
 }
 
-TEST_F(Tum, TakesTheNearestColourAndPosesBetweenOthers) {
+TEST_F(Tum, UsesTheNearestColourAndInterpolatesPoses) {
   const auto sequence = open_sequence(dir, given_camera());
   EXPECT_NE(sequence->read(0).colors.rows(), 0);  // 15 ms off
   EXPECT_EQ(sequence->read(1).colors.rows(), 0);  // 21 ms off
@@ -215,7 +215,7 @@ TEST_F(Redwood, IsReadWithItsCameraAndTrajectory) {
   EXPECT_TRUE(sequence->pose(2)->isApprox(small_pose(2), 1e-7));
 }
 
-TEST_F(Redwood, FewerPosesThanFramesBelongToTheFramesThatTheyNumber) {
+TEST_F(Redwood, PosesBelongToTheFramesOfTheirNumbers) {
   write_text(dir / "trajectory.log", "2 2 3\n" + matrix_text(small_pose(5)));
   const auto sequence = open_sequence(dir);
   EXPECT_FALSE(sequence->pose(0) || sequence->pose(1));
@@ -225,7 +225,7 @@ TEST_F(Redwood, FewerPosesThanFramesBelongToTheFramesThatTheyNumber) {
             std::string::npos);
 }
 
-TEST_F(Redwood, NamesWithTimesPairByTime) {
+TEST_F(Redwood, ImagesWithTimesInTheirNamesArePairedByTime) {
   fs::remove_all(dir / "depth");
   fs::rename(dir / "image", dir / "rgb");
   fs::remove(dir / "trajectory.log");
@@ -249,7 +249,7 @@ TEST_F(Redwood, IsRefusedWithoutACamera) {
             std::string::npos);
 }
 
-TEST(Layouts, ADepthFolderWithoutACameraSaysWhatToPass) {
+TEST(Layouts, ADepthFolderWithoutACameraIsRefusedWithTheMissingOptions) {
   const TemporaryFolder folder;
   write_image(folder / "bare/depth/000000.png", small_depth_png(0));
   EXPECT_NE(refusal([&] {
@@ -260,7 +260,7 @@ TEST(Layouts, ADepthFolderWithoutACameraSaysWhatToPass) {
                     1e9);
 }
 
-TEST(Layouts, CamerasAndScalesThatAreNoneAreRefused) {
+TEST(Layouts, InvalidCamerasAndScalesAreRefused) {
   const TemporaryFolder folder;
   write_image(folder / "bare/depth/000000.png", small_depth_png(0));
   for (const double scale : {0.0, -1.0, 1e-60, std::numeric_limits<double>::quiet_NaN()}) {
@@ -273,7 +273,7 @@ TEST(Layouts, CamerasAndScalesThatAreNoneAreRefused) {
   EXPECT_THROW(open_sequence(folder / "bare", options)->read(0), InputError);
 }
 
-TEST(Layouts, TheTumSampleIsReadWhole) {
+TEST(Layouts, TheTumSampleIsReadCompletely) {
   const auto data = data_folder();
   if (!data) GTEST_SKIP() << "skipped: no data";
   SequenceOptions options;

@@ -13,7 +13,7 @@ inline CameraIntrinsics small_camera() {
   return {frame_size.width, frame_size.height, 10.0, 11.0, 3.5, 2.5};
 }
 
-/// Depth in whole millimetres, different for every `i`, with a pixel where nothing was measured.
+/// Depth in whole millimetres, different for every `i`, with one pixel without measurement.
 inline DepthFrame small_frame(int i, bool color = true) {
   DepthFrame frame;
   frame.time = 100.0 + 0.04 * i;
@@ -46,7 +46,7 @@ inline void write_image(const std::filesystem::path& path, const std::string& by
   write_text(path, bytes);
 }
 
-/// The same depths but for rounding, and the same colours.
+/// Equal depths up to rounding, and equal colours.
 inline void expect_same_frame(const DepthFrame& a, const DepthFrame& b, double time_tolerance = 0) {
   EXPECT_NEAR(a.time, b.time, time_tolerance);
   ASSERT_EQ(a.depth.size(), b.depth.size());

@@ -18,7 +18,7 @@ void write_small(const fs::path& dir, bool poses) {
   writer.finish();
 }
 
-TEST(Sequence, WhatIsWrittenIsReadBack) {
+TEST(Sequence, WritingAndReadingGiveTheSame) {
   const TemporaryFolder folder;
   write_small(folder / "sequence", true);
   const auto sequence = open_sequence(folder / "sequence");
@@ -46,7 +46,7 @@ TEST(Sequence, KeepsItsTimesWithoutPoses) {
   EXPECT_NEAR(open_sequence(folder / "sequence")->time(1), 1.0 / 30.0, 1e-12);
 }
 
-TEST(Sequence, DepthThatIsNotMeasuredOrOutOfReachIsWrittenAsZero) {
+TEST(Sequence, MissingAndOutOfRangeDepthIsWrittenAsZero) {
   const TemporaryFolder folder;
   DepthFrame frame = small_frame(0);
   frame.depth[0] = std::numeric_limits<float>::quiet_NaN();
@@ -62,7 +62,7 @@ TEST(Sequence, DepthThatIsNotMeasuredOrOutOfReachIsWrittenAsZero) {
             (std::vector<float>{0.0F, 0.0F, 0.0F, 65.535F, 1.234F, 0.0F}));
 }
 
-TEST(Sequence, AppearsWholeOrNotAtAll) {
+TEST(Sequence, AppearsCompleteOrNotAtAll) {
   const TemporaryFolder folder;
   {
     SequenceWriter writer(folder / "sequence", small_camera());
@@ -75,7 +75,7 @@ TEST(Sequence, AppearsWholeOrNotAtAll) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"sequence"});
 }
 
-TEST(Sequence, OtherPeoplesFoldersAreNotReplaced) {
+TEST(Sequence, FoldersWithOtherFilesAreNotReplaced) {
   const TemporaryFolder folder;
   write_image(folder / "photos/color/holiday.png", "x");
   EXPECT_THROW(SequenceWriter(folder / "photos", small_camera()), InputError);
@@ -84,7 +84,7 @@ TEST(Sequence, OtherPeoplesFoldersAreNotReplaced) {
   EXPECT_THROW(SequenceWriter(folder / "sequence", small_camera()), InputError);
 }
 
-TEST(Sequence, FilesLieBeside) {
+TEST(Sequence, FilesAreWrittenBesideTheImages) {
   const TemporaryFolder folder;
   for (int i = 0; i < 2; ++i) {  // the second replaces the first
     SequenceWriter writer(folder / "sequence", small_camera());
@@ -97,7 +97,7 @@ TEST(Sequence, FilesLieBeside) {
   EXPECT_EQ(read_text(folder / "sequence/truth.json"), "{}");
 }
 
-TEST(Sequence, FramesThatContradictEachOtherAreNotWritten) {
+TEST(Sequence, InconsistentFramesAreNotWritten) {
   const TemporaryFolder folder;
   SequenceWriter writer(folder / "sequence", small_camera());
   const Eigen::Isometry3d pose = small_pose(0);
@@ -111,7 +111,7 @@ TEST(Sequence, FramesThatContradictEachOtherAreNotWritten) {
   EXPECT_THROW(SequenceWriter(folder / "other", CameraIntrinsics{}), InputError);
 }
 
-TEST(Sequence, GivenIntrinsicsWinOverTheFile) {
+TEST(Sequence, GivenIntrinsicsTakePrecedenceOverTheFile) {
   const TemporaryFolder folder;
   write_small(folder / "sequence", true);
   SequenceOptions options;
@@ -123,7 +123,7 @@ TEST(Sequence, GivenIntrinsicsWinOverTheFile) {
   EXPECT_NEAR(sequence->read(0).depth[0], 0.25, 1e-6);
 }
 
-TEST(Sequence, DamagedFilesAreRefusedByName) {
+TEST(Sequence, ErrorsNameTheDamagedFile) {
   const TemporaryFolder folder;
   const fs::path dir = folder / "sequence";
   write_small(dir, true);
@@ -143,7 +143,7 @@ TEST(Sequence, DamagedFilesAreRefusedByName) {
   EXPECT_TRUE(refusal(read_all).starts_with((dir / "color/000001.png").string()));
   write_text(dir / "poses.txt", "0 0 0 0 0 0 0 1\n");
   EXPECT_EQ(refusal(read_all),
-            (dir / "poses.txt").string() + ": expected 3 lines, one a depth image, found 1");
+            (dir / "poses.txt").string() + ": expected 3 lines, one per depth image, found 1");
   write_text(dir / "intrinsics.txt", "8 6 10 11 3.5");
   EXPECT_EQ(refusal(read_all), (dir / "intrinsics.txt").string() +
                                    ": expected six numbers: width height fx fy cx cy, found the "
@@ -152,7 +152,7 @@ TEST(Sequence, DamagedFilesAreRefusedByName) {
   EXPECT_NE(refusal(read_all).find("focal lengths above 0, found 0"), std::string::npos);
 }
 
-TEST(Sequence, WhatIsNoneIsRefused) {
+TEST(Sequence, OtherFilesAreRefused) {
   const TemporaryFolder folder;
   write_image(folder / "text/notes.txt", "x");
   EXPECT_NE(refusal([&] { open_sequence(folder / "nowhere"); }).find("nothing of that name"),
@@ -185,7 +185,7 @@ TEST(Images, OneDepthImageIsASequenceOfOne) {
             std::string::npos);
 }
 
-TEST(Images, AFolderOfThemIsReadInTheOrderOfItsNumbers) {
+TEST(Images, AFolderOfImagesIsReadInTheOrderOfTheirNumbers) {
   const TemporaryFolder folder;
   for (const int i : {0, 2, 10}) {
     write_image(folder / "images" / ("learn" + std::to_string(i) + ".depth.png"),

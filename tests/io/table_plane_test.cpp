@@ -7,7 +7,7 @@ namespace {
 
 using namespace io_test;
 
-TEST(TablePlane, OneLineOrFourSayTheSame) {
+TEST(TablePlane, OneLineAndFourLinesGiveTheSamePlane) {
   const Plane a = parse_table_plane("0 0 2 -1", "x");
   const Plane b = parse_table_plane("0\n0\r\n2\n-1\n\n", "x");
   EXPECT_EQ(a.normal, Eigen::Vector3d::UnitZ());
@@ -26,7 +26,7 @@ TEST(TablePlane, ScalingTheNumbersDoesNotMoveThePlane) {
   }
 }
 
-TEST(TablePlane, WhatIsWrittenIsReadBackBitForBit) {
+TEST(TablePlane, WritingAndReadingGiveTheSameBits) {
   std::mt19937 random(1);
   std::normal_distribution<double> number;
   for (int i = 0; i < 100; ++i) {

@@ -1,4 +1,5 @@
 #include "symscene/io/trajectory.hpp"
+#include "io/pose_formats.hpp"
 
 #include "io/io_support.hpp"
 
@@ -31,21 +32,21 @@ void expect_same(const Trajectory& a, const Trajectory& b) {
   }
 }
 
-TEST(Trajectory, WhatIsWrittenIsReadBack) {
+TEST(Trajectory, WritingAndReadingGiveTheSame) {
   const TemporaryFolder folder;
   const Trajectory trajectory = random_trajectory(50, 1);
-  write_trajectory(folder / "poses.txt", trajectory);
+  write_text(folder / "poses.txt", format_trajectory(trajectory));
   expect_same(read_trajectory(folder / "poses.txt"), trajectory);
   EXPECT_TRUE(parse_trajectory("", "x").empty());
 }
 
-TEST(Trajectory, CommentsAndLengthsOfQuaternionsDoNotMatter) {
+TEST(Trajectory, CommentsAreSkippedAndQuaternionsNormalised) {
   const Trajectory a = parse_trajectory("# time tx ...\n\n1 2 3 4 0 0 1 1 # here\r\n", "x");
   expect_same(a, parse_trajectory("1 2 3 4 0 0 1e-200 1e-200", "x"));
   EXPECT_TRUE((a[0].T_world_camera * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d(2, 4, 4)));
 }
 
-TEST(Trajectory, LinesThatAreNoPoseAreRefusedByTheirNumber) {
+TEST(Trajectory, InvalidLinesAreRefusedWithTheirNumber) {
   const auto message = [](const char* text) {
     return refusal([&] { parse_trajectory(text, "poses.txt"); });
   };
@@ -64,7 +65,7 @@ TEST(Trajectory, DamagedFilesAreReadOrRefused) {
          [](std::string_view bytes) { parse_trajectory(bytes, "x"); });
 }
 
-TEST(Trajectory, PosesBetweenTwoMoveAndTurnEvenly) {
+TEST(Trajectory, PosesAreInterpolatedLinearlyAndSpherically) {
   Trajectory trajectory(2);
   trajectory[0].time = 10.0;
   trajectory[1].time = 10.08;
@@ -81,7 +82,7 @@ TEST(Trajectory, PosesBetweenTwoMoveAndTurnEvenly) {
   EXPECT_FALSE(pose_at({}, 10.02, 0.05));
 }
 
-TEST(PoseMatrix, IsReadRowByRow) {
+TEST(PoseMatrix, IsReadByRows) {
   const auto pose = parse_pose_matrix("0 -1 0 1\n1 0 0 2\n0 0 1 3\n0 0 0 1\n", "x");
   ASSERT_TRUE(pose);
   EXPECT_TRUE((*pose * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d(1, 3, 3)));
@@ -100,7 +101,7 @@ TEST(PoseMatrix, AnythingButARotationAndTranslationIsRefused) {
   }
 }
 
-TEST(TrajectoryLog, HasTheNumbersOfFramesForTimes) {
+TEST(TrajectoryLog, UsesTheNumbersOfFramesAsTimes) {
   const Trajectory log = parse_trajectory_log(
       "3 3 4\n1 0 0 1\n0 1 0 2\n0 0 1 3\n0 0 0 1\n7 7 8\n0 -1 0 0\n1 0 0 0\n0 0 1 0\n0 0 0 1\n",
       "x");

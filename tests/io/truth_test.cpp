@@ -1,7 +1,7 @@
 #include "symscene/io/truth.hpp"
 
 #include "io/io_support.hpp"
-#include "symscene/io/ply.hpp"
+#include "symscene/io/mesh.hpp"
 
 namespace symscene {
 namespace {
@@ -33,7 +33,7 @@ SceneTruth small_truth() {
   return truth;
 }
 
-TEST(Truth, WhatIsWrittenIsReadBackBitForBit) {
+TEST(Truth, WritingAndReadingGiveTheSameBits) {
   const SceneTruth truth = small_truth();
   const std::string text = format_truth(truth);
   const SceneTruth again = parse_truth(text, "x", 18);
@@ -50,7 +50,7 @@ TEST(Truth, WhatIsWrittenIsReadBackBitForBit) {
   EXPECT_EQ(format_truth(again), text);
 }
 
-TEST(Truth, AMeshWithItsPoseStandsForPoints) {
+TEST(Truth, AMeshWithItsPoseReplacesPoints) {
   const SceneTruth truth = parse_truth(
       R"({"table": [0,0,2,-1], "objects": [{"mesh": "can.ply", "centroid": [0,0,0],
           "pose": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
@@ -87,7 +87,7 @@ TEST(Truth, AMeshAndItsPoseAreKeptWithAndWithoutPoints) {
 TEST(Truth, MeshesAreReadFromTheFolderBesideIt) {
   const TemporaryFolder folder;
   fs::create_directories(folder / "meshes");
-  write_ply(folder / "meshes/mug.ply", tetrahedron());
+  write_mesh(folder / "meshes/mug.ply", tetrahedron());
   SceneTruth truth;
   truth.objects.resize(2);
   truth.objects[0].mesh = truth.objects[1].mesh = "mug";
@@ -119,7 +119,7 @@ std::string with_object(const std::string& object) {
   return R"({"table": [0,0,1,0], "objects": [{"centroid": [0,0,0], )" + object + "}]}";
 }
 
-TEST(Truth, RefusalsNameThePlaceInTheFile) {
+TEST(Truth, RefusalsNameFileAndPath) {
   const auto message = [](const std::string& text) {
     return refusal([&] { parse_truth(text, "truth.json", 10); });
   };
@@ -159,7 +159,7 @@ TEST(Truth, DamagedFilesAreReadOrRefused) {
   EXPECT_EQ(damage(text, [](std::string_view b) { parse_truth(b, "x", 18); }), 1);
 }
 
-TEST(Truth, ObjectsOfTooManyMembersAreRefusedAtOnce) {
+TEST(Truth, ObjectsOfTooManyMembersAreRefusedQuickly) {
   std::string text = "{";
   for (int i = 0; i < 200000; ++i) text += "\"" + std::to_string(i) + "\":0,";
   EXPECT_EQ(refusal([&] { parse_truth(text + "\"a\":0}", "truth.json"); }),

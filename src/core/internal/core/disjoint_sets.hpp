@@ -8,7 +8,7 @@
 
 namespace symscene {
 
-/// Disjoint sets of nodes, each led by its lowest.
+/// Union-find over the nodes 0 … count − 1. The leader of a set is its lowest node.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : leader_(count) {
@@ -20,7 +20,7 @@ class DisjointSets {
     return node;
   }
 
-  /// Makes the sets of both nodes one; its leader.
+  /// Joins the sets of both nodes. Returns the new leader.
   Index join(Index a, Index b) {
     const auto [low, high] = std::minmax({leader(a), leader(b)});
     leader_[high] = low;

@@ -2,11 +2,12 @@
 
 #include <cstddef>  // declares __GLIBC__
 
-/// Before the definition of a free function: compiles its loops for AVX-512, AVX2 and the baseline,
-/// and picks one at load time by what the processor has. For plain loops over arrays; the results
-/// are the same bits in all three, as nothing is contracted or reordered.
+/// Put before the definition of a free function: compiles it for AVX-512, AVX2 and the x86-64
+/// baseline, and selects a version at load time by the processor. For plain loops over arrays. All
+/// three give the same bits, because floating-point operations are neither contracted nor
+/// reordered.
 ///
-/// Clang up to 14 mistakes "arch=x86-64-v4" for a model of processor, so it is given features.
+/// Clang up to 14 takes "arch=x86-64-v4" for a processor model, so features are named instead.
 #if defined(SYMSCENE_SANITIZED) || !defined(__x86_64__) || !defined(__GLIBC__)
 #define SYMSCENE_MULTIVERSION
 #elif defined(__clang__) && __has_attribute(target_clones)

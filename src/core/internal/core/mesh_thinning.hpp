@@ -10,16 +10,17 @@ struct Ball {
   float radius = 0.0F;
 };
 
-/// The triangles whose corners are all finite and in the ball, and the vertices that they use.
+/// The triangles whose corners are finite and inside the ball, with the vertices that they use.
 TriangleMesh crop(const TriangleMesh& mesh, const Ball& ball);
 
-/// Vertex clustering (Rossignac and Borrel 1993): vertices in one cell of a grid become one, their
-/// mean, but for the two sides of a thin wall, which stay apart. A surface without a crack stays
-/// without one. Vertices are finite; the result has normals, and colours where the mesh has them.
+/// Vertex clustering (Rossignac and Borrel 1993): the vertices of a grid cell are replaced by their
+/// mean, separately for the two sides of a thin wall. A surface without cracks stays without
+/// cracks. `cell` is the edge of a cell. [m] Vertices must be finite. The result has normals, and
+/// colours if the mesh has them.
 TriangleMesh cluster_vertices(const TriangleMesh& mesh, float cell);
 
-/// The mesh as it is if it has at most `max_triangles`; otherwise clustered in the smallest cells,
-/// from `smallest_cell` on, that leave no more of them. [m]
+/// The mesh unchanged if it has at most `max_triangles`; otherwise clustered in the smallest cells,
+/// of at least `smallest_cell` [m], that reduce it to that number.
 TriangleMesh thin(const TriangleMesh& mesh, Index max_triangles, float smallest_cell);
 
 }  // namespace symscene

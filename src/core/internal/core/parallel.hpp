@@ -5,25 +5,11 @@
 #include <vector>
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 namespace symscene {
 
-/// Bounds the threads of every parallel loop while it lives; 0 means all cores.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(std::size_t threads)
-      : control_(tbb::global_control::max_allowed_parallelism,
-                 threads == 0 ? tbb::global_control::active_value(
-                                    tbb::global_control::max_allowed_parallelism)
-                              : threads) {}
-
- private:
-  tbb::global_control control_;
-};
-
-/// Runs body(i) for i in [0, count), each a task of its own: for few items of unequal cost.
+/// Runs body(i) for i in [0, count), each in its own task: for few items of unequal cost.
 template <class Body>
 void parallel_for_each(std::size_t count, const Body& body) {
   tbb::parallel_for(
@@ -34,7 +20,7 @@ void parallel_for_each(std::size_t count, const Body& body) {
       tbb::simple_partitioner());
 }
 
-/// Runs body(begin, end) on fixed blocks of [0, count), whatever the number of threads.
+/// Runs body(begin, end) on blocks of [0, count) that do not depend on the number of threads.
 template <class Body>
 void parallel_for_blocks(std::size_t count, std::size_t block, const Body& body) {
   parallel_for_each((count + block - 1) / block,

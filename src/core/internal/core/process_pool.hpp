@@ -8,30 +8,30 @@
 
 namespace symscene {
 
-/// What came of an item of work.
+/// The outcome of one item of work.
 struct ItemOutcome {
   std::size_t item = 0;
   bool done = false;
-  std::string text;  ///< what the work returned, or a sentence about what went wrong
+  std::string text;  ///< what the work returned, or a sentence that describes the failure
 };
 
-/// Processes that work on numbered items side by side, each item in a process of its own: one that
-/// crashes or is killed takes no other with it. They share nothing but what was in memory when the
-/// pool was made, which has to be before this process uses other threads, and end with it.
+/// Processes that work on numbered items in parallel, each item in its own process, so that a crash
+/// loses one item only. They see the memory as it was when the pool was made. The pool must be made
+/// before this process starts other threads; its processes end with this one.
 class ProcessPool {
  public:
-  /// What is done with an item, in a process of its own. What it returns has to be short, at most
-  /// 60,000 bytes; what it throws becomes the outcome's sentence.
+  /// The work on one item. The text that it returns may have at most 60,000 bytes; the message of
+  /// an exception becomes the text of the outcome.
   using Work = std::function<std::string(std::size_t item)>;
 
-  /// Throws InputError if the system gives no process.
+  /// Throws InputError if no process can be started.
   ProcessPool(std::size_t processes, const Work& work);
   ~ProcessPool();
   ProcessPool(const ProcessPool&) = delete;
   ProcessPool& operator=(const ProcessPool&) = delete;
 
-  /// Works on the items, beginning them in their order. `on_outcome` is called here for each as it
-  /// comes in. Items that are left when every process of the pool was killed are not done.
+  /// Works on the items, starting them in order. `on_outcome` is called in this process as each one
+  /// ends. If every process of the pool is killed, the remaining items are reported as not done.
   void run(const std::vector<std::size_t>& items,
            const std::function<void(const ItemOutcome&)>& on_outcome);
 
@@ -52,8 +52,8 @@ class ProcessPool {
   std::vector<Worker> workers_;
 };
 
-/// Holds back requests to end this process (SIGINT, SIGTERM, SIGHUP) while it lives, so that what
-/// is written meanwhile is whole.
+/// Delays signals that end this process (SIGINT, SIGTERM, SIGHUP) while it lives, so that files are
+/// written completely.
 class SignalDelay {
  public:
   SignalDelay();

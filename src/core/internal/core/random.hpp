@@ -4,8 +4,8 @@
 
 namespace symscene {
 
-/// A PCG32 generator (O'Neill 2014) with its own distributions: those of the standard library give
-/// other numbers with another library. Streams of one seed are independent of each other.
+/// A PCG32 generator (O'Neill 2014) with its own distributions, because those of the standard
+/// library differ between implementations. Streams of one seed are independent of each other.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0);
@@ -17,7 +17,7 @@ class Random {
   /// In [0, count).
   std::uint32_t below(std::uint32_t count);
   bool chance(double probability) { return uniform() < probability; }
-  /// Of mean 0 and standard deviation 1.
+  /// Normally distributed with mean 0 and standard deviation 1.
   double normal();
 
  private:

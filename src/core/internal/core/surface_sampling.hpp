@@ -5,8 +5,8 @@
 
 namespace symscene {
 
-/// About `count` oriented points spread over a mesh by area (a low-discrepancy sequence in every
-/// triangle, so that the same mesh gives the same points). Normals are those of the triangles,
+/// About `count` oriented points, distributed over a mesh by area with a low-discrepancy sequence
+/// in every triangle; the same mesh gives the same points. Normals are those of the triangles,
 /// colours those of the nearest vertex. Throws InputError if the mesh has no triangle of positive
 /// area.
 PointCloud sample_surface(const TriangleMesh& mesh, std::size_t count);

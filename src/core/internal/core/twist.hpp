@@ -7,7 +7,7 @@ namespace symscene {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// A small motion: of rotation vector ω and translation t.
+/// The motion with rotation vector ω and translation t, for a twist (ω, t).
 inline Eigen::Isometry3d motion(const Vector6d& twist) {
   const Eigen::Vector3d omega = twist.head<3>();
   const double angle = omega.norm();
@@ -17,13 +17,13 @@ inline Eigen::Isometry3d motion(const Vector6d& twist) {
   return T;
 }
 
-/// The pose without what rounding has done to its rotation, which else grows from step to step.
+/// The pose with its rotation made orthonormal again, so that rounding errors do not accumulate.
 inline Eigen::Isometry3d orthonormal(Eigen::Isometry3d T) {
   T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
   return T;
 }
 
-/// How a point at x moves with a motion of the space it is in: ω × x + t.
+/// Jacobian of the moved point with respect to the twist (ω, t): ω × x + t.
 inline Eigen::Matrix<double, 3, 6> point_jacobian(const Eigen::Vector3d& x) {
   Eigen::Matrix<double, 3, 6> J;
   J << 0, x.z(), -x.y(), 1, 0, 0,  //

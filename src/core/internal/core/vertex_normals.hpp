@@ -4,7 +4,8 @@
 
 namespace symscene {
 
-/// Unit vectors, the mean of the triangles' normals by area; zero where there is no triangle.
+/// Unit normals (V×3): the area-weighted means of the adjacent triangles' normals; zero at vertices
+/// without a triangle.
 Points vertex_normals(const TriangleMesh& mesh);
 
 }  // namespace symscene

@@ -4,11 +4,11 @@
 
 namespace symscene {
 
-/// One point for every voxel of a world-aligned grid that holds points: the means of their
-/// positions, unit normals and colours, in the order of the voxels (x fastest). Points with a
-/// coordinate that is not finite are left out, and so is a normal that is not finite or has no
-/// length (a voxel without any, or where they cancel out, gets the zero vector). Throws InputError
-/// if the cloud spans more than 2^20 voxels along an axis. [m]
+/// One point per occupied voxel of a world-aligned grid: the means of positions, unit normals and
+/// colours, in the order of the voxels (x fastest). Points with a non-finite coordinate are left
+/// out. Normals that are not finite or have no length are ignored; a voxel without a normal, or
+/// whose normals cancel out, gets the zero vector. `voxel_size` is the edge of a voxel. [m] Throws
+/// InputError if the cloud spans more than 2^20 voxels along an axis.
 PointCloud voxel_downsample(const PointCloud& cloud, double voxel_size);
 
 }  // namespace symscene

@@ -7,29 +7,28 @@
 
 namespace symscene {
 
-/// The bytes of a file.
-/// Throws InputError if there is no such file, if it is a folder or if it cannot be read.
+/// Reads a file. Throws InputError if it does not exist, is a folder or cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes a file so that a reader sees the old bytes or all of the new ones: a temporary file
-/// beside it takes its name when it is complete. The folder must exist. Throws InputError if the
-/// file cannot be written; the old file is then as it was.
+/// Writes a file so that a reader sees either the old or the new content: a temporary file beside
+/// it is renamed when it is complete. The folder must exist. Throws InputError if the file cannot
+/// be written; the old file is then unchanged.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// What a kind of output folder looks like: how a previous output is told from other people's
-/// files.
+/// The layout of a kind of output folder, by which a previous output is distinguished from the
+/// user's own files.
 struct DirectoryLayout {
   std::string what;    ///< for messages: "a result folder"
-  std::string marker;  ///< the file that every folder of this kind holds
+  std::string marker;  ///< a file that every folder of this kind contains
   /// Whether a file, by its path relative to the folder ("objects/0.ply"), belongs there.
   std::function<bool(const std::string& relative)> belongs;
 };
 
-/// Writes a folder so that a reader sees the old one or all of the new one: the files go into a
-/// temporary folder beside it, and commit() swaps the two. Without commit() nothing is left behind.
+/// Writes a folder so that a reader sees either the old or the new one: files are written to a
+/// temporary folder beside it, and commit() swaps the two. Without commit() nothing remains.
 class AtomicDirectory {
  public:
-  /// Begins to write `target`, whose parents are made if need be.
+  /// Begins to write `target`, whose parents are created if necessary.
   /// Throws InputError if `target` is a file, or a folder that is neither empty nor of this layout.
   AtomicDirectory(std::filesystem::path target, DirectoryLayout layout);
   ~AtomicDirectory();
@@ -42,8 +41,8 @@ class AtomicDirectory {
   /// Writes one file by its path relative to the folder. Throws InputError if that fails.
   void write(const std::filesystem::path& relative, std::string_view bytes) const;
 
-  /// Puts the new folder in the place of the old one, whose files are removed.
-  /// Throws InputError if that fails; the old folder is then as it was.
+  /// Replaces the old folder by the new one.
+  /// Throws InputError if that fails; the old folder is then unchanged.
   void commit();
 
  private:

@@ -16,18 +16,18 @@ using Json = nlohmann::ordered_json;
 /// Throws InputError if `text` is not JSON.
 Json parse_json(std::string_view text, const std::string& name);
 
-/// A value in a JSON document that knows where it stands, so that every complaint names file and
-/// place. All members throw InputError where the value is not what they return.
+/// A value in a JSON document with its path, so that every message names file and path. All members
+/// throw InputError if the value is not of the type that they return.
 class JsonCursor {
  public:
-  /// The whole document. Both must outlive the cursor and those got from it.
+  /// The root of a document. Both must outlive the cursor and all cursors obtained from it.
   JsonCursor(const Json& document, const std::string& name) : value_(&document), name_(&name) {}
 
-  /// A member that must be there; one that may be missing.
+  /// A required member, and an optional one.
   JsonCursor at(const char* key) const;
   std::optional<JsonCursor> find(const char* key) const;
 
-  /// An item of an array that must be there.
+  /// A required item of an array.
   JsonCursor at(std::size_t i) const;
   std::size_t size() const;  ///< of an array
 
@@ -60,12 +60,12 @@ class JsonCursor {
   std::string path_;
 };
 
-/// A number or vector as JSON. Throws InputError, `what` standing for the file, if not finite.
+/// A number or vector as JSON. Throws InputError, with `what` as the file, if it is not finite.
 Json to_json(double value, const char* what);
 Json to_json(const Eigen::Vector3d& vector, const char* what);
 Json to_json(const Plane& plane, const char* what);  ///< [a, b, c, d]
 
-/// The text of a file on one line. Throws InputError if a string is not UTF-8.
+/// The document on one line. Throws InputError if a string is not UTF-8.
 std::string format_json(const Json& document);
 
 }  // namespace symscene

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/random.hpp"
 #include "symscene/core/options.hpp"
 #include "symscene/core/types.hpp"
 #include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {
+
+class Random;
 
 /// The errors of a structured-light depth camera (Kinect, Xtion).
 ///

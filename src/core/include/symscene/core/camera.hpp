@@ -9,8 +9,8 @@
 
 namespace symscene {
 
-/// A pinhole camera that looks along +z with +x to the right of the image and +y down. Pixel
-/// centres have whole coordinates. No default camera: the fields must be given.
+/// A pinhole camera that looks along +z, with +x to the right of the image and +y down. Pixel
+/// centres have integer coordinates. There is no default camera: all fields must be given.
 struct CameraIntrinsics {
   Index width = 0;                                       ///< [px]
   Index height = 0;                                      ///< [px]
@@ -21,12 +21,12 @@ struct CameraIntrinsics {
 
   std::size_t pixels() const { return std::size_t{width} * height; }
 
-  /// The pixel onto which a point in front of the camera falls. [px]
+  /// Projects a point in front of the camera into the image. [px]
   Eigen::Vector2d project(const Eigen::Vector3d& point_camera) const {
     return {fx * point_camera.x() / point_camera.z() + cx,
             fy * point_camera.y() / point_camera.z() + cy};
   }
-  /// The direction with z = 1 of the ray through a pixel: times the depth it is the point.
+  /// The direction of the ray through a pixel, with z = 1: multiplied by the depth it is the point.
   Eigen::Vector3d ray(double u, double v) const { return {(u - cx) / fx, (v - cy) / fy, 1.0}; }
 
   /// x of the rays through each column.

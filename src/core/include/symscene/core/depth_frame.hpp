@@ -10,20 +10,20 @@
 
 namespace symscene {
 
-/// An image of a depth camera. Rows from the top; one entry a pixel of the camera that took it.
+/// An image of a depth camera: one entry per pixel, rows from the top.
 struct DepthFrame {
   double time = 0.0;         ///< when it was taken [s]
-  std::vector<float> depth;  ///< along the optical axis, 0 where nothing was measured [m]
-  Colors colors;             ///< of the same pixels, or 0×3
+  std::vector<float> depth;  ///< along the optical axis, 0 where there is no measurement [m]
+  Colors colors;             ///< per pixel, registered to the depth, or 0×3
 };
 
-/// Where a camera was, and when.
+/// A camera pose and its time.
 struct StampedPose {
   double time = 0.0;  ///< [s]
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 };
 
-/// The poses of a camera by rising time.
+/// The poses of a camera in ascending order of time.
 using Trajectory = std::vector<StampedPose>;
 
 }  // namespace symscene

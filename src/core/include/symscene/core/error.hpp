@@ -5,8 +5,8 @@
 
 namespace symscene {
 
-/// Invalid input. The message is one sentence that names where (a file, an option), what was
-/// expected and what was found; the three are also there by themselves.
+/// Invalid input. The message is one sentence, "WHERE: expected EXPECTED, found FOUND", where WHERE
+/// is a file or an option; the three parts can also be read separately.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string where, std::string expected, std::string found);

@@ -36,7 +36,7 @@ struct RotationAxis {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 
-  /// The rotation matrix about the axis' direction by `angle`. [rad]
+  /// The rotation matrix about the direction of the axis by `angle`. [rad]
   Eigen::Matrix3d rotation(double angle) const;
   Eigen::Vector3d rotate_point(const Eigen::Vector3d& p, double angle) const;
   Eigen::Vector3d project(const Eigen::Vector3d& p) const {
@@ -54,8 +54,8 @@ double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 /// Two unit vectors that complete a unit vector to a right-handed orthonormal basis, as columns.
 Eigen::Matrix<double, 3, 2> orthonormal_complement(const Eigen::Vector3d& direction);
 
-/// How far apart two symmetries are (Eqs. 3.11, 3.12): the angle between the lines or planes, and
-/// the distance between the projections of a reference point, which is where the object is.
+/// The difference of two symmetries (Eqs. 3.11, 3.12): the angle between the lines or planes, and
+/// the distance between the projections of a reference point at the object.
 struct SymmetryDifference {
   double angle = 0.0;     ///< [rad]
   double distance = 0.0;  ///< [m]
@@ -65,13 +65,13 @@ SymmetryDifference difference(const RotationAxis& a, const RotationAxis& b,
 SymmetryDifference difference(const ReflectionPlane& a, const ReflectionPlane& b,
                               const Eigen::Vector3d& reference);
 
-/// How far a plane is from holding an axis, and so from being a mirror of what turns about it: the
-/// angle between them, and the plane's distance from the axis where it passes the reference point.
+/// The difference between a plane and the nearest plane that contains an axis: the angle between
+/// plane and axis, and the distance between plane and axis near the reference point. It is zero if
+/// the plane contains the axis, as mirror planes of a rotationally symmetric object do.
 SymmetryDifference difference(const ReflectionPlane& plane, const RotationAxis& axis,
                               const Eigen::Vector3d& reference);
 
-/// Maps [min, max] to [0, 1] and clamps outside it (the form of every score:
-/// Eqs. 3.5, 3.9, 4.2, 4.3, 4.6, 4.7).
+/// Maps [min, max] linearly to [0, 1] and clamps outside (Eqs. 3.5, 3.9, 4.2, 4.3, 4.6, 4.7).
 template <class Scalar>
 constexpr Scalar ramp(Scalar value, Scalar min, Scalar max) {
   return value <= min ? Scalar(0) : value >= max ? Scalar(1) : (value - min) / (max - min);

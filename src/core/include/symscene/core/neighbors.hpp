@@ -8,7 +8,7 @@
 
 namespace symscene {
 
-/// The neighbours of every point, in one array.
+/// The neighbours of every point, concatenated in one array.
 struct NeighborLists {
   std::vector<Index> offsets;  ///< N+1: the neighbours of i are [offsets[i], offsets[i + 1])
   std::vector<Index> neighbors;
@@ -19,8 +19,8 @@ struct NeighborLists {
   }
 };
 
-/// Fixed-radius neighbour search: points sorted into the cells of a dense grid, a row of cells
-/// along x being one run of memory. For clouds of even density, where it beats a tree.
+/// Fixed-radius neighbour search: points sorted into the cells of a dense grid in which a row of
+/// cells along x is contiguous. For clouds of even density, where it is faster than a tree.
 class CellList {
  public:
   /// Sorts `points` into cells with an edge of `cell_size`. [m]
@@ -54,15 +54,14 @@ class CellList {
   std::vector<Entry> entries_;  ///< by cell, then by index
 };
 
-/// For every point the others within `radius`, ascending. [m]
+/// For every point the other points within `radius` [m], ascending.
 NeighborLists radius_neighbors(const Points& points, float radius);
 
-/// For every point its `count` nearest others, nearest first; fewer where the cloud has fewer
-/// points.
+/// For every point its `count` nearest other points, nearest first; fewer if the cloud has fewer.
 NeighborLists nearest_neighbors(const Points& points, std::size_t count);
 
-/// The pairs a < b of points within `radius` of which one is among the `count` nearest others of
-/// the other, each once, ascending. [m]
+/// The pairs a < b of points within `radius` [m] where one is among the `count` nearest neighbours
+/// of the other, each once, ascending.
 std::vector<std::pair<Index, Index>> nearest_pairs(const Points& points, std::size_t count,
                                                    float radius);
 

@@ -9,26 +9,25 @@
 namespace symscene {
 
 struct NormalEstimationOptions {
-  int neighbors = 16;  ///< nearest points that a tangent plane is fitted to
+  int neighbors = 16;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("neighbors", self.neighbors, "points",
-          "nearest points that a tangent plane is fitted to");
+    visit("neighbors", self.neighbors, "points", between(3, 256),
+          "nearest neighbours that a tangent plane is fitted to (Hoppe et al. 1992)");
   }
-  /// Throws InputError unless 3 <= neighbors <= 256.
-  void validate() const;
+  void validate() const { check_fields(*this); }
 };
 
-/// How well `direction` points out of the surface at `position`: above 0 for outwards, below 0 for
-/// inwards.
+/// Votes on the orientation of a normal at `position` [m]: above 0 if `direction` points out of the
+/// surface, below 0 if it points inwards.
 using OutwardVote =
     std::function<double(const Eigen::Vector3f& position, const Eigen::Vector3f& direction)>;
 
-/// Unit normals (N×3) from the tangent planes of each point's neighbours; zero where these do not
-/// span a plane. Signs are made to agree along the surface (Hoppe et al. 1992: over a minimum
-/// spanning tree whose edges prefer parallel planes), then each connected piece is turned as the
-/// sum of its votes says. Throws InputError if a coordinate is not finite.
+/// Unit normals (N×3) of planes fitted to each point's neighbours; zero where these do not span a
+/// plane. Orientations are propagated over a minimum spanning tree whose edges prefer parallel
+/// planes (Hoppe et al. 1992); the sum of the votes then decides the orientation of each connected
+/// piece. Throws InputError if a coordinate is not finite or an option is out of its range.
 Points estimate_normals(const Points& points, const OutwardVote& outward,
                         const NormalEstimationOptions& options = {});
 

@@ -7,8 +7,8 @@
 
 namespace symscene {
 
-/// Points with optional unit normals and colours, in one frame (the world's unless a name says
-/// otherwise).
+/// Points with optional unit normals and colours, in one frame (the world frame unless the variable
+/// is named otherwise).
 struct PointCloud {
   Points positions;  ///< N×3 [m]
   Points normals;    ///< N×3 unit vectors that point out of the surface, or 0×3
@@ -41,25 +41,28 @@ inline bool bends_outwards(const PointCloud& cloud, Index a, Index b) {
 /// The tight box around `points`; min > max where there is no point.
 Box bounding_box(const Points& points);
 
-/// The points of `cloud` that `indices` name, in that order, with their normals and colours.
+/// The points of `cloud` at `indices`, in that order, with their normals and colours.
 PointCloud select(const PointCloud& cloud, std::span<const Index> indices);
 
-/// The mean of the named points; zero where there is none. Summed in double in the order given. [m]
+/// The mean of the points at `indices`, summed in double in the order given; zero if there is none.
+/// [m]
 Eigen::Vector3d centroid(const Points& points, std::span<const Index> indices);
 Eigen::Vector3d centroid(const Points& points);
 
-/// The principal axes of points about their centroid as columns, longest first; any basis where
-/// they have no extent.
+/// The principal axes of points about their centroid as columns, longest first; an arbitrary
+/// basis if they have no extent.
 Eigen::Matrix3d principal_axes(const Points& points);
 
-/// The points with finite coordinates, ascending; those with a unit normal.
+/// The points with finite coordinates, ascending.
 PointIndices finite_points(const Points& points);
+
+/// The points with a unit normal, ascending.
 PointIndices oriented_points(const PointCloud& cloud);
 
 /// At most `count` of the indices 0 … size − 1, evenly spread, ascending.
 PointIndices evenly_spread(Index size, Index count);
 
-/// Intersection over union of two ascending index sets; zero where both are empty (Eq. 4.16).
+/// Intersection over union of two ascending index sets; zero if both are empty (Eq. 4.16).
 double intersection_over_union(std::span<const Index> a, std::span<const Index> b);
 
 /// Number of indices common to two ascending sets.

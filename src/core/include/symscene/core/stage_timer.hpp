@@ -13,17 +13,17 @@ struct StageTime {
   double seconds = 0.0;  ///< wall time
 };
 
-/// Times stages in the order in which they ran. One stopwatch a run: it is a value that the caller
-/// owns.
+/// Measures the wall time of stages, in the order in which they run. One timer per run, owned by
+/// the caller.
 class StageTimer {
  public:
-  /// Called with a stage's name as it begins, for progress.
+  /// Called with the name of each stage when it begins, to show progress.
   using OnBegin = std::function<void(const std::string&)>;
 
   StageTimer() = default;
   explicit StageTimer(OnBegin on_begin) : on_begin_(std::move(on_begin)) {}
 
-  /// Runs `body`, adds its wall time under `stage` and returns what it returned.
+  /// Runs `body`, adds its wall time under `stage` and returns its result.
   template <class Body>
   decltype(auto) time(const std::string& stage, Body&& body) {
     if (on_begin_) on_begin_(stage);
@@ -31,7 +31,7 @@ class StageTimer {
     return std::forward<Body>(body)();
   }
 
-  /// Adds time that was taken elsewhere.
+  /// Adds a time that was measured elsewhere.
   void add(std::string stage, double seconds) { stages_.push_back({std::move(stage), seconds}); }
 
   const std::vector<StageTime>& stages() const { return stages_; }

@@ -11,7 +11,7 @@ namespace symscene {
 /// Index of a point in a cloud.
 using Index = std::uint32_t;
 
-/// Indices into a cloud, ascending wherever they stand for a set of points.
+/// Indices into a cloud, ascending where they represent a set of points.
 using PointIndices = std::vector<Index>;
 
 /// Points or directions as a structure of arrays: N×3, the columns x, y and z contiguous. [m]

@@ -6,8 +6,14 @@
 
 namespace symscene {
 
-/// The points of a PLY or PCD file, told apart by the first bytes.
+/// Reads the points of a PLY or PCD file, recognised by the first bytes; values that are not finite
+/// are kept.
 /// Throws InputError if it is neither, or cannot be read.
 PointCloud read_cloud(const std::filesystem::path& path);
+
+/// Writes a PLY (little-endian) or PCD (binary) file, by the extension of `path`, atomically.
+/// Throws InputError if the extension is another, normals or colours are not as many as the points,
+/// or the file cannot be written.
+void write_cloud(const std::filesystem::path& path, const PointCloud& cloud);
 
 }  // namespace symscene

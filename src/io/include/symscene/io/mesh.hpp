@@ -9,13 +9,18 @@
 
 namespace symscene {
 
-/// A mesh from a PLY, OBJ, STL, GLB or glTF 2.0 file, told apart by the extension: all its parts
-/// where their transforms put them, as one mesh; except in PLY, vertices at the same place are one.
-/// Units are the file's. Throws InputError if the extension is another, or the file is not what it
-/// says or has no triangle.
+/// Reads a PLY, OBJ, STL, GLB or glTF 2.0 file, recognised by the extension. All parts, placed by
+/// their transforms, are joined into one mesh; except in PLY, vertices at equal positions are
+/// merged. Units are those of the file. Throws InputError if the extension is another, or the file
+/// is not valid or has no triangle.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-/// A mesh and what its file is called, less the ending.
+/// Writes a PLY file, little-endian, atomically.
+/// Throws InputError if normals or colours are not as many as the vertices, or the file cannot be
+/// written.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+/// A mesh and the name of its file without the extension.
 struct NamedMesh {
   std::string name;
   TriangleMesh mesh;
@@ -32,8 +37,9 @@ struct MeshFolder {
 /// Throws InputError if `dir` is no folder or holds no mesh that can be read.
 MeshFolder read_mesh_folder(const std::filesystem::path& dir);
 
-/// A mesh from bytes; files that they refer to are not looked for. `extension` is "ply", "obj",
-/// "stl", "glb" or "gltf"; `name` stands for the file in messages.
+/// Parses a mesh from bytes; references to other files are refused (glTF) or ignored (OBJ).
+/// `extension` is "ply", "obj", "stl", "glb" or "gltf"; `name` is the name of the file in messages.
+/// Throws InputError as read_mesh() does.
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& extension,
                         const std::string& name);
 

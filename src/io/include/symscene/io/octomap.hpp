@@ -8,19 +8,16 @@
 
 namespace symscene {
 
-/// The leaves of an OctoMap binary tree (.bt), depth first. `name` stands for the file in messages.
-/// Throws InputError if the bytes are no such file, end early, nest deeper than 16, or hold another
-/// number of nodes than their header says.
+/// Parses the leaves of an OctoMap binary tree (.bt), depth first. `name` is the name of the file
+/// in messages. Throws InputError if the bytes are no such file, end early, nest deeper than 16, or
+/// contain another number of nodes than the header declares.
 OccupancyMap parse_octomap(std::string_view bytes, const std::string& name);
 OccupancyMap read_octomap(const std::filesystem::path& path);
 
-/// An OctoMap binary tree with these leaves, which may come in any order; those that say
-/// never_seen are left out, and a leaf of the whole tree is written as its eight children.
-/// Throws InputError if two leaves overlap, a key is not a multiple of its leaf's size, a level is
-/// above 16 or the resolution is not positive.
+/// An OctoMap binary tree with these leaves, which may be in any order. Leaves of state never_seen
+/// are left out; a leaf that is the whole tree is written as its eight children. Throws InputError
+/// if two leaves overlap, a key is not a multiple of its leaf's size, a level is above 16 or the
+/// resolution is not positive.
 std::string format_octomap(const OccupancyMap& map);
-
-/// Writes format_octomap() atomically.
-void write_octomap(const std::filesystem::path& path, const OccupancyMap& map);
 
 }  // namespace symscene

@@ -9,24 +9,24 @@
 
 namespace symscene {
 
-/// A scene folder: cloud.ply or cloud.pcd; occupancy.bt and table_plane.txt if they are there, and
-/// Scene::warnings if not.
-/// Throws InputError if `dir` is no such folder or a file in it is not what it should be.
+/// Reads a scene folder: cloud.ply or cloud.pcd, and occupancy.bt and table_plane.txt if they
+/// exist; if not, Scene::warnings says so. Throws InputError if `dir` is no such folder or a file
+/// is not valid.
 Scene read_scene(const std::filesystem::path& dir);
 
-/// What stands in a scene folder beside the scene, as far as it is there.
+/// Optional files of a scene folder.
 struct SceneExtras {
-  std::string scene_json = {};             ///< the text of scene.json: parameters, times, version
+  std::string scene_json = {};             ///< text of scene.json: parameters, times, version
   const SceneTruth* truth = nullptr;       ///< truth.json
   const TriangleMesh* mesh = nullptr;      ///< mesh.ply
   const Trajectory* trajectory = nullptr;  ///< poses.txt
   const LogOddsMap* log_odds = nullptr;    ///< occupancy.ot
 };
 
-/// Writes a scene folder atomically: cloud.ply, scene.json (the least there can be if none is
-/// given), occupancy.bt and table_plane.txt as far as they are known, and the extras.
-/// Throws InputError if `dir` is not empty and not a scene folder that this function wrote, or
-/// cannot be written; what was there is then as it was.
+/// Writes a scene folder atomically: cloud.ply, scene.json (a minimal one if none is given),
+/// occupancy.bt and table_plane.txt if they are known, and the extras.
+/// Throws InputError if `dir` is neither empty nor a scene folder that this function wrote, or
+/// cannot be written; an existing folder is then unchanged.
 void write_scene(const std::filesystem::path& dir, const Scene& scene,
                  const SceneExtras& extras = {});
 

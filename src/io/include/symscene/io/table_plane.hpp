@@ -8,16 +8,13 @@
 
 namespace symscene {
 
-/// The plane ax + by + cz + d = 0 from the text of its four numbers a b c d, on one line or more,
-/// scaled to a unit normal. [m] `name` stands for the file in messages.
-/// Throws InputError unless there are four finite numbers, a, b, c not all zero.
+/// Parses the plane ax + by + cz + d = 0 from its four numbers a b c d [m], on one or more lines,
+/// and scales it to a unit normal. `name` is the name of the file in messages. Throws InputError
+/// unless there are four finite numbers, a, b, c not all zero.
 Plane parse_table_plane(std::string_view text, const std::string& name);
 Plane read_table_plane(const std::filesystem::path& path);
 
-/// The four numbers, one a line, so that reading gives the same plane.
+/// The four numbers, one per line. Reading them returns exactly the same plane.
 std::string format_table_plane(const Plane& plane);
-
-/// Writes format_table_plane() atomically.
-void write_table_plane(const std::filesystem::path& path, const Plane& plane);
 
 }  // namespace symscene

@@ -10,29 +10,26 @@
 
 namespace symscene {
 
-/// What is known of a scene, from the text of its truth.json (docs/formats.md). An object without
-/// points must name a mesh and its pose; its points are then empty and its name is the mesh's.
-/// Normals and directions are scaled to unit length. `name` stands for the file in messages.
-/// Throws InputError if the text is no such file, or an index is not below `cloud_size` where that
-/// is given.
+/// Parses the ground truth of a scene from truth.json (docs/formats.md). An object without points
+/// must name a mesh and its pose; its points are then empty and its name is that of the mesh.
+/// Normals and directions are scaled to unit length. `name` is the name of the file in messages.
+/// Throws InputError if the text is no such file, or `cloud_size` is given and an index is not
+/// below it.
 SceneTruth parse_truth(std::string_view text, const std::string& name,
                        std::optional<Index> cloud_size = std::nullopt);
 SceneTruth read_truth(const std::filesystem::path& path,
                       std::optional<Index> cloud_size = std::nullopt);
 
-/// The meshes of a truth's objects, one each, from the folder "meshes" beside it (docs/formats.md).
-/// Throws InputError if an object names no mesh or its file is not there.
+/// Reads the mesh of every object from `dir`/meshes (docs/formats.md).
+/// Throws InputError if an object names no mesh or its file does not exist.
 std::vector<TriangleMesh> read_truth_meshes(const std::filesystem::path& dir,
                                             const SceneTruth& truth);
 
-/// Symmetries of models by name, each in the model's own frame (docs/formats.md).
-/// Throws InputError if the file is no such file.
+/// Reads the symmetries of models, each in the frame of the model, by name (docs/formats.md).
+/// Throws InputError if the file is not valid.
 std::vector<TrueObject> read_model_symmetries(const std::filesystem::path& path);
 
 /// The text of truth.json. Throws InputError if a number is not finite.
 std::string format_truth(const SceneTruth& truth);
-
-/// Writes format_truth() atomically.
-void write_truth(const std::filesystem::path& path, const SceneTruth& truth);
 
 }  // namespace symscene

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "symscene/core/occupancy_map.hpp"
+
 namespace symscene {
-
-/// OctoMap's trees are 16 levels deep; the root is at level 16, a voxel at level 0.
-constexpr int octree_depth = 16;
-
-/// A voxel's place along x, y and z.
-using OctreeKey = std::array<std::uint16_t, 3>;
 
 /// Puts two zero bits between the bits of `value`.
 constexpr std::uint64_t spread_bits(std::uint16_t value) {
@@ -33,12 +28,12 @@ constexpr std::uint16_t gather_bits(std::uint64_t bits) {
   return static_cast<std::uint16_t>(bits | (bits >> 16));
 }
 
-/// The place of a voxel in depth-first order, x being the lowest bit (Morton 1966).
+/// The position of a voxel in depth-first order, x being the lowest bit (Morton 1966).
 constexpr std::uint64_t morton_code(const OctreeKey& key) {
   return spread_bits(key[0]) | (spread_bits(key[1]) << 1) | (spread_bits(key[2]) << 2);
 }
 
-/// The voxel at a place in depth-first order.
+/// The voxel at a position in depth-first order.
 constexpr OctreeKey octree_key(std::uint64_t code) {
   return {gather_bits(code), gather_bits(code >> 1), gather_bits(code >> 2)};
 }
@@ -61,7 +56,7 @@ class OctreeLeafCollector {
   }
 
  private:
-  /// Adds the leaves of the cube; its value if it is of one value throughout.
+  /// Adds the leaves of the cube. Returns its value if it is uniform.
   std::optional<Value> visit(std::uint64_t code, int level) {
     const std::size_t before = leaves_.size();
     std::optional<Value> value = uniform_(code, level);
@@ -88,10 +83,10 @@ class OctreeLeafCollector {
   std::vector<Leaf> leaves_;
 };
 
-/// make_leaf(code, level, value) of the largest cubes of equal value, depth first; space of the
-/// value `nothing` is left out. uniform(code, level) tells the one value of the cube of 2^level
-/// voxels a side whose first voxel is at `code`, or nothing where the cube has to be split; every
-/// voxel must have one.
+/// make_leaf(code, level, value) for the largest cubes of equal value, depth first; cubes with the
+/// value `nothing` are left out. uniform(code, level) returns the value of the cube with an edge of
+/// 2^level voxels whose first voxel is at `code`, or std::nullopt if the cube must be split; it
+/// must return a value for every voxel.
 template <class Value, class Uniform, class MakeLeaf>
 auto octree_leaves(Value nothing, const Uniform& uniform, const MakeLeaf& make_leaf) {
   return OctreeLeafCollector<Value, Uniform, MakeLeaf>(nothing, uniform, make_leaf).collect();

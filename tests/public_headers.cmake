@@ -1,0 +1,18 @@
+# Public headers include public headers of this project, Eigen and the standard library only:
+#   cmake -D source=FOLDER -P public_headers.cmake
+file(GLOB_RECURSE headers ${source}/src/*/include/*.hpp ${source}/evaluation/*/include/*.hpp)
+if(NOT headers)
+  message(FATAL_ERROR "no public header below ${source}")
+endif()
+set(wrong "")
+foreach(header ${headers})
+  file(STRINGS ${header} includes REGEX "^ *# *include")
+  foreach(include ${includes})
+    if(NOT include MATCHES "include (\"symscene/[a-z_]+/[a-z_]+\\.hpp\"|<Eigen/[A-Za-z]+>|<[a-z_0-9]+>)$")
+      string(APPEND wrong "\n${header}: ${include}")
+    endif()
+  endforeach()
+endforeach()
+if(wrong)
+  message(FATAL_ERROR "public headers include what is not installed with them:${wrong}")
+endif()
