@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 
 #include "core/parallel.hpp"

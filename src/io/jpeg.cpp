@@ -16,7 +16,7 @@ constexpr int most_scans = 100;
 
 /// The error message of libjpeg, which leaves a failed call by longjmp: while a call runs, nothing
 /// with a destructor may be on the stack above `jump`. `base` is first, so that a pointer to it is
-/// one to the whole.
+/// also one to the struct.
 struct ErrorManager {
   jpeg_error_mgr base;
   std::jmp_buf jump;

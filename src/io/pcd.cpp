@@ -17,7 +17,7 @@ namespace {
 
 constexpr bool swaps = std::endian::native != std::endian::little;
 
-/// What one place in the body holds: a field's first value, for every point.
+/// The body of a PCD file: the first value of a field, for every point.
 class PcdBody {
  public:
   virtual ~PcdBody() = default;

@@ -53,7 +53,7 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// The number that `word` is, as a whole.
+/// Parses all of `word` as a number.
 template <class Number>
 std::optional<Number> to_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);

@@ -9,7 +9,7 @@
 namespace symscene {
 namespace {
 
-constexpr double rounding = 1e-12;          ///< how far the length of a unit vector may be from one
+constexpr double rounding = 1e-12;          ///< tolerance on the length of a unit vector
 constexpr double shortest_vector = 1e-290;  ///< below it a quotient has no precision
 
 double length_of(const Eigen::Vector3d& vector, const std::string& where) {

@@ -87,7 +87,7 @@ TEST(WithThreads, RunsOnMoreThreadsThanCores) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   testing::with_threads(8, [&] {
     parallel_for_each(64, [&](std::size_t) {
-      // Hold on to this thread until others have come.
+      // Keep this thread busy until the others have started.
       while (!all_here() && std::chrono::steady_clock::now() < deadline)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
