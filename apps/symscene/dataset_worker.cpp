@@ -6,8 +6,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "core/parallel.hpp"
 #include "core/process_pool.hpp"
+#include "symscene/core/thread_limit.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/io/scene.hpp"
 
