@@ -1,5 +1,4 @@
 #include "core/parallel.hpp"
-#include "symscene/core/thread_limit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +9,10 @@
 #include <stdexcept>
 #include <thread>
 
+#include <tbb/global_control.h>
+
 #include "core/random_clouds.hpp"
+#include "symscene/core/thread_limit.hpp"
 #include "threads.hpp"
 
 namespace symscene {

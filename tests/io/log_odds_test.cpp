@@ -6,6 +6,7 @@
 #include <octomap/OcTree.h>
 #endif
 
+#include "core/octree.hpp"
 #include "io/io_support.hpp"
 
 namespace symscene {

@@ -11,6 +11,7 @@
 #include <octomap/OcTree.h>
 #endif
 
+#include "core/octree.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
 #include "symscene/simulation/simulation.hpp"
