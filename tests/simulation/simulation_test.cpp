@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "core/random.hpp"
 #include "simulation/depth_renderer.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/core/neighbors.hpp"
