@@ -8,11 +8,11 @@
 namespace symscene::bench {
 namespace {
 
-/// The text of every option, to tell caches apart.
+/// The names and values of all options as text, the key of a cached scene.
 class OptionText {
  public:
   template <class Value>
-  void operator()(const char* name, const Value& value, const char*, const char*) {
+  void operator()(const char* name, const Value& value, const char*, const Range&, const char*) {
     text_ += fmt::format("{}={} ", name, value);
   }
   template <class Group>
