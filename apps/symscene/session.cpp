@@ -37,13 +37,7 @@ Session::Session(std::string command, const SharedOptions& shared)
     : command_(std::move(command)),
       shared_(shared),
       threads_(shared.threads),
-      progress_(!shared.quiet && stderr_is_terminal()) {
-  previous_sink_ = set_log_sink([this](LogLevel level, std::string_view message) {
-    if (level == LogLevel::warning) warn(std::string(message));
-  });
-}
-
-Session::~Session() { set_log_sink(std::move(previous_sink_)); }
+      progress_(!shared.quiet && stderr_is_terminal()) {}
 
 StageTimer::OnBegin Session::on_begin() {
   return [this](const std::string& stage) { progress_.begin(stage); };

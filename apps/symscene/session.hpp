@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "core/log.hpp"
 #include "progress.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/stage_timer.hpp"
@@ -40,7 +39,6 @@ auto naming(const std::filesystem::path& path, const Work& work) {
 class Session {
  public:
   Session(std::string command, const SharedOptions& shared);
-  ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -62,7 +60,6 @@ class Session {
   SharedOptions shared_;
   ThreadLimit threads_;
   Progress progress_;
-  LogSink previous_sink_;
 };
 
 /// A table with milliseconds and share per stage, and their sum.

@@ -1,9 +1,8 @@
-// Errors, log messages and stage times.
+// Errors and stage times.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "core/log.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/stage_timer.hpp"
 
@@ -21,18 +20,6 @@ TEST(InputError, IsOneSentenceThatNamesPlaceExpectedAndFound) {
 TEST(RequireOption, ThrowsOnlyWhereTheConditionFails) {
   EXPECT_NO_THROW(require_option(true, "voxel_size", "a positive length in metres", 0.005));
   EXPECT_THROW(require_option(false, "voxel_size", "a positive length in metres", 0.0), InputError);
-}
-
-TEST(Log, HandsMessagesToTheSinkUntilItIsReplaced) {
-  std::vector<std::pair<LogLevel, std::string>> messages;
-  LogSink before = set_log_sink(
-      [&](LogLevel level, std::string_view message) { messages.emplace_back(level, message); });
-  log(LogLevel::warning, "no normals");
-  set_log_sink(std::move(before));
-  log(LogLevel::warning, "nobody hears this");
-  ASSERT_EQ(messages.size(), 1U);
-  EXPECT_EQ(messages[0].first, LogLevel::warning);
-  EXPECT_EQ(messages[0].second, "no normals");
 }
 
 TEST(StageTimer, ListsStagesInOrderAndAnnouncesThem) {
