@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "reconstruction/model_view.hpp"
 #include "stopwatch.hpp"
 #include "symscene/core/thread_limit.hpp"
-#include "symscene/reconstruction/model_view.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
 #include "symscene/simulation/sweep.hpp"
 #ifdef SYMSCENE_WITH_OPEN3D

@@ -99,7 +99,7 @@ struct Reconstruct {
       waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       if (!frame) continue;
       const std::optional<Eigen::Isometry3d> pose = given_pose(sequence, i);
-      if (!pose && !poses.empty() && reconstruction.volume().empty()) {
+      if (!pose && !poses.empty() && reconstruction.empty()) {
         // The first fused frame sets the world frame, which must be that of the poses.
         log.add_lost(i, "no earlier frame has a pose");
         continue;

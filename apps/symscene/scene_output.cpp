@@ -80,8 +80,8 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
                                              const PlacedFrames& placed,
                                              const std::string& scene_json, Session& session,
                                              StageTimer& timer) const {
-  const TriangleMesh surface = timer.time(
-      "extract surface", [&] { return extract_surface(reconstruction.volume(), extraction); });
+  const TriangleMesh surface =
+      timer.time("extract surface", [&] { return reconstruction.surface(extraction); });
   const BuiltScene built = timer.time("find table", [&] {
     return naming(input, [&] {
       return build_scene(surface, reconstruction.occupancy(), table,
@@ -101,8 +101,7 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
                  .log_odds = &built.log_odds});
   });
   const auto vertices = static_cast<std::uint64_t>(surface.vertices.rows());
-  const auto memory = static_cast<std::uint64_t>(reconstruction.volume().bytes() +
-                                                 reconstruction.occupancy().memory());
+  const auto memory = static_cast<std::uint64_t>(reconstruction.bytes());
   session.print_line(fmt::format("{}: {} points of objects, {} mesh vertices, model of {:.0f} MB",
                                  output.string(), built.scene.cloud.size(), vertices,
                                  1e-6 * static_cast<double>(memory)));

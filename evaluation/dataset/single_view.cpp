@@ -80,7 +80,7 @@ SingleViewScene single_view_scene(const LabeledFrame& labeled, const SingleViewO
   const Eigen::Isometry3d at_origin = Eigen::Isometry3d::Identity();
   reconstruction.add(labeled.frame, at_origin);
   const TriangleMesh surface =
-      extract_surface(reconstruction.volume(), surface_of_one(options.reconstruction.surface));
+      reconstruction.surface(surface_of_one(options.reconstruction.surface));
   if (surface.vertices.rows() == 0) return result;
   result.scene = build_scene(surface, reconstruction.occupancy(), {}, upward({{0.0, at_origin}}),
                              options.scene)

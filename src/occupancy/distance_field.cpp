@@ -186,10 +186,6 @@ int clamp_in_voxels(const DistanceFieldOptions& options, float resolution) {
 
 }  // namespace
 
-void DistanceFieldOptions::validate() const {
-  require_option(clamp > 0.0 && clamp < 1.0, "clamp", "a distance in (0, 1) m", clamp);
-}
-
 DistanceField distance_field(const OccupancyGrid& grid, const std::optional<Plane>& table,
                              const DistanceFieldOptions& options) {
   options.validate();

@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/block_index.hpp"
+#include "reconstruction/block_index.hpp"
 
 namespace symscene {
 

@@ -27,8 +27,8 @@ CellEdge edge_between(std::uint8_t a, std::uint8_t b) {
   return {std::min(a, b), static_cast<std::uint8_t>(difference == 4 ? 2 : difference - 1)};
 }
 
-/// Cuts each run of corners that are behind the surface off a face. Two corners across from each
-/// other are two runs, whatever the cell beyond the face: both sides cut alike.
+/// Separates each run of corners behind the surface on a face. Two opposite corners are two runs,
+/// whatever the neighbouring cell, so both cells separate them in the same way.
 void add_face(int behind, int axis, int side, std::vector<Segment>& segments) {
   const auto corners = face_corners(axis, side);
   const auto is_behind = [&](std::size_t k) { return (behind >> corners[k % 4] & 1) != 0; };
@@ -64,7 +64,7 @@ CellTriangles fill(std::vector<Segment> segments) {
 
 std::array<CellTriangles, 256> make_table() {
   std::array<CellTriangles, 256> table;
-  // All before or all behind: no surface.
+  // No surface between corners on one side.
   for (int behind = 1; behind < 255; ++behind) {
     std::vector<Segment> segments;
     for (int axis = 0; axis < 3; ++axis) {

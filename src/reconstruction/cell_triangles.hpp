@@ -5,7 +5,7 @@
 
 namespace symscene {
 
-/// An edge of a cell: from its corner along an axis. Corner k is at (k & 1, k >> 1 & 1, k >> 2).
+/// An edge of a cell, from a corner along an axis. Corner k is at (k & 1, k >> 1 & 1, k >> 2).
 struct CellEdge {
   std::uint8_t corner = 0;  ///< the end with the lower coordinate
   std::uint8_t axis = 0;
@@ -21,8 +21,8 @@ struct CellTriangles {
   std::array<std::array<CellEdge, 3>, most> triangles{};
 };
 
-/// For every set of corners that are behind the surface (bit k for corner k) the triangles of the
-/// cell, counter-clockwise seen from before it.
+/// The triangles of a cell for every set of corners behind the surface (bit k for corner k),
+/// counter-clockwise seen from the front.
 const std::array<CellTriangles, 256>& cell_triangles();
 
 }  // namespace symscene

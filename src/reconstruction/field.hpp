@@ -1,18 +1,18 @@
 #pragma once
 
-#include "symscene/reconstruction/tsdf_volume.hpp"
+#include "reconstruction/tsdf_volume.hpp"
 
 namespace symscene {
 
-/// The integer at or below a coordinate of a volume. [voxels] Cutting to an integer is an
-/// instruction, rounding down without SSE 4.1 a call.
+/// The integer at or below a coordinate of a volume. [voxels] Truncation is one instruction,
+/// std::floor without SSE 4.1 a call.
 inline int floor_of(float coordinate) {
   constexpr int offset = 2 * BlockIndex::reach * TsdfBlock::edge;
   return static_cast<int>(coordinate + static_cast<float>(offset)) - offset;
 }
 
 /// Reads a volume's field at points in units of voxels, where voxel k has its centre at k + ½.
-/// Remembers the block that it read last: one reader a thread.
+/// Remembers the last block: one reader per thread.
 class FieldReader {
  public:
   explicit FieldReader(const TsdfVolume& volume) : volume_(volume) {}
@@ -29,14 +29,14 @@ class FieldReader {
     return cached_;
   }
 
-  /// Whether the surface may pass through the block read last.
+  /// Whether the surface may pass through the last block.
   bool last_is_near_surface() const {
     return cached_ != nullptr && volume_.near_surface(static_cast<std::size_t>(slot_));
   }
 
   static int place(int x, int y, int z) { return ((z & 7) << 6) | ((y & 7) << 3) | (x & 7); }
 
-  /// The distance of a voxel; false where it was never seen. [units]
+  /// Reads the distance of a voxel [units]; false if it was never seen.
   bool distance(int x, int y, int z, float& value) {
     const TsdfBlock* block = block_at(x, y, z);
     if (block == nullptr) return false;
@@ -45,8 +45,8 @@ class FieldReader {
     return distance != TsdfBlock::never_seen;
   }
 
-  /// The eight voxels about a point, x fastest, and its place between them in [0, 1)³. False where
-  /// one was never seen.
+  /// Reads the eight voxels around a point, x fastest, and its position between them in [0, 1)³;
+  /// false if one was never seen.
   bool corners(const Eigen::Vector3f& point, float (&values)[8], Eigen::Vector3f& between) {
     const float px = point.x() - 0.5F, py = point.y() - 0.5F, pz = point.z() - 0.5F;
     const int x = floor_of(px), y = floor_of(py), z = floor_of(pz);

@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/keyframes.hpp"
+#include "keyframes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::size_t columns = 20;
 constexpr std::size_t rows = 15;
-constexpr float different = 0.3F;  // depths that are as unlike as can be [m]
 
 std::vector<float> make_thumbnail(const Measurement& measurement) {
   const SurfaceImage& image = measurement.pyramid.back();
@@ -30,8 +29,8 @@ std::vector<float> make_thumbnail(const Measurement& measurement) {
   return sum;
 }
 
-/// Mean difference of the depths, 0 to 1.
-double dissimilarity(const std::vector<float>& a, const std::vector<float>& b) {
+/// Mean difference of the depths, 0 to 1; it saturates per pixel at `different`. [m]
+double dissimilarity(const std::vector<float>& a, const std::vector<float>& b, float different) {
   double sum = 0.0, count = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) {
     if (a[k] == 0.0F && b[k] == 0.0F) continue;
@@ -51,10 +50,12 @@ bool is_near(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double dist
 
 }  // namespace
 
-void Keyframes::add(const Measurement& measurement, const Eigen::Isometry3d& T_world_camera,
-                    double distance, double angle) {
+void Keyframes::add(const Measurement& measurement, const Eigen::Isometry3d& T_world_camera) {
   for (const Keyframe& keyframe : keyframes_) {
-    if (is_near(keyframe.T_world_camera, T_world_camera, distance, angle)) return;
+    if (is_near(keyframe.T_world_camera, T_world_camera, options_.keyframe_distance,
+                options_.keyframe_angle)) {
+      return;
+    }
   }
   keyframes_.push_back({T_world_camera, make_thumbnail(measurement)});
 }
@@ -62,14 +63,15 @@ void Keyframes::add(const Measurement& measurement, const Eigen::Isometry3d& T_w
 std::vector<Eigen::Isometry3d> Keyframes::most_similar(const Measurement& measurement,
                                                        std::size_t count) const {
   const std::vector<float> thumbnail = make_thumbnail(measurement);
+  const auto different = static_cast<float>(options_.keyframe_depth_difference);
   std::vector<std::pair<double, std::size_t>> ranked;
   for (std::size_t k = 0; k < keyframes_.size(); ++k) {
-    ranked.emplace_back(dissimilarity(keyframes_[k].thumbnail, thumbnail), k);
+    ranked.emplace_back(dissimilarity(keyframes_[k].thumbnail, thumbnail, different), k);
   }
   std::sort(ranked.begin(), ranked.end());
   ranked.resize(std::min(ranked.size(), count));
   std::vector<Eigen::Isometry3d> poses;
-  for (const auto& [unlikeness, k] : ranked) poses.push_back(keyframes_[k].T_world_camera);
+  for (const auto& [difference, k] : ranked) poses.push_back(keyframes_[k].T_world_camera);
   return poses;
 }
 

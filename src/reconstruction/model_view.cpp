@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/model_view.hpp"
+#include "reconstruction/model_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,14 @@ namespace {
 constexpr Index tile = 4;         // [px]
 constexpr float closest = 0.02F;  // depth from which surface is shown [m]
 
-/// Between which depths surface may be seen in every tile of an image. [m]
+/// The range of depths of the surface in every tile of an image. [m]
 struct DepthRanges {
   Index columns = 0;
   std::vector<float> nearest;
   std::vector<float> farthest;
 };
 
-/// Where a segment [center − reach, center + reach] across a camera's axis may fall between two
+/// The pixels onto which an interval [center − reach, center + reach] may project between two
 /// depths. [px]
 struct Span {
   float first, last;
@@ -42,7 +42,7 @@ DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& 
   ranges.nearest.assign(std::size_t{ranges.columns} * rows, std::numeric_limits<float>::infinity());
   ranges.farthest.assign(ranges.nearest.size(), 0.0F);
   const double block_size = volume.voxel_size() * TsdfBlock::edge;
-  // A voxel more than the block: its outermost cells reach into the next.
+  // One voxel more than the block, as its outermost cells reach into the next block.
   const Eigen::Vector3f reach = (T_camera_world.linear().cwiseAbs() *
                                  Eigen::Vector3d::Constant(0.5 * block_size + volume.voxel_size()))
                                     .cast<float>();
@@ -86,9 +86,9 @@ class RayCaster {
         R_world_camera_(T_world_camera.linear().cast<float>()),
         origin_((T_world_camera.translation() / volume.voxel_size()).cast<float>()),
         voxel_size_(static_cast<float>(volume.voxel_size())),
-        voxels_a_unit_(volume.distance_unit() / voxel_size_) {}
+        voxels_per_unit_(volume.distance_unit() / voxel_size_) {}
 
-  /// What the ray shows between two depths. [m]
+  /// The first surface along the ray between two depths. [m]
   SurfacePixel cast(const Eigen::Vector3f& ray_camera, float nearest, float farthest) {
     const Eigen::Vector3f ray = R_world_camera_ * ray_camera;
     const float length = ray.norm();
@@ -111,7 +111,7 @@ class RayCaster {
         at += inverse_length;
         continue;
       }
-      const float distance = static_cast<float>(units) * voxels_a_unit_;
+      const float distance = static_cast<float>(units) * voxels_per_unit_;
       if (distance <= 0.0F) {
         if (before < 0.0F) return {};
         return cross(ray, before + (at - before) * last / (last - distance), length);
@@ -125,10 +125,11 @@ class RayCaster {
 
  private:
   static constexpr int max_steps = 4;
-  /// Rays seldom meet a surface head on; a step too far is seen by the sign behind it.
+  /// Over-relaxation, as rays seldom meet a surface at a right angle; a step too far is detected by
+  /// the sign behind the surface.
   static constexpr float relaxation = 1.4F;
 
-  /// The depth at which the ray is out of the block of a voxel.
+  /// The depth at which the ray leaves the block of a voxel.
   static float leave_block(const Eigen::Vector3f& p, const Eigen::Vector3f& inverse_ray, float at,
                            int x, int y, int z) {
     const int corner[3] = {x & ~7, y & ~7, z & ~7};
@@ -136,8 +137,7 @@ class RayCaster {
     for (int axis = 0; axis < 3; ++axis) {
       const float wall = static_cast<float>(corner[axis] + (inverse_ray[axis] > 0.0F ? 8 : 0));
       const float reached = (wall - p[axis]) * inverse_ray[axis];
-      step =
-          reached < step ? reached : step;  // a ray along the wall never reaches it: not a number
+      step = reached < step ? reached : step;  // NaN for a ray along the wall
     }
     return at + std::max(step, 0.0F) + 1e-2F;
   }
@@ -170,10 +170,10 @@ class RayCaster {
   Eigen::Matrix3f R_world_camera_;
   Eigen::Vector3f origin_;
   float voxel_size_;
-  float voxels_a_unit_;
+  float voxels_per_unit_;
 };
 
-/// Casts a view in two passes: the corners of the tiles, then what is between them.
+/// Casts a view in two passes: the corners of the tiles, then the pixels between them.
 class ViewCaster {
  public:
   ViewCaster(const TsdfVolume& volume, ModelView& view)
@@ -238,7 +238,7 @@ class ViewCaster {
     }
   }
 
-  /// A depth before what the corners of a tile show, 0 where they do not show one surface. [m]
+  /// A depth in front of the surface at the corners of a tile, 0 if they show different ones. [m]
   float start_of(Index left, Index right, Index top, Index bottom) const {
     const float depths[4] = {pixel(left, top).depth, pixel(right, top).depth,
                              pixel(left, bottom).depth, pixel(right, bottom).depth};
@@ -246,7 +246,7 @@ class ViewCaster {
     return *least > 0.0F && *most - *least < 4.0F * band_ ? *least - band_ : 0.0F;
   }
 
-  /// From `start` if that lies in space that was seen to be empty, else from where surface begins.
+  /// Starts at `start` if the surface is found from there, else at the nearest block.
   SurfacePixel cast_between(RayCaster& caster, const Eigen::Vector3f& ray, float start,
                             std::size_t at) const {
     const float nearest = ranges_.nearest[at], farthest = ranges_.farthest[at];

@@ -12,7 +12,7 @@ using LogOdds = std::int8_t;
 constexpr double log_odds_step = 0.05;
 constexpr LogOdds unseen = -128;
 
-/// How evidence moves log-odds.
+/// How evidence changes log-odds. [steps]
 struct LogOddsModel {
   int hit = 17;
   int miss = -8;
@@ -25,20 +25,20 @@ struct LogOddsModel {
   }
 };
 
-/// Voxels come in blocks of 8³ and blocks in bricks of 8³; both run in depth-first (Morton) order,
-/// so that a cube of the octree is a range.
+/// Voxels are stored in blocks of 8³ and blocks in bricks of 8³, both in depth-first (Morton)
+/// order, so that a cube of the octree is a contiguous range.
 constexpr int block_level = 3;
 constexpr int brick_level = 6;
 constexpr std::size_t block_voxels = 512;
 constexpr std::size_t brick_blocks = 512;
 constexpr std::size_t blocks_of(int level) { return std::size_t{1} << (3 * (level - block_level)); }
 
-/// What is known of 64³ voxels. A block of one value is that value, and so is a brick.
+/// The log-odds of 64³ voxels. A uniform block or brick is stored as one value.
 class OccupancyBrick {
  public:
   bool is_uniform() const { return cells_.empty(); }
   bool is_uniform(std::size_t block) const { return is_uniform() || cells_[block] < 0; }
-  /// Of a uniform brick; of a uniform block.
+  /// The value of a uniform brick or of a uniform block.
   LogOdds value() const { return uniform_; }
   LogOdds value(std::size_t block) const {
     return is_uniform() ? uniform_ : decoded(cells_[block]);
@@ -50,11 +50,11 @@ class OccupancyBrick {
   /// Every voxel of `count` blocks from `first` on was looked through.
   void look_through(std::size_t first, std::size_t count, const LogOddsModel& model);
 
-  /// Adds evidence voxel by voxel: a byte of 1 for a hit, for a look through; hits win.
+  /// Adds evidence per voxel: a byte of 1 for a hit or for a look through it; hits take precedence.
   void update(std::size_t block, const std::uint8_t* hits, const std::uint8_t* looks,
               const LogOddsModel& model);
 
-  /// Joins blocks of one value; to be called after a frame.
+  /// Merges uniform blocks; to be called after each frame.
   void settle();
 
   std::size_t memory() const;
@@ -69,10 +69,10 @@ class OccupancyBrick {
   LogOdds* make_dense(std::size_t block);
   void join(std::size_t block);
 
-  LogOdds uniform_ = unseen;         ///< where there are no cells
-  std::vector<std::int16_t> cells_;  ///< the place of a block in blocks_, or its encoded value
+  LogOdds uniform_ = unseen;         ///< the value if there are no cells
+  std::vector<std::int16_t> cells_;  ///< index of a block in blocks_, or its encoded value
   std::deque<Block> blocks_;
-  std::vector<std::int16_t> vacant_;  ///< places in blocks_ that are not in use
+  std::vector<std::int16_t> vacant_;  ///< unused indices of blocks_
 };
 
 }  // namespace symscene

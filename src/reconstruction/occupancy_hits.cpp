@@ -5,12 +5,11 @@
 
 #include "core/dispatch.hpp"
 #include "core/parallel.hpp"
-#include "occupancy_brick.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr std::size_t rows_a_task = 16;
+constexpr std::size_t rows_per_task = 16;
 
 /// A row of pixels: the point of pixel u is origin + depth · (start + u · step), in voxels from an
 /// anchor near the camera, so that floats are exact enough anywhere in the tree.
@@ -58,8 +57,8 @@ void locate(const PixelRow& row, const float* depth, std::size_t width, BrickKey
   }
 }
 
-/// The voxels that a task found, apart by brick. Noise makes neighbours fall into the two bricks
-/// of a border in turn, so the brick at hand is remembered in a small table.
+/// The voxels that a task found, by brick. With noise, neighbouring pixels fall on both sides of a
+/// brick's border in turn, so a small table remembers several bricks.
 class FoundVoxels {
  public:
   FoundVoxels() { slots_.fill(0); }
@@ -83,7 +82,7 @@ class FoundVoxels {
   std::vector<FoundInBrick> lists_;
 };
 
-/// Everything that the tasks share.
+/// The transform and the frame that all tasks share.
 class HitFinder {
  public:
   HitFinder(const DepthFrame& frame, const CameraIntrinsics& camera,
@@ -143,15 +142,22 @@ OccupancyHits::OccupancyHits(const DepthFrame& frame, const CameraIntrinsics& ca
                              const Eigen::Isometry3d& T_world_camera,
                              const OccupancyVolumeOptions& options) {
   const HitFinder finder(frame, camera, T_world_camera, options);
-  found_.resize((camera.height + rows_a_task - 1) / rows_a_task);
-  parallel_for_blocks(camera.height, rows_a_task, [&](std::size_t begin, std::size_t end) {
-    found_[begin / rows_a_task] = finder.find(begin, end);
+  found_.resize((camera.height + rows_per_task - 1) / rows_per_task);
+  parallel_for_blocks(camera.height, rows_per_task, [&](std::size_t begin, std::size_t end) {
+    found_[begin / rows_per_task] = finder.find(begin, end);
   });
   for (const std::vector<FoundInBrick>& task : found_) {
     for (const FoundInBrick& found : task) runs_.push_back({found.brick, found.voxels});
   }
   std::stable_sort(runs_.begin(), runs_.end(),
                    [](const BrickHits& a, const BrickHits& b) { return a.brick < b.brick; });
+}
+
+std::span<const BrickHits> OccupancyHits::in_brick(BrickKey brick) const {
+  const auto [begin, end] =
+      std::equal_range(runs_.begin(), runs_.end(), BrickHits{brick, {}},
+                       [](const BrickHits& a, const BrickHits& b) { return a.brick < b.brick; });
+  return {begin, end};
 }
 
 }  // namespace symscene

@@ -4,15 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "brick_key.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
 
 namespace symscene {
 
-/// The place of a brick in the tree: 10 bits along each axis, x lowest.
-using BrickKey = std::uint32_t;
-constexpr BrickKey no_brick = ~BrickKey{0};
-
-/// The voxels of one brick that pixels of some rows measure points in: places in the brick.
+/// Indices of the voxels of one brick in which pixels of some rows measure points.
 struct FoundInBrick {
   BrickKey brick = no_brick;
   std::vector<std::uint32_t> voxels;
@@ -22,14 +19,15 @@ struct BrickHits {
   std::span<const std::uint32_t> voxels;
 };
 
-/// In which voxels the points lie that a frame measures.
+/// The voxels in which the measured points of a frame lie.
 class OccupancyHits {
  public:
   OccupancyHits(const DepthFrame& frame, const CameraIntrinsics& camera,
                 const Eigen::Isometry3d& T_world_camera, const OccupancyVolumeOptions& options);
 
-  /// By brick.
+  /// Sorted by brick.
   std::span<const BrickHits> runs() const { return runs_; }
+  std::span<const BrickHits> in_brick(BrickKey brick) const;
 
  private:
   std::vector<std::vector<FoundInBrick>> found_;  ///< by task

@@ -11,9 +11,9 @@ namespace symscene {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-constexpr std::size_t rows_a_task = 32;
+constexpr std::size_t rows_per_task = 32;
 
-/// The least measured depth of each pixel and its two neighbours in the row; infinity if none.
+/// The smallest measured depth of each pixel and its two neighbours in the row; infinity if none.
 SYMSCENE_MULTIVERSION
 void least_in_row(const float* depth, std::size_t width, float* least) {
   const auto measured = [](float d) { return d > 0.0F && d < infinite ? d : infinite; };
@@ -26,7 +26,7 @@ void least_in_row(const float* depth, std::size_t width, float* least) {
   }
 }
 
-/// The limit of the pixels of a row from the least depths of three rows.
+/// The limits of the pixels of a row from the smallest depths of three rows.
 SYMSCENE_MULTIVERSION
 void limit_row(const float* above, const float* here, const float* below, std::size_t width,
                float margin, float max_depth, float* limit) {
@@ -39,19 +39,20 @@ void limit_row(const float* above, const float* here, const float* below, std::s
   }
 }
 
-/// Zero at the image's border: a voxel that falls on no pixel can be looked up there.
+/// Up to which depth each pixel looks through. Zero at the image's border, which stands for voxels
+/// outside the image.
 std::vector<float> depth_limits(const DepthFrame& frame, const CameraIntrinsics& camera,
                                 const OccupancyVolumeOptions& options) {
   const std::size_t width = camera.width;
   const std::size_t height = camera.height;
   std::vector<float> least(camera.pixels(), infinite);
-  parallel_for_blocks(height, rows_a_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for_blocks(height, rows_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       least_in_row(frame.depth.data() + v * width, width, least.data() + v * width);
     }
   });
   std::vector<float> limits(camera.pixels(), 0.0F);
-  parallel_for_blocks(height, rows_a_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for_blocks(height, rows_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = std::max<std::size_t>(begin, 1); v < std::min(end, height - 1); ++v) {
       const float* const row = least.data() + v * width;
       limit_row(row - width, row, row + width, width, static_cast<float>(options.free_margin),
@@ -61,19 +62,19 @@ std::vector<float> depth_limits(const DepthFrame& frame, const CameraIntrinsics&
   return limits;
 }
 
-/// What the voxel loop reads, as plain arrays and numbers.
+/// The input of the voxel loop as plain arrays and numbers.
 struct VoxelLoop {
   const float* x;
   const float* y;
   const float* z;
   float first_x, first_y, first_z;
-  float cx, cy;  ///< half a pixel more, so that cutting off rounds
+  float cx, cy;  ///< plus half a pixel, so that truncation rounds
   float max_u, max_v;
   const float* limits;
   int width;
 };
 
-/// In three loops over arrays that nothing else points to: so compilers see that they vectorise.
+/// Three loops over local arrays, which compilers vectorise.
 SYMSCENE_MULTIVERSION
 void look_through_voxels(const VoxelLoop& loop, std::uint8_t* looks) {
   const VoxelLoop in = loop;

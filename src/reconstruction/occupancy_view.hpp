@@ -14,14 +14,14 @@ namespace symscene {
 /// How much of a cube a frame looks through.
 enum class Sight : std::uint8_t { none, some, all };
 
-/// A frame as free space sees it. Cubes are given by the camera's coordinates of the centre of
-/// their first voxel, and by their level.
+/// The free space that a frame has seen. Cubes are given by the centre of their first voxel in the
+/// camera's frame and by their level.
 class OccupancyView {
  public:
   OccupancyView(const DepthFrame& frame, const CameraIntrinsics& camera,
                 const Eigen::Isometry3d& T_world_camera, const OccupancyVolumeOptions& options);
 
-  /// What a look at the bounds of a cube tells of all its voxels.
+  /// Bounds on how much of a cube the frame looks through.
   Sight look_at(const Eigen::Vector3f& first_camera, int level) const;
 
   /// A byte of 1 for every voxel of a block that is looked through.
@@ -34,11 +34,11 @@ class OccupancyView {
     return (T_camera_world_ * center).cast<float>();
   }
 
-  /// How far the frame sees along the optical axis. [m]
+  /// The largest depth that the frame looks through. [m]
   float reach() const { return limits_.max(); }
 
  private:
-  /// Eight corners, or the voxels of a block, seen from the first voxel's centre.
+  /// Offsets of eight corners, or of the voxels of a block, from the first voxel's centre.
   template <std::size_t count>
   struct Offsets {
     alignas(64) std::array<float, count> x, y, z;  ///< x and y times the focal length
@@ -52,8 +52,8 @@ class OccupancyView {
   struct ImageBounds {
     Bounds u, v;
   };
-  /// Between which depths, and which pixels, the centres of a cube's voxels are. Pixels are half a
-  /// pixel up, so that cutting off rounds.
+  /// Bounds of the depths and pixels of the centres of a cube's voxels. Pixels are shifted by half
+  /// a pixel, so that truncation rounds.
   Bounds depths(const Eigen::Vector3f& first, const Offsets<8>& corners) const;
   ImageBounds project(const Eigen::Vector3f& first, const Offsets<8>& corners) const;
 

@@ -1,144 +1,20 @@
 #include "symscene/reconstruction/occupancy_volume.hpp"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "brick_update.hpp"
 #include "core/parallel.hpp"
-#include "occupancy_brick.hpp"
-#include "occupancy_hits.hpp"
-#include "occupancy_view.hpp"
+#include "occupancy_region.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
 
 constexpr int bricks_per_axis = 1 << (octree_depth - brick_level);
-
-OctreeKey first_voxel(BrickKey brick) {
-  const auto key = [&](unsigned shift) {
-    return static_cast<std::uint16_t>(((brick >> shift) & 1023U) << brick_level);
-  };
-  return {key(0), key(10), key(20)};
-}
-
-BrickKey brick_of(const OctreeKey& key) {
-  const auto part = [&](unsigned axis) { return BrickKey{key[axis]} >> unsigned{brick_level}; };
-  return part(0) | (part(1) << 10U) | (part(2) << 20U);
-}
-
-/// One frame's evidence on one brick.
-class BrickUpdate {
- public:
-  BrickUpdate(OccupancyBrick& brick, BrickKey key, const OccupancyView& view,
-              const LogOddsModel& model)
-      : brick_(brick), code_(morton_code(first_voxel(key))), view_(view), model_(model) {}
-
-  void run(std::span<const BrickHits> hits) {
-    mark(hits);
-    descend(0, brick_level);
-    brick_.settle();
-  }
-
- private:
-  using Flags = std::array<std::uint8_t, block_voxels>;
-
-  void mark(std::span<const BrickHits> hits) {
-    for (const BrickHits& run : hits) {
-      for (const std::uint32_t voxel : run.voxels) {
-        const std::size_t block = voxel / block_voxels;
-        if (!hit_blocks_[block]) {
-          hit_blocks_.set(block);
-          places_[block] = static_cast<std::uint16_t>(flags_.size());
-          flags_.emplace_back(Flags{});
-        }
-        flags_[places_[block]][voxel % block_voxels] = 1;
-      }
-    }
-  }
-
-  bool any_hits(std::size_t first, std::size_t count) const {
-    if (flags_.empty()) return false;
-    for (std::size_t block = first; block < first + count; ++block) {
-      if (hit_blocks_[block]) return true;
-    }
-    return false;
-  }
-
-  /// The blocks of a cube. A cube that is looked through or not seen as a whole, and not hit, is
-  /// done without a look at its voxels.
-  void descend(std::size_t first, int level) {
-    const Eigen::Vector3f center = view_.center_camera(octree_key(code_ + first * block_voxels));
-    const Sight sight = view_.look_at(center, level);
-    if (sight != Sight::some && !any_hits(first, blocks_of(level))) {
-      if (sight == Sight::all) brick_.look_through(first, blocks_of(level), model_);
-    } else if (level == block_level) {
-      update(first, center, sight);
-    } else {
-      for (std::size_t child = 0; child < 8; ++child) {
-        descend(first + child * blocks_of(level - 1), level - 1);
-      }
-    }
-  }
-
-  void update(std::size_t block, const Eigen::Vector3f& center, Sight sight) {
-    static constexpr Flags no_hits{};
-    Flags looks;
-    if (sight == Sight::none) {
-      looks.fill(0);
-    } else {
-      view_.look_through(center, looks.data());
-    }
-    const bool hit = hit_blocks_[block];
-    const Flags& hits = hit ? flags_[places_[block]] : no_hits;
-    if (hit || looks != no_hits) brick_.update(block, hits.data(), looks.data(), model_);
-  }
-
-  OccupancyBrick& brick_;
-  std::uint64_t code_;
-  const OccupancyView& view_;
-  const LogOddsModel& model_;
-  std::bitset<brick_blocks> hit_blocks_;
-  std::array<std::uint16_t, brick_blocks> places_;  ///< in flags_, of blocks that are hit
-  std::vector<Flags> flags_;
-};
-
-/// What lies in a box, asked for cube by cube.
-class RegionTest {
- public:
-  RegionTest(const std::optional<OrientedBox>& region, double resolution)
-      : resolution_(resolution), bounded_(region.has_value()) {
-    if (!bounded_) return;
-    T_box_world_ = region->T_world_box.inverse();
-    center_ = 0.5 * (region->min + region->max);
-    half_ = 0.5 * (region->max - region->min);
-  }
-
-  /// Of the centres of the voxels of a cube.
-  Sight inside(std::uint64_t code, int level) const {
-    if (!bounded_) return Sight::all;
-    const OctreeKey key = octree_key(code);
-    const double reach = 0.5 * ((1 << level) - 1) * resolution_;
-    const Eigen::Array3d first(key[0], key[1], key[2]);
-    const Eigen::Vector3d middle =
-        (first - (OccupancyMap::key_of_origin - 0.5)) * resolution_ + reach;
-    const Eigen::Array3d from_center = (T_box_world_ * middle - center_).cwiseAbs();
-    const Eigen::Array3d reaches =
-        T_box_world_.linear().cwiseAbs() * Eigen::Vector3d::Constant(reach);
-    if ((from_center - reaches > half_.array()).any()) return Sight::none;
-    return (from_center + reaches <= half_.array()).all() ? Sight::all : Sight::some;
-  }
-
- private:
-  double resolution_;
-  bool bounded_;
-  Eigen::Isometry3d T_box_world_;
-  Eigen::Vector3d center_;
-  Eigen::Vector3d half_;
-};
 
 void require_usable(const DepthFrame& frame, const CameraIntrinsics& camera,
                     const Eigen::Isometry3d& T_world_camera) {
@@ -163,7 +39,8 @@ void require_usable(const DepthFrame& frame, const CameraIntrinsics& camera,
   const bool rigid = T_world_camera.matrix().allFinite() &&
                      (rotation * rotation.transpose()).isIdentity(1e-4) &&
                      T_world_camera.translation().cwiseAbs().maxCoeff() < 1e5;
-  if (!rigid) refuse("camera's pose", "a rotation and a place within 100 km", "another matrix");
+  if (!rigid)
+    refuse("camera's pose", "a rotation and a translation within 100 km", "another matrix");
 }
 
 }  // namespace
@@ -178,7 +55,7 @@ struct OccupancyVolume::Implementation {
              steps(options.max_log_odds)};
   }
 
-  /// The keys of bricks that a frame may see, along an axis from low to high.
+  /// The keys along each axis of the bricks that a frame may see.
   struct BrickRange {
     Eigen::Array3i low;
     Eigen::Array3i high;
@@ -232,10 +109,7 @@ struct OccupancyVolume::Implementation {
     std::vector<OccupancyBrick*> updated(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) updated[i] = &bricks[keys[i]];
     parallel_for_each(keys.size(), [&](std::size_t i) {
-      const auto [begin, end] = std::equal_range(
-          hits.runs().begin(), hits.runs().end(), BrickHits{keys[i], {}},
-          [](const BrickHits& a, const BrickHits& b) { return a.brick < b.brick; });
-      BrickUpdate(*updated[i], keys[i], view, model).run({begin, end});
+      update_brick(*updated[i], keys[i], {view, hits, model});
     });
   }
 
@@ -258,7 +132,7 @@ struct OccupancyVolume::Implementation {
     return placed;
   }
 
-  /// The leaves of value(log-odds) in a region.
+  /// The leaves of value_of(log-odds) in a region.
   template <class Value, class ValueOf, class MakeLeaf>
   auto leaves(const std::optional<OrientedBox>& region, Value nothing, const ValueOf& value_of,
               const MakeLeaf& make_leaf) const;
@@ -274,7 +148,7 @@ auto OccupancyVolume::Implementation::leaves(const std::optional<OrientedBox>& r
                                              const MakeLeaf& make_leaf) const {
   const std::vector<PlacedBrick> placed = ordered();
   const RegionTest test(region, options.resolution);
-  // Cubes are asked for in depth-first order.
+  // Cubes are visited in depth-first order.
   auto next = placed.begin();
   const auto uniform = [&](std::uint64_t code, int level) -> std::optional<Value> {
     while (next != placed.end() && next->first + voxels_of(brick_level) <= code) ++next;
@@ -294,20 +168,10 @@ auto OccupancyVolume::Implementation::leaves(const std::optional<OrientedBox>& r
 }
 
 void OccupancyVolumeOptions::validate() const {
-  require_option(resolution >= 1e-4 && resolution <= 1.0, "resolution", "0.0001 to 1 m",
-                 resolution);
-  require_option(max_depth > 0.0 && max_depth <= 4000.0 * resolution, "max_depth",
-                 "a depth of up to 4000 voxels", max_depth);
-  require_option(free_margin >= 0.0 && free_margin < max_depth, "free_margin",
-                 "a length not below zero", free_margin);
-  const double half_step = 0.5 * log_odds_step;
-  const double most = 127 * log_odds_step;
-  require_option(hit >= half_step && hit <= most, "hit", "0.025 to 6.35", hit);
-  require_option(miss <= -half_step && miss >= -most, "miss", "-6.35 to -0.025", miss);
-  require_option(min_log_odds < 0.0 && min_log_odds >= -most, "min_log_odds", "-6.35 to 0",
-                 min_log_odds);
-  require_option(max_log_odds > 0.0 && max_log_odds <= most, "max_log_odds", "0 to 6.35",
-                 max_log_odds);
+  check_fields(*this);
+  require_option(max_depth <= 4000.0 * resolution, "max_depth", "a depth of up to 4000 voxels",
+                 max_depth);
+  require_option(free_margin < max_depth, "free_margin", "less than max_depth", free_margin);
   require_option(threshold > min_log_odds && threshold <= max_log_odds, "threshold",
                  "above min_log_odds and up to max_log_odds", threshold);
 }

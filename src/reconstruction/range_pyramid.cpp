@@ -8,7 +8,7 @@
 namespace symscene {
 namespace {
 
-/// The least value of every 2×2 pixels of two rows.
+/// The smallest value of every 2×2 pixels of two rows.
 SYMSCENE_MULTIVERSION
 void least_of_four(const float* upper, const float* lower, std::size_t count, float* out) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -18,7 +18,7 @@ void least_of_four(const float* upper, const float* lower, std::size_t count, fl
   }
 }
 
-/// The greatest one.
+/// The largest one.
 SYMSCENE_MULTIVERSION
 void greatest_of_four(const float* upper, const float* lower, std::size_t count, float* out) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -66,7 +66,7 @@ RangePyramid::Level RangePyramid::halved(const Level& fine) {
 RangePyramid::Range RangePyramid::bounds(const Rectangle& pixels) const {
   const auto span =
       static_cast<unsigned>(std::max(pixels.high_u - pixels.low_u, pixels.high_v - pixels.low_v));
-  // Four or five cells across: tight enough, and few.
+  // Four or five cells across: tight bounds from few cells.
   const int level = std::clamp(static_cast<int>(std::bit_width(span)) - 2, 0,
                                static_cast<int>(levels_.size()) - 1);
   const Level& cells = levels_[static_cast<std::size_t>(level)];

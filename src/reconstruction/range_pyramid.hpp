@@ -5,13 +5,13 @@
 
 namespace symscene {
 
-/// The least and the greatest value in any rectangle of an image, without a look at every pixel.
+/// Bounds of the values in any rectangle of an image, by a pyramid of minima and maxima.
 class RangePyramid {
  public:
   struct Range {
     float min, max;
   };
-  /// Pixels from low to high, both counted in, all in the image.
+  /// Pixels from low to high, both included, all inside the image.
   struct Rectangle {
     int low_u, low_v, high_u, high_v;
   };
@@ -23,7 +23,7 @@ class RangePyramid {
   int height() const { return static_cast<int>(levels_[0].height); }
   float max() const { return max_; }
 
-  /// Bounds of the values in a rectangle: never tighter than they are.
+  /// Bounds of the values in a rectangle; they may be loose.
   Range bounds(const Rectangle& pixels) const;
 
  private:

@@ -1,4 +1,4 @@
-#include "symscene/stitching/features.hpp"
+#include "features.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,7 @@
 namespace symscene {
 namespace {
 
-/// What is compared about a feature. [px]
-constexpr Index depth_reach = 2;
+constexpr Index depth_reach = 2;  ///< of the depths that are compared around a feature [px]
 
 void require_images(const DepthFrame& frame, const CameraIntrinsics& camera) {
   const auto require = [&](std::size_t pixels, const char* image) {
@@ -32,41 +31,57 @@ std::vector<std::uint8_t> gray_values(const Colors& colors) {
   return gray;
 }
 
-/// Whether depth is known about a pixel, and smooth.
-bool on_surface(const std::vector<float>& depth, const CameraIntrinsics& camera, Index u, Index v,
-                double step, const MeasurementOptions& sensor) {
-  const auto z = static_cast<double>(depth[std::size_t{v} * camera.width + u]);
-  if (!(z >= sensor.min_depth && z <= sensor.max_depth)) return false;
-  const double bound = step * z * std::max(z, 1.0);
-  for (Index y = v - depth_reach; y <= v + depth_reach; ++y) {
-    for (Index x = u - depth_reach; x <= u + depth_reach; ++x) {
-      const auto other = static_cast<double>(depth[std::size_t{y} * camera.width + x]);
-      // Specks without depth are common; what is behind or before is an outline.
-      if (other > 0.0 && !(std::abs(other - z) <= bound)) return false;
-    }
-  }
-  return true;
-}
+/// Decides where depth is known and smooth.
+class SmoothDepth {
+ public:
+  SmoothDepth(const DepthFrame& frame, const CameraIntrinsics& camera, double step,
+              const MeasurementOptions& sensor)
+      : depth_(frame.depth), width_(camera.width), step_(step), sensor_(sensor) {}
 
-/// 255 where a feature's place on the surface would be known.
+  /// For pixels at least `depth_reach` from the image's border.
+  bool at(Index u, Index v) const {
+    const double z = depth(u, v);
+    if (!(z >= sensor_.min_depth && z <= sensor_.max_depth)) return false;
+    const double bound = step_ * z * std::max(z, 1.0);
+    for (Index y = v - depth_reach; y <= v + depth_reach; ++y) {
+      for (Index x = u - depth_reach; x <= u + depth_reach; ++x) {
+        const double other = depth(x, y);
+        // Single pixels without depth are common; a depth step is an outline.
+        if (other > 0.0 && !(std::abs(other - z) <= bound)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  double depth(Index u, Index v) const {
+    return static_cast<double>(depth_[std::size_t{v} * width_ + u]);
+  }
+
+  const std::vector<float>& depth_;
+  Index width_;
+  double step_;  ///< at 1 m [m]
+  const MeasurementOptions& sensor_;
+};
+
+/// 255 where depth is known and smooth.
 std::vector<std::uint8_t> surface_mask(const DepthFrame& frame, const CameraIntrinsics& camera,
                                        const FeatureOptions& options,
                                        const MeasurementOptions& sensor) {
   std::vector<std::uint8_t> mask(camera.pixels());
   if (camera.width <= 2 * depth_reach || camera.height <= 2 * depth_reach) return mask;
+  const SmoothDepth smooth(frame, camera, options.depth_step, sensor);
   for (Index v = depth_reach; v < camera.height - depth_reach; ++v) {
     for (Index u = depth_reach; u < camera.width - depth_reach; ++u) {
-      if (on_surface(frame.depth, camera, u, v, options.depth_step, sensor)) {
-        mask[std::size_t{v} * camera.width + u] = 255;
-      }
+      if (smooth.at(u, v)) mask[std::size_t{v} * camera.width + u] = 255;
     }
   }
   return mask;
 }
 
-/// The mean of the depths about a place: the noise of one pixel is that of the place.
-double depth_about(const DepthFrame& frame, const CameraIntrinsics& camera,
-                   const Eigen::Vector2d& pixel) {
+/// The mean depth of 3×3 pixels, which is less noisy than one of them.
+double mean_depth_around(const DepthFrame& frame, const CameraIntrinsics& camera,
+                         const Eigen::Vector2d& pixel) {
   const auto clamped = [](double value, Index size) {
     return std::clamp(std::lround(value), 1L, static_cast<long>(size) - 2);
   };
@@ -111,14 +126,6 @@ bool distinct(const Nearest& nearest, double ratio) {
 
 }  // namespace
 
-void FeatureOptions::validate() const {
-  require_option(max_features >= 10 && max_features <= 20000, "max_features", "10 to 20,000",
-                 max_features);
-  require_option(contrast > 0 && contrast < 1, "contrast", "a number in (0, 1)", contrast);
-  require_option(ratio > 0 && ratio <= 1, "ratio", "a number in (0, 1]", ratio);
-  require_option(depth_step > 0, "depth_step", "a positive number", depth_step);
-}
-
 ImageFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& camera,
                             const FeatureOptions& options, const MeasurementOptions& sensor) {
   options.validate();
@@ -130,7 +137,7 @@ ImageFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& cam
   for (Eigen::Index i = 0; i < features.pixels.cols(); ++i) {
     const Eigen::Vector2d pixel = features.pixels.col(i);
     features.points_camera.col(i) =
-        depth_about(frame, camera, pixel) * camera.ray(pixel.x(), pixel.y());
+        mean_depth_around(frame, camera, pixel) * camera.ray(pixel.x(), pixel.y());
   }
   return features;
 }

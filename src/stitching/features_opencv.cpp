@@ -38,13 +38,13 @@ std::optional<SeenFrom> solve_perspective(const Eigen::Matrix3Xd&, const Eigen::
 
 namespace {
 
-/// A header for pixels that stay where they are; OpenCV does not write to them.
+/// A view of the pixels; OpenCV does not write to them.
 cv::Mat image_of(const std::vector<std::uint8_t>& pixels, const CameraIntrinsics& camera) {
   return {static_cast<int>(camera.height), static_cast<int>(camera.width), CV_8UC1,
           const_cast<std::uint8_t*>(pixels.data())};
 }
 
-/// By strength; ties by place, so that no order of threads shows.
+/// By strength; ties by position, so that the order of threads does not matter.
 std::vector<std::size_t> strongest(const std::vector<cv::KeyPoint>& keypoints, std::size_t count) {
   std::vector<std::size_t> order(keypoints.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -100,7 +100,6 @@ std::optional<SeenFrom> solve_perspective(const Eigen::Matrix3Xd& points,
                                           const Eigen::Matrix2Xd& pixels,
                                           const CameraIntrinsics& camera,
                                           const PairOptions& options) {
-  constexpr double confidence = 0.9999;
   std::vector<cv::Point3d> objects;
   std::vector<cv::Point2d> images;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -112,8 +111,8 @@ std::optional<SeenFrom> solve_perspective(const Eigen::Matrix3Xd& points,
   // Its random numbers are its own and start from the same seed in every call.
   const bool found = cv::solvePnPRansac(objects, images, camera_matrix(camera), cv::noArray(),
                                         rotation, translation, false, options.iterations,
-                                        static_cast<float>(options.reprojection), confidence,
-                                        inliers, cv::SOLVEPNP_AP3P);
+                                        static_cast<float>(options.reprojection),
+                                        options.confidence, inliers, cv::SOLVEPNP_AP3P);
   if (!found || !cv::checkRange(rotation) || !cv::checkRange(translation)) return {};
   SeenFrom seen{to_pose(rotation, translation), {inliers.begin(), inliers.end()}};
   std::sort(seen.inliers.begin(), seen.inliers.end());

@@ -1,11 +1,11 @@
-#include "symscene/stitching/pair_pose.hpp"
+#include "pair_pose.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "image_features.hpp"
+#include "reconstruction/pose_fit.hpp"
 #include "reprojection.hpp"
-#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
@@ -25,13 +25,13 @@ SharedPoints shared_points(const ImageFeatures& first, const ImageFeatures& seco
   return shared;
 }
 
-/// A pose by PnP and the matches that led to it.
+/// A pose by PnP and its inliers.
 struct Candidate {
   Eigen::Isometry3d T_first_second = Eigen::Isometry3d::Identity();
   std::vector<Index> inliers;
 };
 
-/// The points of either frame in the other's image; what more matches agree with.
+/// PnP with the points of either frame in the other's image; the result with more inliers.
 Candidate solve_both_ways(const SharedPoints& shared, const CameraIntrinsics& camera,
                           const PairOptions& options) {
   Candidate best;
@@ -71,28 +71,23 @@ std::vector<Index> agreeing(const SharedPoints& shared, const CameraIntrinsics& 
 
 /// The worse of the two directions.
 DepthAgreement mutual_agreement(const SurfaceImage& first, const SurfaceImage& second,
-                                const Eigen::Isometry3d& T_first_second, double tolerance,
-                                const MeasurementOptions& sensor) {
-  const DepthAgreement there = depth_agreement(second, first, T_first_second, tolerance, sensor);
-  const DepthAgreement back =
-      depth_agreement(first, second, T_first_second.inverse(), tolerance, sensor);
-  return {std::min(there.overlap, back.overlap), std::min(there.agreement, back.agreement)};
+                                const Eigen::Isometry3d& T_first_second,
+                                const StitchingOptions& options) {
+  const DepthNoise noise{.floor = static_cast<float>(options.pairs.tolerance) / inlier_sigmas,
+                         .moved = 0.0F,
+                         .fixed = static_cast<float>(options.measurement.noise)};
+  const PoseFit there = depth_fit(second, first, T_first_second, noise);
+  const PoseFit back = depth_fit(first, second, T_first_second.inverse(), noise);
+  return {std::min(there.overlap(), back.overlap()), std::min(there.agreement(), back.agreement())};
+}
+
+PairStatus status_of(const DepthAgreement& depth, const PairOptions& options) {
+  if (depth.overlap < options.min_overlap) return PairStatus::little_shown;
+  if (depth.agreement < options.min_agreement) return PairStatus::contradicted;
+  return PairStatus::accepted;
 }
 
 }  // namespace
-
-void PairOptions::validate() const {
-  require_option(reprojection > 0, "reprojection", "a positive number", reprojection);
-  require_option(iterations >= 10 && iterations <= 1000000, "iterations", "10 to 1,000,000",
-                 iterations);
-  require_option(min_inliers >= 6, "min_inliers", "at least 6", min_inliers);
-  require_option(max_gap > 0, "max_gap", "a positive number", max_gap);
-  require_option(tolerance > 0, "tolerance", "a positive number", tolerance);
-  require_option(min_overlap > 0 && min_overlap <= 1, "min_overlap", "a share in (0, 1]",
-                 min_overlap);
-  require_option(min_agreement >= 0 && min_agreement <= 1, "min_agreement", "a share in [0, 1]",
-                 min_agreement);
-}
 
 const char* to_string(PairStatus status) {
   switch (status) {
@@ -110,40 +105,33 @@ const char* to_string(PairStatus status) {
   return "";
 }
 
-PairPose find_pair_pose(const ImageFeatures& first, const ImageFeatures& second,
-                        const SurfaceImage& first_surface, const SurfaceImage& second_surface,
-                        const CameraIntrinsics& camera, const FeatureOptions& matching,
-                        const PairOptions& options, const MeasurementOptions& sensor) {
-  const auto enough = static_cast<std::size_t>(options.min_inliers);
+PairPose find_pair_pose(const PairView& first, const PairView& second,
+                        const CameraIntrinsics& camera, const StitchingOptions& options) {
+  const auto enough = static_cast<std::size_t>(options.pairs.min_inliers);
   PairPose pair;
-  const std::vector<FeatureMatch> matches = match_features(first, second, matching);
+  const std::vector<FeatureMatch> matches =
+      match_features(first.features, second.features, options.features);
   pair.matches = matches.size();
   if (matches.size() < enough) return pair;
 
   pair.status = PairStatus::few_inliers;
-  const SharedPoints shared = shared_points(first, second, matches);
-  const Candidate start = solve_both_ways(shared, camera, options);
+  const SharedPoints shared = shared_points(first.features, second.features, matches);
+  const Candidate start = solve_both_ways(shared, camera, options.pairs);
   if (start.inliers.size() < enough) return pair;
-  const auto on = [&](std::span<const Index> inliers) {
-    return shared_points(first, second, select(matches, inliers));
+  const double scale = options.pairs.reprojection / 2.0;
+  const auto refine = [&](std::span<const Index> inliers, const Eigen::Isometry3d& from) {
+    const auto used = shared_points(first.features, second.features, select(matches, inliers));
+    pair.T_first_second = refine_by_reprojection(used, camera, from, scale);
+    return agreeing(shared, camera, pair.T_first_second, options.pairs);
   };
-  // The second time on the matches that the better pose brings in.
-  const double scale = options.reprojection / 2.0;
-  pair.T_first_second =
-      refine_by_reprojection(on(start.inliers), camera, start.T_first_second, scale);
-  std::vector<Index> inliers = agreeing(shared, camera, pair.T_first_second, options);
-  if (inliers.size() >= enough) {
-    pair.T_first_second = refine_by_reprojection(on(inliers), camera, pair.T_first_second, scale);
-    inliers = agreeing(shared, camera, pair.T_first_second, options);
-  }
+  std::vector<Index> inliers = refine(start.inliers, start.T_first_second);
+  // Again with the matches that agree with the better pose.
+  if (inliers.size() >= enough) inliers = refine(inliers, pair.T_first_second);
   pair.inliers = select(matches, inliers);
   if (inliers.size() < enough) return pair;
 
-  pair.depth = mutual_agreement(first_surface, second_surface, pair.T_first_second,
-                                options.tolerance, sensor);
-  pair.status = pair.depth.overlap < options.min_overlap       ? PairStatus::little_shown
-                : pair.depth.agreement < options.min_agreement ? PairStatus::contradicted
-                                                               : PairStatus::accepted;
+  pair.depth = mutual_agreement(first.surface, second.surface, pair.T_first_second, options);
+  pair.status = status_of(pair.depth, options.pairs);
   return pair;
 }
 

@@ -6,7 +6,7 @@
 namespace symscene {
 namespace {
 
-/// Which frames edges have joined.
+/// The groups of frames that edges join (union-find).
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) {
@@ -18,7 +18,7 @@ class Groups {
     return i;
   }
 
-  /// Whether they were two. A group goes by its first frame.
+  /// Joins two groups; whether they were different. The root of a group is its first frame.
   bool join(std::size_t a, std::size_t b) {
     a = find(a), b = find(b);
     parent_[std::max(a, b)] = std::min(a, b);
@@ -52,7 +52,7 @@ std::vector<std::optional<Eigen::Isometry3d>> chain_poses(std::size_t frames,
   }
   const std::size_t root = largest_group(groups, frames);
   poses[root] = Eigen::Isometry3d::Identity();
-  // A tree of n frames is walked in at most n rounds.
+  // A tree of n frames is covered in at most n rounds.
   for (bool grown = true; grown;) {
     grown = false;
     for (const PoseEdge& edge : tree) {

@@ -8,12 +8,12 @@
 
 namespace symscene {
 
-/// A pair of frames of which the relative pose is known.
+/// The relative pose of two frames.
 struct PoseEdge {
   std::size_t first = 0;
   std::size_t second = 0;
   Eigen::Isometry3d T_first_second = Eigen::Isometry3d::Identity();
-  double weight = 0.0;  ///< how sure it is, e.g. matches that agree
+  double weight = 0.0;  ///< confidence, e.g. the number of inliers
 };
 
 /// Poses of frames along the tree of edges of greatest weight (Kruskal 1956), in the frame of the

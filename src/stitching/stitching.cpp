@@ -3,17 +3,19 @@
 #include <algorithm>
 
 #include "core/parallel.hpp"
+#include "pair_pose.hpp"
 #include "pose_graph.hpp"
+#include "view_alignment.hpp"
 
 namespace symscene {
 namespace {
 
-/// A frame made ready.
+/// A prepared frame.
 struct View {
   Measurement measurement;
   ImageFeatures features;
 
-  /// The surface against which a pair's pose is checked: a coarse one does.
+  /// The surface against which the pose of a pair is checked; a coarse one suffices.
   const SurfaceImage& checked_surface() const {
     return measurement.pyramid[measurement.pyramid.size() > 1 ? 1 : 0];
   }
@@ -38,9 +40,8 @@ std::vector<StitchedPair> compare_all(std::span<const View> views, const CameraI
   parallel_for_each(pairs.size(), [&](std::size_t k) {
     const View& first = views[pairs[k].first];
     const View& second = views[pairs[k].second];
-    pairs[k].pose = find_pair_pose(first.features, second.features, first.checked_surface(),
-                                   second.checked_surface(), camera, options.features,
-                                   options.pairs, options.measurement);
+    pairs[k].pose = find_pair_pose({first.features, first.checked_surface()},
+                                   {second.features, second.checked_surface()}, camera, options);
   });
   return pairs;
 }
@@ -57,7 +58,7 @@ std::vector<std::optional<Eigen::Isometry3d>> chained(std::size_t frames,
   return chain_poses(frames, edges);
 }
 
-/// The frames that have poses, as the alignment takes them.
+/// The frames with poses, as the alignment takes them.
 struct PlacedViews {
   std::vector<std::size_t> frames;
   std::vector<Measurement> views;
@@ -65,10 +66,10 @@ struct PlacedViews {
   std::vector<PointPairs> points;
 };
 
-/// The places that the features of accepted pairs show, counted among the placed frames.
-std::vector<PointPairs> shared_places(std::span<const View> views,
-                                      std::span<const StitchedPair> pairs,
-                                      std::span<const std::size_t> place_of) {
+/// The points of the features of accepted pairs; views are numbered among the placed frames.
+std::vector<PointPairs> shared_points_of(std::span<const View> views,
+                                         std::span<const StitchedPair> pairs,
+                                         std::span<const std::size_t> place_of) {
   std::vector<PointPairs> shared;
   for (const StitchedPair& pair : pairs) {
     if (pair.pose.status != PairStatus::accepted) continue;
@@ -97,7 +98,7 @@ PlacedViews place(std::span<View> views, std::span<const StitchedPair> pairs,
     placed.poses.push_back(*poses[i]);
     placed.views.push_back(std::move(views[i].measurement));
   }
-  placed.points = shared_places(views, pairs, place_of);
+  placed.points = shared_points_of(views, pairs, place_of);
   return placed;
 }
 
@@ -105,17 +106,11 @@ const char* reason_for(const View& view, std::size_t placed, const StitchingOpti
   if (view.features.size() < static_cast<std::size_t>(options.pairs.min_inliers)) {
     return "too little texture where depth is known";
   }
-  return placed > 0 ? "nothing in it was found in the others" : "no two frames show the same";
+  return placed > 0 ? "no surface in common with the other frames"
+                    : "no two frames show the same surface";
 }
 
 }  // namespace
-
-void StitchingOptions::validate() const {
-  measurement.validate();
-  features.validate();
-  pairs.validate();
-  alignment.validate();
-}
 
 StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
                               const StitchingOptions& options) {

@@ -1,4 +1,4 @@
-#include "symscene/stitching/view_alignment.hpp"
+#include "view_alignment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace symscene {
 namespace {
 
-/// Two different views, the pixels of one being matched with those of the other.
+/// Two different views. The pixels of `moved` are matched with those of `fixed`.
 struct ViewPair {
   std::size_t moved = 0;
   std::size_t fixed = 0;
@@ -49,7 +49,7 @@ class JointSystem {
     g_.segment<6>(f) -= pair.b;
   }
 
-  /// A twist a view. What nothing constrains stays where it is.
+  /// One twist per view. Unconstrained motions are zero.
   Eigen::VectorXd solve() const {
     constexpr double damping = 1e-9;
     const Eigen::Index free = H_.rows() - 6;
@@ -101,12 +101,18 @@ class Aligner {
   }
 
   void match(std::size_t level) {
-    const MatchGates gates{options_.max_distance * std::pow(0.5, 2.0 - static_cast<double>(level)),
-                           std::cos(options_.max_angle), options_.robust_sigmas};
+    const auto noise = static_cast<float>(sensor_.noise);
+    const MatchOptions matching{
+        .max_distance = options_.max_distance * std::pow(0.5, 2.0 - static_cast<double>(level)),
+        .max_angle = options_.max_angle,
+        .robust_sigmas = options_.robust_sigmas,
+        .noise = {.floor = static_cast<float>(options_.surface_deviation),
+                  .moved = noise,
+                  .fixed = noise}};
     parallel_for_each(pairs_.size(), [&](std::size_t k) {
       ViewPair& pair = pairs_[k];
       pair.system = match_surfaces({image(pair.moved, level), poses_[pair.moved]},
-                                   {image(pair.fixed, level), poses_[pair.fixed]}, gates, sensor_);
+                                   {image(pair.fixed, level), poses_[pair.fixed]}, matching);
     });
   }
 
@@ -134,30 +140,23 @@ class Aligner {
     return last_step_ >= options_.convergence;
   }
 
-  /// Leaves out the pairs that have too little in common to be worth their time.
+  /// Drops the pairs with too little surface in common to be worth their time.
   void keep_overlapping(std::size_t level) {
     match(level);
     std::erase_if(pairs_, [&](const ViewPair& pair) {
       const auto pixels = static_cast<double>(image(pair.moved, level).pixels.size());
-      return static_cast<double>(pair.system.matches) < options_.min_overlap * pixels;
+      return pair.system.fit.matches < options_.min_overlap * pixels;
     });
   }
 
   std::vector<ViewFit> fits() const {
-    std::vector<PairSystem> sums(views_.size());
+    std::vector<PoseFit> sums(views_.size());
     for (const ViewPair& pair : pairs_) {
-      for (const std::size_t view : {pair.moved, pair.fixed}) {
-        sums[view].matches += pair.system.matches;
-        sums[view].inliers += pair.system.inliers;
-        sums[view].squares += pair.system.squares;
-      }
+      for (const std::size_t view : {pair.moved, pair.fixed}) sums[view] += pair.system.fit;
     }
     std::vector<ViewFit> fits;
-    for (const PairSystem& sum : sums) {
-      const double inliers = static_cast<double>(sum.inliers);
-      fits.push_back({sum.matches,
-                      sum.matches > 0 ? inliers / static_cast<double>(sum.matches) : 0.0,
-                      sum.inliers > 0 ? std::sqrt(sum.squares / inliers) : 0.0});
+    for (const PoseFit& sum : sums) {
+      fits.push_back({static_cast<std::size_t>(sum.matches), sum.inlier_share(), sum.residual()});
     }
     return fits;
   }
@@ -188,24 +187,6 @@ void require_views(std::span<const Measurement> views, std::size_t poses,
 }
 
 }  // namespace
-
-void ViewAlignmentOptions::validate() const {
-  const auto count = [](int value, const char* name, int least) {
-    require_option(value >= least && value <= 1000, name, "a count of at most 1,000", value);
-  };
-  count(iterations_points, "iterations_points", 0);
-  count(iterations_coarse, "iterations_coarse", 0);
-  count(iterations_middle, "iterations_middle", 0);
-  count(iterations_fine, "iterations_fine", 1);
-  require_option(max_distance > 0, "max_distance", "a positive number", max_distance);
-  require_option(max_angle > 0 && max_angle < 1.5, "max_angle", "a positive angle below 1.5",
-                 max_angle);
-  require_option(robust_sigmas > 0, "robust_sigmas", "a positive number", robust_sigmas);
-  require_option(point_deviation > 0, "point_deviation", "a positive number", point_deviation);
-  require_option(min_overlap >= 0 && min_overlap <= 1, "min_overlap", "a share in [0, 1]",
-                 min_overlap);
-  require_option(convergence >= 0, "convergence", "a number of at least 0", convergence);
-}
 
 ViewAlignment align_views(std::span<const Measurement> views,
                           std::span<const Eigen::Isometry3d> T_world_camera,

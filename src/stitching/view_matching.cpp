@@ -1,76 +1,34 @@
 #include "view_matching.hpp"
 
-#include <cmath>
-
-#include "surface_lookup.hpp"
+#include <algorithm>
 
 namespace symscene {
 namespace {
 
-constexpr double surface_floor = 5e-4;  ///< deviation of a near surface: errors of the sensor [m]
-
-Eigen::Vector3d normal_of(const SurfacePixel& pixel) {
-  return {static_cast<double>(pixel.nx), static_cast<double>(pixel.ny),
-          static_cast<double>(pixel.nz)};
-}
-
-/// Two pixels that show the same, in the camera's frame of the fixed one.
-struct Match {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double residual = 0.0;   ///< along the normal, from the fixed to the moved point [m]
-  double deviation = 0.0;  ///< of the residual [m]
-};
-
-/// The match of a point with the pixel onto which it falls.
-bool find_match(const Eigen::Vector3d& point_fixed, const Eigen::Vector3d& normal_fixed,
-                const SurfaceImage& fixed, const MatchGates& gates,
-                const MeasurementOptions& sensor, Match& match) {
-  constexpr double nearest = 0.05;  // [m]
-  const std::optional<PixelPlace> place = find_pixel(fixed, point_fixed, nearest);
-  if (!place) return false;
-  const SurfacePixel& pixel = pixel_of(fixed, *place);
-  match.normal = normal_of(pixel);
-  const Eigen::Vector3d gap = point_fixed - point_of(fixed, *place);
-  if (gap.squaredNorm() > gates.distance * gates.distance ||
-      match.normal.dot(normal_fixed) < gates.cosine) {
-    return false;
-  }
-  match.residual = match.normal.dot(gap);
-  const auto seen = static_cast<double>(pixel.depth);
-  match.deviation =
-      surface_floor + std::hypot(sensor.deviation(point_fixed.z()), sensor.deviation(seen));
-  return true;
-}
-
-void add(const Match& match, const Eigen::Vector3d& point_world, const Eigen::Matrix3d& R,
-         double robust_sigmas, PairSystem& system) {
-  const Eigen::Vector3d n = R * match.normal;
-  Vector6d J;
-  J << point_world.cross(n), n;
-  const double ratio = match.residual / (robust_sigmas * match.deviation);
-  const double weight = 1.0 / ((1.0 + ratio * ratio) * match.deviation * match.deviation);
-  system.A.noalias() += (weight * J) * J.transpose();
-  system.b += weight * match.residual * J;
-  ++system.matches;
-  if (std::abs(match.residual) > 3.0 * match.deviation) return;
-  ++system.inliers;
-  system.squares += match.residual * match.residual;
+/// From a twist in the world to the same motion in a camera's frame.
+Matrix6d twist_in_camera(const Eigen::Isometry3d& T_world_camera) {
+  const Eigen::Matrix3d R = T_world_camera.linear().transpose();
+  Matrix6d adjoint = Matrix6d::Zero();
+  adjoint.topLeftCorner<3, 3>() = R;
+  adjoint.bottomRightCorner<3, 3>() = R;
+  adjoint.bottomLeftCorner<3, 3>() = R * point_jacobian(T_world_camera.translation()).leftCols<3>();
+  return adjoint;
 }
 
 }  // namespace
 
 PairSystem match_surfaces(const PlacedSurface& moved, const PlacedSurface& fixed,
-                          const MatchGates& gates, const MeasurementOptions& sensor) {
-  const Eigen::Isometry3d T = fixed.T_world_camera.inverse() * moved.T_world_camera;
-  const Eigen::Matrix3d turn = T.linear();
+                          const MatchOptions& options) {
+  const PointToPlaneMatcher matcher(moved.image, fixed.image, options);
+  const NormalEquations equations =
+      matcher.match(fixed.T_world_camera.inverse() * moved.T_world_camera);
+  const Matrix6d to_camera = twist_in_camera(fixed.T_world_camera);
+  // Weights in 1/m², as those of paired points.
+  const double unit = matcher.unit_weight();
   PairSystem system;
-  Match match;
-  for_each_surface_pixel(moved.image, [&](PixelPlace place, const SurfacePixel& pixel) {
-    const Eigen::Vector3d point = T * point_of(moved.image, place);
-    if (!find_match(point, turn * normal_of(pixel), fixed.image, gates, sensor, match)) return;
-    add(match, fixed.T_world_camera * point, fixed.T_world_camera.linear(), gates.robust_sigmas,
-        system);
-  });
+  system.A = unit * to_camera.transpose() * equations.H * to_camera;
+  system.b = -unit * to_camera.transpose() * equations.b;
+  system.fit = equations.fit;
   return system;
 }
 

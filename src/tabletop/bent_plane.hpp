@@ -4,8 +4,7 @@
 
 namespace symscene {
 
-/// Heights over a surface that departs from a plane by a quadratic polynomial: a table as drift of
-/// the reconstruction bends it.
+/// Heights above a plane plus a quadratic polynomial, as drift of the reconstruction bends tables.
 class BentPlane {
  public:
   /// The plane itself.

@@ -8,9 +8,6 @@
 
 namespace symscene {
 
-/// From which area on a plane is a wall or a floor, and its points none of the objects'. [m²]
-constexpr double wall_area = 0.25;
-
 /// Coordinates within a plane.
 class PlaneFrame {
  public:
@@ -36,30 +33,30 @@ class ConvexOutline {
   explicit ConvexOutline(std::vector<Eigen::Vector2d> points);
 
   const std::vector<Eigen::Vector2d>& corners() const { return corners_; }
-  /// How far a point is outside; below zero inside. Exact beside edges, an underestimate beyond
-  /// corners; infinite without a corner. [m]
+  /// Signed distance of a point, negative inside. Exact beside edges, a lower bound beyond corners;
+  /// infinite without corners. [m]
   double distance(const Eigen::Vector2d& point) const;
 
  private:
   std::vector<Eigen::Vector2d> corners_;
 };
 
-/// Cells of a grid over a plane, and which of them hold points.
+/// A grid over a plane; a cell is occupied if it holds points.
 class PlaneCells {
  public:
-  /// Cells of `edge` or, where points are spread over more than 4 million, of a multiple. [m]
+  /// Cells of `edge` [m], or of a multiple where points are spread over more than 4 million cells.
   PlaneCells(const std::vector<Eigen::Vector2d>& points, double edge);
 
   /// The indices of the points in the largest group of cells, ascending; cells belong together
   /// across gaps of one cell.
   std::vector<std::size_t> largest_patch() const;
 
-  /// The points that may be corners of the hull: a point of a cell with eight neighbours that hold
-  /// points is inside the hull of those.
+  /// The points that may be corners of the convex hull: those of cells without eight occupied
+  /// neighbours.
   std::vector<std::size_t> border() const;
 
   double area(std::size_t cells) const { return static_cast<double>(cells) * edge_ * edge_; }
-  /// The number of cells with points.
+  /// The number of occupied cells.
   std::size_t occupied() const;
 
  private:

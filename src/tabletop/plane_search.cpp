@@ -11,11 +11,10 @@
 namespace symscene {
 namespace {
 
-/// Hypotheses of one point and its normal reach less far than a fitted plane.
+/// Over the inlier distance: hypotheses of one point and its normal are less accurate than fits.
 constexpr double coarse_factor = 3.0;
 constexpr std::size_t refined_hypotheses = 8;
 constexpr std::size_t refinements = 3;
-constexpr double least_share = 0.01;  ///< of the sample, for a plane
 
 /// Points and normals as arrays, for loops that vectorise.
 struct OrientedSample {
@@ -61,7 +60,7 @@ class PlaneSearch {
       : sample_(std::move(sample)),
         options_(options),
         random_(options.seed),
-        least_(static_cast<int>(least_share * static_cast<double>(sample_.size())) + 3) {}
+        least_(static_cast<int>(options.min_share * static_cast<double>(sample_.size())) + 3) {}
 
   std::optional<Plane> next() {
     if (sample_.size() < 3) return std::nullopt;
@@ -99,7 +98,7 @@ class PlaneSearch {
            plane.normal.dot(sample_.normal(i).cast<double>()) > std::cos(options_.normal_angle);
   }
 
-  /// The planes of single points that most points agree with.
+  /// The hypotheses, each from one point and its normal, with most inliers.
   std::vector<Counted> promising() {
     std::vector<Counted> tried;
     for (int k = 0; k < options_.hypotheses; ++k) {

@@ -2,12 +2,12 @@
 
 #include <vector>
 
-#include "symscene/tabletop/support_plane.hpp"
+#include "symscene/tabletop/table_scene.hpp"
 
 namespace symscene {
 
-/// Fits planes with inliers counted on a sample: the planes with most inliers, one after the other,
-/// each without the inliers of those before. Normals are turned as the points' are.
+/// The planes with most inliers in a sample, one after the other, each without the inliers of those
+/// before. Their normals point to the same side as those of the points.
 std::vector<Plane> dominant_planes(const PointCloud& cloud, const PointIndices& usable,
                                    const SupportPlaneOptions& options);
 
@@ -22,7 +22,8 @@ class PlaneMoments {
   PlaneMoments operator+(const PlaneMoments& other) const;
 
   std::size_t count() const { return count_; }
-  /// Turned like `fallback`, which it is where the points do not span a plane.
+  /// Its normal points to the side of that of `fallback`, which it returns where the points do not
+  /// span a plane.
   Plane plane(const Plane& fallback) const;
   /// Root mean square distance of the points from a plane. [m]
   double residual(const Plane& plane) const;

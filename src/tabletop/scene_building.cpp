@@ -5,8 +5,7 @@
 namespace symscene {
 namespace {
 
-/// The box around the objects that stands on their table, in the world's directions turned so that
-/// z is the table's normal.
+/// The box around the objects with the table's normal as z axis, from below the table's plane.
 OrientedBox box_around(const PointCloud& objects, const Plane& table,
                        const SceneBuildingOptions& options) {
   OrientedBox box;
@@ -22,13 +21,6 @@ OrientedBox box_around(const PointCloud& objects, const Plane& table,
 }
 
 }  // namespace
-
-void SceneBuildingOptions::validate() const {
-  table.validate();
-  require_option(margin >= 0, "margin", "a number not below zero", margin);
-  require_option(table_thickness >= 0, "table_thickness", "a number not below zero",
-                 table_thickness);
-}
 
 BuiltScene build_scene(const TriangleMesh& surface, const OccupancyVolume& occupancy,
                        const std::optional<Plane>& plane, const std::optional<Eigen::Vector3d>& up,

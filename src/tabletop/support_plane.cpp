@@ -1,4 +1,4 @@
-#include "symscene/tabletop/support_plane.hpp"
+#include "support_plane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,7 @@ namespace symscene {
 namespace {
 
 constexpr double cell_edge = 0.02;        ///< of the cells that areas are counted in [m]
-constexpr double least_distance = 0.003;  ///< that refinement keeps inliers within [m]
-constexpr double residuals_kept = 2.5;    ///< of the residual, within which refinement keeps points
+constexpr double least_distance = 0.003;  ///< within which refinement keeps all points [m]
 constexpr int refinements = 2;
 constexpr Index points_for_fit = 50000;
 
@@ -27,7 +26,7 @@ PointIndices usable_points(const PointCloud& cloud) {
   return usable;
 }
 
-/// The largest connected patch of the points near a plane that face as it does.
+/// The largest connected patch of the points near a plane whose normals agree with its own.
 PointIndices patch_of(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
                       double distance, double normal_angle) {
   const auto cosine = static_cast<float>(std::cos(normal_angle));
@@ -58,14 +57,14 @@ PlaneMoments moments_of(const PointCloud& cloud, const PointIndices& points) {
   return moments;
 }
 
-/// A plane, and within which distance points make it. [m]
+/// A plane and the distance within which points are fitted.
 struct PlaneFit {
   Plane plane;
-  double distance = 0.0;
+  double distance = 0.0;  ///< [m]
 };
 
-/// Least squares on the patch of some of the points. What lies on the table drops out: points
-/// farther off than the patch is rough.
+/// Least squares on the patch of some of the points. Objects on the table drop out, as their points
+/// are farther off than the roughness of the patch.
 PlaneFit fitted(const PointCloud& cloud, const PointIndices& some, const Plane& start,
                 const SupportPlaneOptions& options) {
   PlaneFit fit{start, options.inlier_distance};
@@ -74,13 +73,13 @@ PlaneFit fitted(const PointCloud& cloud, const PointIndices& some, const Plane& 
         moments_of(cloud, patch_of(cloud, some, fit.plane, fit.distance, options.normal_angle));
     fit.plane = moments.plane(fit.plane);
     fit.distance =
-        std::clamp(residuals_kept * moments.residual(fit.plane),
+        std::clamp(options.refined_sigmas * moments.residual(fit.plane),
                    std::min(least_distance, options.inlier_distance), options.inlier_distance);
   }
   return fit;
 }
 
-/// Least squares on all points that make the plane.
+/// Least squares on all points within the distance of the fit.
 Plane refined(const PointCloud& cloud, const PointIndices& patch, const PlaneFit& fit) {
   PlaneMoments moments;
   for (const Index i : patch) {
@@ -90,7 +89,7 @@ Plane refined(const PointCloud& cloud, const PointIndices& patch, const PlaneFit
   return moments.plane(fit.plane);
 }
 
-/// What there is to say of a plane with these inliers.
+/// The residual, area and outline of a plane with these inliers.
 SupportPlane described(const PointCloud& cloud, const Plane& plane, PointIndices inliers) {
   SupportPlane support;
   support.plane = plane;
@@ -113,7 +112,8 @@ SupportPlane described(const PointCloud& cloud, const Plane& plane, PointIndices
   return support;
 }
 
-/// The planes of the cloud. Two that the search took apart may be refined into one.
+/// The planes of the cloud. Two results of the search may be refined to the same plane; the second
+/// is dropped.
 std::vector<SupportPlane> distinct_planes(const PointCloud& cloud, const PointIndices& usable,
                                           const SupportPlaneOptions& options) {
   std::vector<SupportPlane> planes;
@@ -137,9 +137,9 @@ std::vector<SupportPlane> distinct_planes(const PointCloud& cloud, const PointIn
   return planes;
 }
 
-/// Points of planes too large for objects.
-std::vector<bool> points_of_walls(const PointCloud& cloud,
-                                  const std::vector<SupportPlane>& planes) {
+/// Points of planes too large to be faces of objects.
+std::vector<bool> points_of_walls(const PointCloud& cloud, const std::vector<SupportPlane>& planes,
+                                  double wall_area) {
   std::vector<bool> walls(cloud.size(), false);
   for (const SupportPlane& plane : planes) {
     if (plane.area < wall_area) continue;
@@ -148,7 +148,7 @@ std::vector<bool> points_of_walls(const PointCloud& cloud,
   return walls;
 }
 
-/// The area of the plane with something on it.
+/// The area of the plane below objects.
 double covered_area(const PointCloud& cloud, const PointIndices& usable, const SupportPlane& plane,
                     const std::vector<bool>& walls, const SupportPlaneOptions& options) {
   const PlaneFrame frame(plane.plane);
@@ -178,19 +178,8 @@ bool may_support(const SupportPlane& plane, const SupportPlaneOptions& options,
 }  // namespace
 
 void SupportPlaneOptions::validate() const {
-  require_option(inlier_distance > 0.0 && inlier_distance < 1.0, "inlier_distance", "0 to 1 m",
-                 inlier_distance);
-  require_option(normal_angle > 0.0 && normal_angle < radians(90), "normal_angle", "an acute angle",
-                 normal_angle);
-  require_option(sample >= 100, "sample", "at least 100", sample);
-  require_option(hypotheses >= 1, "hypotheses", "at least 1", hypotheses);
-  require_option(max_planes >= 1, "max_planes", "at least 1", max_planes);
-  require_option(min_area >= 0.0, "min_area", "an area not below zero", min_area);
-  require_option(max_tilt > 0.0, "max_tilt", "a positive angle", max_tilt);
-  require_option(min_clearance >= 0.0, "min_clearance", "a length not below zero", min_clearance);
-  require_option(max_height > min_clearance, "max_height", "a length above min_clearance",
-                 max_height);
-  require_option(ambiguity > 0.0 && ambiguity <= 1.0, "ambiguity", "0 to 1", ambiguity);
+  check_fields(*this);
+  require_option(max_height > min_clearance, "max_height", "more than min_clearance", max_height);
 }
 
 SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOptions& options,
@@ -198,7 +187,7 @@ SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOpt
   options.validate();
   const PointIndices usable = usable_points(cloud);
   const std::vector<SupportPlane> planes = distinct_planes(cloud, usable, options);
-  const std::vector<bool> walls = points_of_walls(cloud, planes);
+  const std::vector<bool> walls = points_of_walls(cloud, planes, options.wall_area);
   SupportPlanes result;
   for (SupportPlane plane : planes) {
     if (!may_support(plane, options, up)) {
@@ -206,7 +195,7 @@ SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOpt
       continue;
     }
     plane.object_area = covered_area(cloud, usable, plane, walls, options);
-    // A table with nothing on it is one still: as if one cell were covered.
+    // An empty table counts as if one cell were covered.
     plane.score = std::sqrt(plane.area * (plane.object_area + cell_edge * cell_edge));
     result.supports.push_back(std::move(plane));
   }

@@ -154,20 +154,20 @@ TEST(DistanceField, ReadsMetresAtPointsAndTheClampOutside) {
   EXPECT_FLOAT_EQ(field.at(Eigen::Vector3f::Constant(std::nanf(""))), 0.03F);
 }
 
-TEST(DistanceField, OfUnknownSpaceContradictsNothing) {
+TEST(DistanceField, OfUnknownSpaceIsZeroAboveTheTable) {
   const Box box{Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(0.1F)};
   const DistanceField field = unknown_distance_field(box, 0.005F, std::nullopt);
   EXPECT_EQ(field.at({0.05F, 0.05F, 0.05F}), 0.0F);
   EXPECT_EQ(field.at({5.0F, 0.0F, 0.0F}), 0.0F);
 }
 
-TEST(DistanceField, RefusesAClampThatItsBytesCannotHold) {
+TEST(DistanceField, RefusesAClampOfTooManyVoxels) {
   DistanceFieldOptions options;
   options.clamp = 0.06;
   EXPECT_THROW(distance_field(random_grid(1, {3, 3, 3}), std::nullopt, options), InputError);
 }
 
-TEST(Rasterize, PutsEveryLeafWhereItsKeysSay) {
+TEST(Rasterize, PutsEveryLeafAtItsKeys) {
   OccupancyMap map;
   constexpr auto origin = static_cast<std::uint16_t>(OccupancyMap::key_of_origin);
   map.leaves = {
@@ -182,7 +182,7 @@ TEST(Rasterize, PutsEveryLeafWhereItsKeysSay) {
                                                   free, free, never}));
 }
 
-TEST(Rasterize, RefusesBoxesThatNoMemoryHolds) {
+TEST(Rasterize, RefusesBoxesOfTooManyVoxels) {
   const OccupancyMap map;
   const Box huge{Eigen::Vector3f::Constant(-50.0F), Eigen::Vector3f::Constant(50.0F)};
   const Box far_off{Eigen::Vector3f::Constant(1e8F), Eigen::Vector3f::Constant(1e8F)};

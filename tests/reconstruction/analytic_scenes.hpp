@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "symscene/reconstruction/surface_extraction.hpp"
+#include "reconstruction/surface_extraction.hpp"
 
 /// Bodies whose depth images are known in closed form, and cameras that look at them.
 namespace symscene::testing {

@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/block_index.hpp"
+#include "reconstruction/block_index.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-TEST(BlockIndex, FindsWhatWasInsertedAndNothingElse) {
+TEST(BlockIndex, FindsOnlyInsertedBlocks) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> near(-40, 40);
   BlockIndex index;
@@ -63,7 +63,7 @@ TEST(BlockIndex, FindsNothingBeyondItsReach) {
   }
 }
 
-TEST(BlockIndex, TakesMemoryForWhatItHolds) {
+TEST(BlockIndex, GrowsWithTheStoredBlocks) {
   BlockIndex index;
   const std::size_t empty = index.bytes();
   for (int k = 0; k < 32; ++k) index.insert({k, 0, 0});

@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/camera_tracking.hpp"
+#include "reconstruction/camera_tracking.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ Measurement measure(const Bodies& bodies, const Eigen::Isometry3d& pose) {
   return prepare_measurement(render(bodies, small_camera(), pose), small_camera(), {});
 }
 
-/// The view of a model without error: what an exact image shows, standing at `T_world_view`.
+/// An exact image as the view of a model, placed at `T_world_view`.
 ModelView exact_view(const Bodies& bodies, const Eigen::Isometry3d& pose,
                      const Eigen::Isometry3d& T_world_view) {
   const DepthFrame frame = render(bodies, small_camera(), pose);
@@ -54,7 +54,7 @@ TEST(CameraTracking, RecoversSmallMotions) {
   }
 }
 
-TEST(CameraTracking, StaysWhereItIsWhenNothingMoves) {
+TEST(CameraTracking, KeepsThePoseOfAStaticCamera) {
   const Eigen::Isometry3d pose = around_table(1.0);
   const TrackingResult result = track(tabletop(), pose, pose);
   EXPECT_EQ(result.status, TrackingStatus::converged);
@@ -62,7 +62,7 @@ TEST(CameraTracking, StaysWhereItIsWhenNothingMoves) {
   EXPECT_GT(result.overlap, 0.95);
 }
 
-TEST(CameraTracking, GivesRotationsThatAreRotations) {
+TEST(CameraTracking, KeepsRotationsOrthonormal) {
   Eigen::Isometry3d pose = around_table(0.0);
   for (int k = 1; k <= 20; ++k) {
     const Eigen::Isometry3d to = around_table(0.02 * k);
@@ -74,7 +74,7 @@ TEST(CameraTracking, GivesRotationsThatAreRotations) {
   }
 }
 
-TEST(CameraTracking, MovesWithTheWorld) {
+TEST(CameraTracking, IsEquivariantUnderRigidMotion) {
   std::mt19937 random(11);
   const Eigen::Isometry3d from = around_table(0.4);
   const Eigen::Isometry3d to = from * motion({0.01, -0.02, 0.015}, {0.01, 0.005, -0.01});
@@ -128,7 +128,7 @@ TEST(CameraTracking, NamesTheRotationsThatABallLeavesFree) {
   }
 }
 
-TEST(CameraTracking, FindsThreeWallsToBeEnough) {
+TEST(CameraTracking, IsConstrainedByThreeWalls) {
   const Bodies corner{plane(Eigen::Vector3d(-1, 0, -1).normalized(), 0.7),
                       plane(Eigen::Vector3d(1, 0, -1).normalized(), 0.7),
                       plane(Eigen::Vector3d(0, -1, -0.6).normalized(), 0.5)};
@@ -180,7 +180,7 @@ TEST(CameraTracking, IsLostIfTheCameraWouldHaveJumped) {
   EXPECT_STREQ(result.reason, "the camera would have jumped");
 }
 
-TEST(CameraTracking, NeverGivesAPoseThatIsNoPose) {
+TEST(CameraTracking, AlwaysReturnsAFinitePose) {
   std::mt19937 random(17);
   for (int trial = 0; trial < 20; ++trial) {
     const Eigen::Isometry3d from = random_pose(random, 0.7), to = random_pose(random, 0.7);

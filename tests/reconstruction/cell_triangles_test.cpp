@@ -53,7 +53,7 @@ Steps steps_of(int behind) {
   return steps;
 }
 
-/// The steps that no triangle takes back: the outline of the cell's surface.
+/// The directed edges without an opposite: the outline of the cell's surface.
 std::set<Step> outline_of(int behind) {
   const Steps steps = steps_of(behind);
   std::set<Step> outline;
@@ -84,7 +84,7 @@ TEST(CellTriangles, HaveTheirCornersOnExactlyTheCrossedEdges) {
   }
 }
 
-TEST(CellTriangles, TakeNoStepTwiceAndEndOnlyOnFacesOfTheCell) {
+TEST(CellTriangles, UseNoDirectedEdgeTwiceAndEndOnlyOnFacesOfTheCell) {
   for (int behind = 0; behind < 256; ++behind) {
     for (const auto& [step, count] : steps_of(behind)) EXPECT_EQ(count, 1) << behind;
     for (const Step& step : outline_of(behind)) {
@@ -111,7 +111,7 @@ TEST(CellTriangles, HaveClosedOutlines) {
   }
 }
 
-TEST(CellTriangles, AreSeenCounterClockwiseFromBefore) {
+TEST(CellTriangles, AreCounterClockwiseSeenFromTheFront) {
   for (int corner = 0; corner < 8; ++corner) {
     const auto one = triangles_of(1 << corner);
     ASSERT_EQ(one.size(), 1U);
@@ -121,7 +121,7 @@ TEST(CellTriangles, AreSeenCounterClockwiseFromBefore) {
   }
 }
 
-TEST(CellTriangles, TurnRoundWithTheSides) {
+TEST(CellTriangles, ReverseWhenInsideAndOutsideSwap) {
   // A face without ambiguity is cut alike from both sides: what is before and behind may be
   // swapped.
   for (const int behind : {1, 3, 7, 15, 51, 23}) {
@@ -144,7 +144,7 @@ std::set<Step> outline_on(int behind, int axis, int side) {
 }
 
 /// Signs of two cells that share a face: those of the second follow from the first on it.
-TEST(CellTriangles, OfNeighboursMeetWithoutACrackWhateverTheirCorners) {
+TEST(CellTriangles, OfNeighboursMeetWithoutCracks) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int first = 0; first < 256; ++first) {
       std::mt19937 random(static_cast<unsigned>(256 * axis + first));

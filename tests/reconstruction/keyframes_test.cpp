@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/keyframes.hpp"
+#include "reconstruction/keyframes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,11 @@ Measurement seen_from(const Eigen::Isometry3d& pose) {
   return prepare_measurement(render(tabletop(), small_camera(), pose), small_camera(), {});
 }
 
-TEST(Keyframes, RankViewsByHowMuchTheyLookAlike) {
-  Keyframes keyframes;
-  for (int k = 0; k < 12; ++k)
-    keyframes.add(seen_from(around_table(0.5 * k)), around_table(0.5 * k), 0.1, 0.2);
+TEST(Keyframes, RankViewsBySimilarity) {
+  Keyframes keyframes({.keyframe_distance = 0.1, .keyframe_angle = 0.2});
+  for (int k = 0; k < 12; ++k) {
+    keyframes.add(seen_from(around_table(0.5 * k)), around_table(0.5 * k));
+  }
   ASSERT_EQ(keyframes.size(), 12U);
   for (int k = 0; k < 12; ++k) {
     const auto ranked = keyframes.most_similar(seen_from(around_table(0.5 * k + 0.06)), 3);
@@ -26,10 +27,10 @@ TEST(Keyframes, RankViewsByHowMuchTheyLookAlike) {
 }
 
 TEST(Keyframes, AreKeptApartByDistanceOrAngle) {
-  Keyframes keyframes;
+  Keyframes keyframes({.keyframe_distance = 0.15, .keyframe_angle = 0.26});
   const Measurement any = seen_from(around_table(0.0));
   const auto add = [&](double x, double turn) {
-    keyframes.add(any, motion({0, 0, turn}, {x, 0, 0}), 0.15, 0.26);
+    keyframes.add(any, motion({0, 0, turn}, {x, 0, 0}));
     return keyframes.size();
   };
   EXPECT_EQ(add(0.0, 0.0), 1U);
@@ -41,24 +42,24 @@ TEST(Keyframes, AreKeptApartByDistanceOrAngle) {
   EXPECT_LE(keyframes.size(), 5U);
 }
 
-TEST(Keyframes, GiveNoMoreThanThereAreOrAreAskedFor) {
-  Keyframes keyframes;
+TEST(Keyframes, ReturnAtMostTheRequestedNumber) {
+  Keyframes keyframes({.keyframe_distance = 0.1, .keyframe_angle = 0.1});
   const Measurement any = seen_from(around_table(0.0));
   EXPECT_TRUE(keyframes.most_similar(any, 4).empty());
   for (double x = 0.0; x < 6.0; x += 1.0) {
-    keyframes.add(any, motion({0, 0, 0}, {x, 0, 0}), 0.1, 0.1);
+    keyframes.add(any, motion({0, 0, 0}, {x, 0, 0}));
   }
   EXPECT_EQ(keyframes.most_similar(any, 4).size(), 4U);
   EXPECT_EQ(keyframes.most_similar(any, 40).size(), 6U);
-  // Equals in the order in which they came.
+  // Equally similar ones in the order in which they were added.
   EXPECT_EQ(keyframes.most_similar(any, 4)[3].translation().x(), 3.0);
 }
 
-TEST(Keyframes, TakeImagesWithoutAnyDepthAndTinyOnes) {
-  Keyframes keyframes;
+TEST(Keyframes, AcceptImagesWithoutDepthAndTinyImages) {
+  Keyframes keyframes({.keyframe_distance = 0.1, .keyframe_angle = 0.1});
   const DepthFrame black = flat_frame(small_camera(), 0.0F);
   const Measurement nothing = prepare_measurement(black, small_camera(), {});
-  keyframes.add(nothing, Eigen::Isometry3d::Identity(), 0.1, 0.1);
+  keyframes.add(nothing, Eigen::Isometry3d::Identity());
   EXPECT_EQ(keyframes.most_similar(nothing, 1).size(), 1U);
   const CameraIntrinsics tiny{8, 8, 6.0, 6.0, 3.5, 3.5};
   const DepthFrame frame = flat_frame(tiny, 1.0F);

@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/measurement.hpp"
+#include "reconstruction/measurement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(Measurement, HasTheNormalsOfANoisyPlane) {
       EXPECT_LT(angle_between(mean, truth), radians(0.7));
       EXPECT_GT(mean.norm() / static_cast<double>(with_normal), std::cos(radians(25.0)));
     }
-    // Fused is what was measured, not what was smoothed for tracking.
+    // The measured depths are fused, not the smoothed ones.
     for (std::size_t i = 0; i < camera.pixels(); ++i) {
       if (measurement.packed[i] == 0) continue;
       EXPECT_NEAR((measurement.packed[i] >> 16) * 1e-4, frame.depth[i], 6e-5);
@@ -86,7 +86,7 @@ TEST(Measurement, GivesNoWeightToEdges) {
   }
 }
 
-TEST(Measurement, WeighsPixelsByRangeAndAngle) {
+TEST(Measurement, WeightsPixelsByRangeAndAngle) {
   const auto middle = [](double depth, double tilt) {
     const Eigen::Vector3d normal(std::sin(tilt), 0, -std::cos(tilt));
     const Bodies wall{plane(normal, depth * std::cos(tilt))};
@@ -101,7 +101,7 @@ TEST(Measurement, WeighsPixelsByRangeAndAngle) {
   EXPECT_EQ(middle(0.6, radians(86.0)), 0.0);
 }
 
-TEST(Measurement, LeavesOutWhatTheSensorCannotHaveMeasured) {
+TEST(Measurement, IgnoresDepthsOutOfRange) {
   for (const float depth :
        {0.0F, -1.0F, 0.15F, 3.1F, 1e30F, -1e30F, 1e-42F, std::numeric_limits<float>::quiet_NaN(),
         std::numeric_limits<float>::infinity()}) {
@@ -115,7 +115,7 @@ TEST(Measurement, LeavesOutWhatTheSensorCannotHaveMeasured) {
   }
 }
 
-TEST(Measurement, SpeckleSpoilsNoNormals) {
+TEST(Measurement, SpeckleDoesNotChangeNormals) {
   DepthFrame frame = flat_frame(small_camera(), 0.8F);
   for (std::size_t i = 0; i < frame.depth.size(); i += 211) {
     frame.depth[i] = i % 2 == 0 ? std::numeric_limits<float>::quiet_NaN() : 0.4F;
@@ -130,7 +130,7 @@ TEST(Measurement, SpeckleSpoilsNoNormals) {
   }
 }
 
-TEST(Measurement, TakesImagesOfAnySizeFromEightPixels) {
+TEST(Measurement, AcceptsImagesOfAnySizeFromEightPixels) {
   const std::array<std::pair<Index, Index>, 10> sizes{{{161, 121},
                                                        {9, 9},
                                                        {8, 8},
@@ -163,7 +163,7 @@ TEST(Measurement, TakesImagesOfAnySizeFromEightPixels) {
   }
 }
 
-TEST(Measurement, RefusesImagesThatAreNotTheCameras) {
+TEST(Measurement, RefusesImagesOfAnotherSize) {
   const CameraIntrinsics camera = small_camera();
   EXPECT_THROW(prepare_measurement({}, camera, {}), InputError);
   DepthFrame frame = flat_frame(camera, 1.0F);

@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/model_view.hpp"
+#include "reconstruction/model_view.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@ using namespace symscene::testing;
 
 constexpr double voxel = 0.0031;
 
-/// How a view compares with what the camera would truly see.
+/// A view compared with the ground truth.
 struct Comparison {
-  std::size_t both = 0;      ///< pixels with surface in view and truth
-  std::size_t missing = 0;   ///< pixels of the truth that the view leaves empty
-  std::size_t invented = 0;  ///< pixels of the view where truth is empty
-  std::size_t far_off = 0;   ///< of both, more than two voxels from the truth
+  std::size_t both = 0;      ///< pixels with surface in the view and in the ground truth
+  std::size_t missing = 0;   ///< pixels with surface in the ground truth alone
+  std::size_t invented = 0;  ///< pixels with surface in the view alone
+  std::size_t far_off = 0;   ///< of both, more than two voxels from the ground truth
   double median = 0.0;       ///< distance of both along the normal [m]
 };
 
@@ -70,7 +70,7 @@ TEST(ModelView, ShowsTheTrueDepthOfATabletop) {
   EXPECT_LT(result.far_off, pixels / 100);
 }
 
-TEST(ModelView, ShowsABallFromEverySideAndNothingBesideIt) {
+TEST(ModelView, ShowsABallFromEverySideAndNothingAroundIt) {
   const Eigen::Vector3d center(0.02, 0.01, -0.03);
   const Bodies ball{sphere(center, 0.1)};
   const TsdfVolume volume = seen_from_everywhere(ball, center, 40);
@@ -85,7 +85,7 @@ TEST(ModelView, ShowsABallFromEverySideAndNothingBesideIt) {
   }
 }
 
-TEST(ModelView, ShowsAWallThatRaysGraze) {
+TEST(ModelView, ShowsAWallAtGrazingAngles) {
   TsdfVolume volume;
   const Bodies wall{plane(-Eigen::Vector3d::UnitZ(), 0.6)};
   fuse(volume, wall, small_camera(), Eigen::Isometry3d::Identity());
@@ -116,7 +116,7 @@ TEST(ModelView, ShowsAWallThatRaysGraze) {
   EXPECT_GT(shown, 99 * inside / 100);
 }
 
-TEST(ModelView, ShowsWhatIsCloseWhenTheCameraIsWithinTheBlocks) {
+TEST(ModelView, ShowsCloseSurfacesWhenTheCameraIsInsideABlock) {
   TsdfVolume volume;
   const Bodies wall{plane(-Eigen::Vector3d::UnitZ(), 0.6)};
   for (int k = 0; k < 2; ++k) {
@@ -154,7 +154,7 @@ TEST(ModelView, IsEmptyForAnEmptyVolumeAndForOneThatIsNotInView) {
   EXPECT_EQ(from(no_pose), 0);
 }
 
-TEST(ModelView, MovesWithTheWorld) {
+TEST(ModelView, IsEquivariantUnderRigidMotion) {
   // The same grid after a shift by whole blocks: the same image.
   const Bodies wall{plane(-Eigen::Vector3d(0.3, 0.1, 1).normalized(), 0.7)};
   const auto view_at = [&](const Eigen::Vector3d& shift) {

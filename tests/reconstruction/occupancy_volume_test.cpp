@@ -127,7 +127,7 @@ OccupancyVolumeOptions coarse() {
   return options;
 }
 
-TEST(OccupancyVolume, BoundsOfCubesTellWhatEveryVoxelWouldTell) {
+TEST(OccupancyVolume, BoundsOfCubesAgreeWithEveryVoxel) {
 #ifdef SYMSCENE_SANITIZED
   constexpr unsigned seeds = 1;
   constexpr float reach = 0.6F;
@@ -161,7 +161,7 @@ TEST(OccupancyVolume, BoundsOfCubesTellWhatEveryVoxelWouldTell) {
   }
 }
 
-TEST(OccupancyVolume, VoxelsWithAMeasuredPointAreOccupiedAndNoOthers) {
+TEST(OccupancyVolume, ExactlyTheVoxelsWithAMeasuredPointAreOccupied) {
   std::mt19937 random(7);
   const OccupancyVolumeOptions options = coarse();
   OccupancyVolume volume(options);
@@ -190,7 +190,7 @@ TEST(OccupancyVolume, VoxelsWithAMeasuredPointAreOccupiedAndNoOthers) {
   EXPECT_LE(occupied, camera.pixels());
 }
 
-TEST(OccupancyVolume, SpaceIsFreeBeforeAWallOccupiedOnItAndNeverSeenBehind) {
+TEST(OccupancyVolume, SpaceIsFreeInFrontOfAWallOccupiedOnItAndNeverSeenBehind) {
   OccupancyVolume volume;
   for (int i = 0; i < 3; ++i) {
     volume.integrate(flat_frame(1.002F), camera, Eigen::Isometry3d::Identity());
@@ -209,7 +209,7 @@ TEST(OccupancyVolume, SpaceIsFreeBeforeAWallOccupiedOnItAndNeverSeenBehind) {
   EXPECT_EQ(volume.at({1.0, 0.0, 0.5}), VoxelState::never_seen);
 }
 
-TEST(OccupancyVolume, SpaceThatIsFartherThanItSeesIsFreeUpToThere) {
+TEST(OccupancyVolume, SpaceIsFreeUpToTheLargestDepth) {
   OccupancyVolumeOptions options;
   options.max_depth = 1.5;
   OccupancyVolume volume(options);
@@ -218,7 +218,7 @@ TEST(OccupancyVolume, SpaceThatIsFartherThanItSeesIsFreeUpToThere) {
   EXPECT_EQ(volume.at({0, 0, 1.51}), VoxelState::never_seen);
 }
 
-TEST(OccupancyVolume, PixelsWithoutAMeasurementTellNothing) {
+TEST(OccupancyVolume, PixelsWithoutAMeasurementAreIgnored) {
   const float bad[] = {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN(),
                        std::numeric_limits<float>::infinity()};
   for (const float depth : bad) {
@@ -251,7 +251,7 @@ TEST(OccupancyVolume, NoiseDoesNotCarveASurface) {
   EXPECT_EQ(carved, 0);
 }
 
-TEST(OccupancyVolume, WhatGoesAwayIsForgotten) {
+TEST(OccupancyVolume, RemovedObjectsAreForgotten) {
   OccupancyVolume volume;
   const Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (int i = 0; i < 50; ++i) volume.integrate(flat_frame(0.6F), camera, pose);
@@ -270,7 +270,7 @@ TEST(OccupancyVolume, AHoleOfOnePixelDoesNotHideASurface) {
   }
 }
 
-TEST(OccupancyVolume, ASequenceFromOnePlaceTakesNoMoreMemoryThanAFrame) {
+TEST(OccupancyVolume, RepeatedFramesTakeNoMoreMemoryThanOne) {
   std::mt19937 random(9);
   OccupancyVolume volume;
   for (int i = 0; i < 5; ++i) {
@@ -304,7 +304,7 @@ TEST(OccupancyVolume, LabelsOfLogOddsAreTheMap) {
   EXPECT_TRUE(same(labels(volume.log_odds()), volume.map()));
 }
 
-TEST(OccupancyVolume, TheMapSaysWhatAPointSays) {
+TEST(OccupancyVolume, TheMapAgreesWithLookUpsOfPoints) {
   const OccupancyVolume volume = rough_volume(6);
   const OccupancyMap map = volume.map();
   const OccupancyGrid grid =
@@ -342,7 +342,7 @@ TEST(OccupancyVolume, ARegionHoldsTheVoxelsWhoseCentresAreInIt) {
   EXPECT_EQ(wrong, 0U);
 }
 
-TEST(OccupancyVolume, ACameraFarFromTheOriginSeesAsWell) {
+TEST(OccupancyVolume, ResultsDoNotDependOnTheDistanceFromTheOrigin) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() << 120.0, -90.0, 60.0;
   OccupancyVolume volume;
@@ -351,7 +351,7 @@ TEST(OccupancyVolume, ACameraFarFromTheOriginSeesAsWell) {
   EXPECT_EQ(volume.at(pose * (1.002 * camera.ray(80, 60))), VoxelState::occupied);
 }
 
-TEST(OccupancyVolume, WhatLeavesTheTreeIsLeftOut) {
+TEST(OccupancyVolume, PointsOutsideTheTreeAreIgnored) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation().x() = 163.5;  // the tree ends at 163.84 m
   OccupancyVolume volume;
@@ -382,7 +382,7 @@ TEST(OccupancyVolume, UnusableFramesAreRefused) {
   EXPECT_THROW(volume.integrate(flat_frame(1.0F), camera, crooked), InputError);
 }
 
-TEST(OccupancyVolume, TinyImagesAreTaken) {
+TEST(OccupancyVolume, TinyImagesAreAccepted) {
   for (Index width = 1; width <= 5; ++width) {
     for (Index height = 1; height <= 4; ++height) {
       const CameraIntrinsics tiny{width, height, 2.0, 2.0, 0.5 * (width - 1), 0.5 * (height - 1)};
@@ -394,7 +394,7 @@ TEST(OccupancyVolume, TinyImagesAreTaken) {
   }
 }
 
-TEST(OccupancyVolumeOptions, NonsenseIsRefused) {
+TEST(OccupancyVolumeOptions, InvalidValuesAreRefused) {
   const auto refused = [](auto&& change) {
     OccupancyVolumeOptions options;
     change(options);

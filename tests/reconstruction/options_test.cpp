@@ -9,7 +9,7 @@
 namespace symscene {
 namespace {
 
-/// Sets one field, by its number, to something that it cannot be.
+/// Sets one field, by its number, to an invalid value.
 struct Spoiler {
   int target;
   double bad;
@@ -17,7 +17,7 @@ struct Spoiler {
   std::string name;
 
   template <class Value>
-  void operator()(const char* field, Value& value, const char*, const char*) {
+  void operator()(const char* field, Value& value, const char*, const Range&, const char*) {
     if constexpr (!std::is_same_v<Value, bool>) {
       if (seen++ != target) return;
       name = field;
@@ -48,17 +48,17 @@ int expect_every_field_is_checked() {
 }
 
 TEST(ReconstructionOptions, OutOfRangeAreRefusedFieldByField) {
-  EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 5);
-  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 5);
-  EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 17);
-  EXPECT_EQ(expect_every_field_is_checked<SurfaceExtractionOptions>(), 2);
+  EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 7);
+  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 7);
+  EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 31);
+  EXPECT_EQ(expect_every_field_is_checked<SurfaceExtractionOptions>(), 3);
 }
 
 TEST(ReconstructionOptions, ByDefaultAreInRange) {
   EXPECT_NO_THROW(ReconstructionOptions().validate());
 }
 
-TEST(ReconstructionOptions, HaveToGoWithEachOther) {
+TEST(ReconstructionOptions, MustBeConsistent) {
   const auto refused = [](auto&& change) {
     ReconstructionOptions options;
     change(options);
@@ -73,6 +73,13 @@ TEST(ReconstructionOptions, HaveToGoWithEachOther) {
   refused([](auto& o) { o.tracking.iterations_fine = 0; });
   refused([](auto& o) { o.surface.min_triangles = 0; });
   refused([](auto& o) { o.occupancy.resolution = 0.0; });
+}
+
+TEST(SurfaceOfFew, NeedsWeightInProportionToTheFrames) {
+  const SurfaceExtractionOptions options{.min_weight = 1.5};
+  EXPECT_DOUBLE_EQ(surface_of_few(options, 400).min_weight, 1.5);
+  EXPECT_DOUBLE_EQ(surface_of_few(options, 20).min_weight, 0.15);
+  EXPECT_DOUBLE_EQ(surface_of_few(options, 2).min_weight, 0.0625);
 }
 
 }  // namespace

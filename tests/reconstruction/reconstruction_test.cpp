@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reconstruction/analytic_scenes.hpp"
+#include "reconstruction/model_view.hpp"
 #include "symscene/core/error.hpp"
 #include "threads.hpp"
 
@@ -27,7 +28,7 @@ double apart(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.translation() - b.translation()).norm();
 }
 
-/// A reconstruction that has gone around the table from 0 to 0.3 rad, in its world.
+/// A reconstruction of a sweep around the table from 0 to 0.3 rad.
 Reconstruction after_a_sweep() {
   Reconstruction reconstruction(small_camera());
   for (int k = 0; k <= 10; ++k) {
@@ -37,7 +38,7 @@ Reconstruction after_a_sweep() {
   return reconstruction;
 }
 
-/// Where a camera at an angle is in the world of a sweep that began at 0.
+/// The pose of a camera at an angle in the world of a sweep that began at 0.
 Eigen::Isometry3d in_sweep(double angle) {
   return around_table(0.0).inverse() * around_table(angle);
 }
@@ -67,14 +68,15 @@ TEST(Reconstruction, BeginsAtTheOriginOrAtTheFirstFramesPose) {
   EXPECT_LT(apart(second.tracking.T_world_camera, around_table(0.03)), 0.001);
 }
 
-TEST(Reconstruction, OfOneFrameShowsWhatTheFrameShowed) {
+TEST(Reconstruction, OfOneFrameShowsThatFrame) {
   Reconstruction reconstruction(small_camera());
   const FrameReport report = reconstruction.add(table_frame(0));
   EXPECT_TRUE(report.fused);
   EXPECT_EQ(report.tracking.status, TrackingStatus::converged);
   EXPECT_GT(reconstruction.surface().vertices.rows(), 1000);
   EXPECT_FALSE(reconstruction.occupancy().map().leaves.empty());
-  const ModelView view = reconstruction.view(small_camera(), Eigen::Isometry3d::Identity());
+  const ModelView view =
+      cast_model_view(reconstruction.volume(), small_camera(), Eigen::Isometry3d::Identity());
   const DepthFrame frame = table_frame(0);
   std::size_t alike = 0;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
@@ -83,7 +85,7 @@ TEST(Reconstruction, OfOneFrameShowsWhatTheFrameShowed) {
   EXPECT_GT(alike, 8 * frame.depth.size() / 10);
 }
 
-TEST(Reconstruction, WaitsForTheFirstFrameThatShowsSomething) {
+TEST(Reconstruction, WaitsForTheFirstFrameWithDepth) {
   Reconstruction reconstruction(small_camera());
   for (int k = 0; k < 3; ++k) {
     const FrameReport report = reconstruction.add(black());
@@ -98,7 +100,7 @@ TEST(Reconstruction, WaitsForTheFirstFrameThatShowsSomething) {
   EXPECT_TRUE(first.tracking.T_world_camera.isApprox(Eigen::Isometry3d::Identity()));
 }
 
-TEST(Reconstruction, FusesNothingOfABlackFrameAndGoesOnAfterIt) {
+TEST(Reconstruction, SkipsABlackFrameAndContinuesAfterIt) {
   Reconstruction reconstruction = after_a_sweep();
   const std::size_t blocks = reconstruction.volume().index().size();
   const LogOddsMap space = reconstruction.occupancy().log_odds();
@@ -113,7 +115,7 @@ TEST(Reconstruction, FusesNothingOfABlackFrameAndGoesOnAfterIt) {
   EXPECT_LT(apart(again.tracking.T_world_camera, in_sweep(0.31)), 0.004);
 }
 
-TEST(Reconstruction, FusesNothingOfAnotherScene) {
+TEST(Reconstruction, DoesNotFuseAnotherScene) {
   Reconstruction reconstruction = after_a_sweep();
   const TriangleMesh before = reconstruction.surface();
   const std::vector<Bodies> others{
@@ -131,7 +133,7 @@ TEST(Reconstruction, FusesNothingOfAnotherScene) {
   EXPECT_TRUE(same(reconstruction.surface(), before));
 }
 
-TEST(Reconstruction, FindsACameraThatTurnedAwayAndCameBackElsewhere) {
+TEST(Reconstruction, RelocalizesACameraThatComesBackElsewhere) {
   Reconstruction reconstruction(small_camera());
   for (int k = 0; k <= 16; ++k) {
     ASSERT_TRUE(reconstruction.add(table_frame(0.045 * k)).fused) << k;
@@ -153,7 +155,7 @@ TEST(Reconstruction, FindsACameraThatTurnedAwayAndCameBackElsewhere) {
   EXPECT_LT(apart(next.tracking.T_world_camera, in_sweep(0.07)), 0.005);
 }
 
-TEST(Reconstruction, GoesOnInNoWrongPlaceAfterAGap) {
+TEST(Reconstruction, DoesNotContinueAtAWrongPoseAfterAGap) {
   for (const double gap : {0.1, 0.25, 0.4}) {
     Reconstruction reconstruction(small_camera());
     for (int k = 0; k <= 8; ++k) {
@@ -166,7 +168,7 @@ TEST(Reconstruction, GoesOnInNoWrongPlaceAfterAGap) {
   }
 }
 
-TEST(Reconstruction, TakesExactPosesAsTheyAre) {
+TEST(Reconstruction, UsesExactPosesUnchanged) {
   Reconstruction reconstruction(small_camera());
   for (const double angle : {0.0, 1.0, 2.0, 3.0}) {
     const FrameReport report = reconstruction.add(table_frame(angle), around_table(angle));
@@ -198,7 +200,7 @@ TEST(Reconstruction, CorrectsPosesThatTrackingStartsFrom) {
   }
 }
 
-TEST(Reconstruction, RefusesWhatIsNoFrameOrNoPoseAndIsAsBefore) {
+TEST(Reconstruction, RefusesInvalidFramesAndPosesWithoutChange) {
   Reconstruction reconstruction = after_a_sweep();
   const TriangleMesh before = reconstruction.surface();
   DepthFrame small = table_frame(0.3);
@@ -244,7 +246,7 @@ TEST(Reconstruction, TakesNoMoreMemoryWhenFramesRepeat) {
   EXPECT_LT(apart(last, Eigen::Isometry3d::Identity()), 0.005) << "a camera that stands drifts";
 }
 
-TEST(Reconstruction, TellsHowLongItTook) {
+TEST(Reconstruction, ReportsTimes) {
   Reconstruction reconstruction(small_camera());
   reconstruction.add(table_frame(0));
   EXPECT_EQ(reconstruction.times().size(), 5U);

@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/surface_extraction.hpp"
+#include "reconstruction/surface_extraction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TriangleMesh ball_mesh() {
   return mesh;
 }
 
-TEST(SurfaceExtraction, ClosesABallThatWasSeenFromEverywhere) {
+TEST(SurfaceExtraction, ClosesABallSeenFromAllSides) {
   const TriangleMesh mesh = ball_mesh();
   EXPECT_GT(mesh.triangles.rows(), 20000);
   expect_watertight(mesh);
@@ -98,7 +98,7 @@ TEST(SurfaceExtraction, PutsVerticesOnTheBallAndNormalsOutwards) {
   expect_normals_agree_with_triangles(mesh);
 }
 
-TEST(SurfaceExtraction, HoldsTheVolumeOfTheBall) {
+TEST(SurfaceExtraction, EnclosesTheVolumeOfTheBall) {
   const TriangleMesh mesh = ball_mesh();
   double volume = 0.0;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
@@ -149,7 +149,7 @@ TEST(SurfaceExtraction, ClosesTwoBodiesEachByItself) {
   EXPECT_EQ(euler_characteristic(mesh), 4);
 }
 
-TEST(SurfaceExtraction, MakesNoSurfaceOfUnseenSpace) {
+TEST(SurfaceExtraction, HasNoSurfaceAtTheBorderOfUnseenSpace) {
   TsdfVolume volume;
   const CameraIntrinsics camera = small_camera();
   const Eigen::Isometry3d pose = look_at(center + Eigen::Vector3d(0, 0, 0.6), center);
@@ -178,7 +178,7 @@ TEST(SurfaceExtraction, IsManifoldOnAClutteredTableToo) {
   EXPECT_LT(mesh.triangles.maxCoeff(), static_cast<Index>(mesh.vertices.rows()));
 }
 
-TEST(SurfaceExtraction, LeavesOutWhatWasHardlySeen) {
+TEST(SurfaceExtraction, DropsCellsOfLittleWeight) {
   TsdfVolume volume;
   fuse(volume, {plane(-Eigen::Vector3d::UnitZ(), 1.2)}, small_camera(),
        Eigen::Isometry3d::Identity());
@@ -190,7 +190,7 @@ TEST(SurfaceExtraction, LeavesOutWhatWasHardlySeen) {
   EXPECT_GT(extract_surface(volume, options).vertices.rows(), 1000);
 }
 
-TEST(SurfaceExtraction, LeavesOutSmallPieces) {
+TEST(SurfaceExtraction, DropsSmallPieces) {
   const Bodies balls{sphere({-0.05, 0, 0}, 0.035), sphere({0.05, 0, 0}, 0.012)};
   const TsdfVolume volume = seen_from_everywhere(balls, Eigen::Vector3d::Zero(), 50);
   SurfaceExtractionOptions options;
@@ -205,7 +205,7 @@ TEST(SurfaceExtraction, LeavesOutSmallPieces) {
   EXPECT_EQ(extract_surface(volume, options).triangles.rows(), 0);
 }
 
-TEST(SurfaceExtraction, PaintsVerticesAsFramesWere) {
+TEST(SurfaceExtraction, ColorsVerticesAsTheFrames) {
   TsdfVolume volume;
   for (int k = 0; k < 4; ++k) {
     DepthFrame frame = flat_frame(small_camera(), 0.8F);

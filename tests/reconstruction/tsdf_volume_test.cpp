@@ -1,4 +1,4 @@
-#include "symscene/reconstruction/tsdf_volume.hpp"
+#include "reconstruction/tsdf_volume.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(TsdfVolume, HoldsTheSignedDistanceOfAPlane) {
   }
 }
 
-TEST(TsdfVolume, IsTruncatedBeforeASurfaceAndKnowsNothingBehindIt) {
+TEST(TsdfVolume, IsTruncatedInFrontOfASurfaceAndUnseenBehindIt) {
   const TsdfOptions options;
   for_each_seen_voxel(wall_volume(0.0), [&](const Eigen::Vector3d& p, double distance, double) {
     EXPECT_LE(distance, options.truncation + 1e-5);
@@ -50,7 +50,7 @@ TEST(TsdfVolume, IsTruncatedBeforeASurfaceAndKnowsNothingBehindIt) {
   });
 }
 
-TEST(TsdfVolume, CutsFarDepthsOffFartherAwayAsTheirNoiseAsks) {
+TEST(TsdfVolume, TruncatesFarDepthsAtALargerDistance) {
   const auto deepest = [](double depth) {
     TsdfVolume volume;
     fuse(volume, {plane(-Eigen::Vector3d::UnitZ(), depth)}, small_camera(),
@@ -61,7 +61,7 @@ TEST(TsdfVolume, CutsFarDepthsOffFartherAwayAsTheirNoiseAsks) {
     });
     return -least;
   };
-  constexpr double share = TsdfVolume::reach_behind;
+  const double share = TsdfOptions().zero_weight_behind;
   EXPECT_NEAR(deepest(1.0), share * 0.0125, 0.0031);
   // The weight of so far a pixel is the least there is: it is there or not.
   EXPECT_NEAR(deepest(2.5), 0.4375 * 3.0 * 1.425e-3 * 6.25, 0.0031);
@@ -92,7 +92,7 @@ TEST(TsdfVolume, GathersWeightByRangeAndAngleUpToABound) {
   EXPECT_EQ(weight_at_middle(1.0, 0.0, 30, 3), 3.0);
 }
 
-TEST(TsdfVolume, AveragesWhatItSeesAndForgetsWhatIsLongGone) {
+TEST(TsdfVolume, AveragesFramesAndForgetsOldOnes) {
   TsdfOptions options;
   options.max_weight = 10;
   TsdfVolume volume(options);
@@ -116,7 +116,7 @@ TEST(TsdfVolume, AveragesWhatItSeesAndForgetsWhatIsLongGone) {
   expect_wall(0.804);
 }
 
-TEST(TsdfVolume, KeepsASideOfAThinWallWhereItIsWhenTheOtherIsSeenMore) {
+TEST(TsdfVolume, KeepsOneSideOfAThinWallWhenTheOtherIsSeenMore) {
   // A wall of 5 mm, seen often from the front and once from the back.
   TsdfVolume volume;
   const CameraIntrinsics camera = small_camera();
@@ -133,7 +133,7 @@ TEST(TsdfVolume, KeepsASideOfAThinWallWhereItIsWhenTheOtherIsSeenMore) {
   EXPECT_GT(behind, 1000);
 }
 
-TEST(TsdfVolume, MakesNothingOfPixelsWithoutAMeasurement) {
+TEST(TsdfVolume, IgnoresPixelsWithoutAMeasurement) {
   for (const float depth : {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN(),
                             std::numeric_limits<float>::infinity(), 1e30F, 1e-30F, 0.19F, 3.01F}) {
     TsdfVolume volume;
@@ -143,7 +143,7 @@ TEST(TsdfVolume, MakesNothingOfPixelsWithoutAMeasurement) {
   }
 }
 
-TEST(TsdfVolume, IsNotMovedByBadPixelsAmongGoodOnes) {
+TEST(TsdfVolume, IgnoresInvalidPixelsAmongValidOnes) {
   DepthFrame frame = flat_frame(small_camera(), 0.8F);
   const float bad[] = {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN(), 1e30F, 2.9F};
   for (std::size_t i = 0; i < frame.depth.size(); i += 97) frame.depth[i] = bad[i % 5];
@@ -186,7 +186,7 @@ TEST(TsdfVolume, KeepsColoursNearTheSurfaceAndOnlyThere) {
 }
 
 /// Voxels of 10 cm reach over the camera and beside the image, where there is no colour to take.
-TEST(TsdfVolume, TakesColoursFromPixelsThatMeasuredSomethingOnly) {
+TEST(TsdfVolume, UsesColoursOfMeasuredPixelsOnly) {
   DepthFrame frame = flat_frame(small_camera(), 0.5F);
   paint(frame, 255, 255, 255);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
@@ -215,7 +215,7 @@ TEST(TsdfVolume, TakesColoursFromPixelsThatMeasuredSomethingOnly) {
   EXPECT_GT(colored, 10);
 }
 
-/// What one frame makes of one voxel, in double.
+/// The change of one voxel by one frame, in double precision.
 struct ScalarVoxel {
   double distance = TsdfBlock::never_seen;  ///< [units]
   int weight = 0;
@@ -311,11 +311,11 @@ std::vector<Eigen::Isometry3d> random_views(unsigned seed, double near) {
   return poses;
 }
 
-TEST(TsdfVolume, IsVoxelByVoxelWhatThePlainFormulaGives) {
+TEST(TsdfVolume, EqualsTheFormulaForEveryVoxel) {
   expect_scalar_result({}, small_camera(), random_views(1, 0.5), 200000);
 }
 
-TEST(TsdfVolume, IsSoForWideLensesAndBlocksCloseToTheCamera) {
+TEST(TsdfVolume, EqualsTheFormulaForWideLensesAndCloseBlocks) {
   const CameraIntrinsics wide{120, 90, 40.0, 40.0, 59.5, 44.5};
   expect_scalar_result({}, wide, random_views(2, 0.35), 200000);
   TsdfOptions coarse;
@@ -360,13 +360,13 @@ TEST(TsdfVolume, TakesNoMoreMemoryWhenFramesRepeat) {
   });
 }
 
-TEST(TsdfVolume, TakesMemoryForSurfaceNotForSpace) {
+TEST(TsdfVolume, StoresSurfacesAndNotSpace) {
   const TsdfVolume near = wall_volume(0.0);
   // 0.9 by 0.69 m of wall in blocks of 2.48 cm, three deep.
   EXPECT_LT(near.index().size(), 4000U);
 }
 
-TEST(TsdfVolume, LeavesOutWhatIsBeyondItsReach) {
+TEST(TsdfVolume, IgnoresSurfacesBeyondItsReach) {
   const Measurement wall =
       prepare_measurement(flat_frame(small_camera(), 0.8F), small_camera(), {});
   for (const double far : {30.0, 1e5, 1e9, 1e15, -1e300}) {
@@ -380,7 +380,7 @@ TEST(TsdfVolume, LeavesOutWhatIsBeyondItsReach) {
   }
 }
 
-TEST(TsdfVolume, HoldsTheDistanceAtTheEndOfItsReachToo) {
+TEST(TsdfVolume, HoldsDistancesAtTheEndOfItsReach) {
   const double reach = BlockIndex::reach * 8 * TsdfOptions().voxel_size;
   const Eigen::Isometry3d pose = motion({0, 0, 0}, {reach - 0.1, 0, -reach + 0.1});
   TsdfVolume volume;
@@ -395,7 +395,7 @@ TEST(TsdfVolume, HoldsTheDistanceAtTheEndOfItsReachToo) {
   });
 }
 
-TEST(TsdfVolume, IsNotTouchedByAPoseThatIsNoPose) {
+TEST(TsdfVolume, IgnoresInvalidPoses) {
   const Measurement wall =
       prepare_measurement(flat_frame(small_camera(), 0.8F), small_camera(), {});
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

@@ -30,7 +30,7 @@ std::vector<Eigen::Isometry3d> random_poses(std::size_t count, unsigned seed) {
   return poses;
 }
 
-TEST(PoseGraph, ChainsPosesWhateverTheOrderOfEdges) {
+TEST(PoseGraph, ChainsPosesInAnyOrderOfEdges) {
   const auto truth = random_poses(6, 1);
   std::vector<PoseEdge> edges{edge(truth, 0, 3, 5), edge(truth, 3, 5, 9), edge(truth, 1, 5, 2),
                               edge(truth, 1, 2, 7), edge(truth, 2, 4, 1)};
@@ -45,7 +45,7 @@ TEST(PoseGraph, ChainsPosesWhateverTheOrderOfEdges) {
   }
 }
 
-TEST(PoseGraph, TakesTheSurerOfTwoWays) {
+TEST(PoseGraph, UsesTheEdgesOfGreatestWeight) {
   const auto truth = random_poses(3, 3);
   std::vector<PoseEdge> edges{edge(truth, 0, 1, 10), edge(truth, 1, 2, 10), edge(truth, 0, 2, 3)};
   edges.back().T_first_second.translation().x() += 1.0;
@@ -53,7 +53,7 @@ TEST(PoseGraph, TakesTheSurerOfTwoWays) {
   EXPECT_TRUE(poses[2]->isApprox(truth[0].inverse() * truth[2], 1e-12));
 }
 
-TEST(PoseGraph, LeavesOutWhatNoEdgeJoinsToTheLargestGroup) {
+TEST(PoseGraph, LeavesOutFramesOutsideTheLargestGroup) {
   const auto truth = random_poses(6, 4);
   const std::vector<PoseEdge> edges{edge(truth, 0, 1, 100), edge(truth, 2, 4, 1),
                                     edge(truth, 4, 5, 1)};

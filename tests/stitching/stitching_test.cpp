@@ -5,6 +5,9 @@
 #include <numeric>
 #include <random>
 
+#include "reconstruction/measurement.hpp"
+#include "reconstruction/pose_fit.hpp"
+#include "stitching/pair_pose.hpp"
 #include "stitching/textured_scene.hpp"
 #include "symscene/core/error.hpp"
 #include "threads.hpp"
@@ -29,11 +32,11 @@ PairPose pair_pose(const DepthFrame& first, const DepthFrame& second) {
   const auto surface = [&](const DepthFrame& frame) {
     return prepare_measurement(frame, camera, options.measurement).pyramid[1];
   };
-  return find_pair_pose(features(first), features(second), surface(first), surface(second), camera,
-                        options.features, options.pairs, options.measurement);
+  return find_pair_pose({features(first), surface(first)}, {features(second), surface(second)},
+                        camera, options);
 }
 
-/// The largest error of the placed frames, seen from the first of them.
+/// The largest error of the placed frames relative to the first of them.
 PoseError worst_error(const StitchingResult& result, std::span<const Eigen::Isometry3d> truth) {
   PoseError worst;
   std::optional<std::size_t> root;
@@ -62,28 +65,29 @@ TEST_F(Stitching, FindsThePoseOfAPair) {
   }
 }
 
-TEST_F(Stitching, FindsThePoseOfAPairFromOppositeSidesByWhatLiesBetween) {
+TEST_F(Stitching, FindsThePoseOfAPairFromOppositeSides) {
   const Photographs two = photograph_table({0.0, 170.0});
   const PairPose pair = pair_pose(two.frames[0], two.frames[1]);
   ASSERT_EQ(pair.status, PairStatus::accepted);
   EXPECT_LT(pose_error(pair.T_first_second, two.truth[0].inverse() * two.truth[1]).distance, 0.02);
 }
 
-TEST_F(Stitching, DoesNotFindAPoseBetweenOneTableAndAnother) {
+TEST_F(Stitching, FindsNoPoseBetweenTwoTables) {
   const Photographs here = photograph_table({0.0}),
                     there = photograph_table({0.0}, Look::printed, 2);
   EXPECT_NE(pair_pose(here.frames[0], there.frames[0]).status, PairStatus::accepted);
 }
 
-TEST_F(Stitching, SeesThatAPoseContradictsTheDepth) {
+TEST_F(Stitching, RejectsAPoseThatContradictsTheDepth) {
   const Photographs two = photograph_table({0.0, 20.0});
   const SurfaceImage first = prepare_measurement(two.frames[0], camera, {}).pyramid[1];
   const SurfaceImage second = prepare_measurement(two.frames[1], camera, {}).pyramid[1];
   const Eigen::Isometry3d right = two.truth[0].inverse() * two.truth[1];
   Eigen::Isometry3d wrong = right;
   wrong.pretranslate(Eigen::Vector3d(0.0, 0.0, -0.2));
-  EXPECT_GT(depth_agreement(second, first, right, 0.02, {}).agreement, 0.95);
-  EXPECT_LT(depth_agreement(second, first, wrong, 0.02, {}).agreement, 0.5);
+  const DepthNoise noise{.floor = 0.007F, .moved = 0.0F, .fixed = 1.425e-3F};
+  EXPECT_GT(depth_fit(second, first, right, noise).agreement(), 0.95);
+  EXPECT_LT(depth_fit(second, first, wrong, noise).agreement(), 0.5);
 }
 
 TEST_F(Stitching, PlacesFramesAroundATable) {
@@ -96,7 +100,7 @@ TEST_F(Stitching, PlacesFramesAroundATable) {
   EXPECT_LT(degrees(worst.angle), 0.4);
 }
 
-TEST_F(Stitching, DoesNotMindTheOrderOfFrames) {
+TEST_F(Stitching, DoesNotDependOnTheOrderOfFrames) {
   const Photographs table = photograph_table({0, 25, 50, 75});
   Photographs shuffled;
   for (const std::size_t i : {2U, 0U, 3U, 1U}) {
@@ -108,17 +112,17 @@ TEST_F(Stitching, DoesNotMindTheOrderOfFrames) {
   EXPECT_LT(worst_error(result, shuffled.truth).distance, 0.005);
 }
 
-TEST_F(Stitching, NamesTheFrameThatShowsSomethingElse) {
+TEST_F(Stitching, NamesTheFrameOfAnotherScene) {
   Photographs table = photograph_table({0, 10, 25});
   table.frames[1] = photograph_table({10}, Look::printed, 2).frames.front();
   const StitchingResult result = stitch_frames(table.frames, camera);
   EXPECT_EQ(result.placed, 2U);
   EXPECT_FALSE(result.frames[1].T_world_camera);
-  EXPECT_STREQ(result.frames[1].reason, "nothing in it was found in the others");
+  EXPECT_STREQ(result.frames[1].reason, "no surface in common with the other frames");
   EXPECT_STREQ(result.frames[0].reason, "");
 }
 
-TEST_F(Stitching, SaysThatFramesHaveNoTexture) {
+TEST_F(Stitching, ReportsFramesWithoutTexture) {
   Photographs blank = photograph_table({0, 25}, Look::plain);
   for (DepthFrame& frame : blank.frames) frame.colors.setConstant(128);
   const StitchingResult result = stitch_frames(blank.frames, camera);
@@ -141,7 +145,7 @@ TEST_F(Stitching, GivesTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST_F(Stitching, RefusesFramesThatAreNotTheCameras) {
+TEST_F(Stitching, RefusesFramesOfAnotherSize) {
   DepthFrame frame{0.0, std::vector<float>(camera.pixels(), 1.0F), {}};
   EXPECT_THROW(find_features(frame, camera, {}, {}), InputError);
   frame.colors.setZero(10, 3);
@@ -149,13 +153,6 @@ TEST_F(Stitching, RefusesFramesThatAreNotTheCameras) {
 }
 
 TEST_F(Stitching, OfNoFramesPlacesNone) { EXPECT_EQ(stitch_frames({}, camera).placed, 0U); }
-
-TEST(FewFrames, AreAskedForTheirShareOfTheWeight) {
-  const SurfaceExtractionOptions options{.min_weight = 1.5};
-  EXPECT_DOUBLE_EQ(surface_of_few(options, 400).min_weight, 1.5);
-  EXPECT_DOUBLE_EQ(surface_of_few(options, 20).min_weight, 0.15);
-  EXPECT_DOUBLE_EQ(surface_of_few(options, 2).min_weight, 0.0625);
-}
 
 TEST(WithoutOpenCv, FeaturesAreRefusedInOneSentence) {
   if (has_feature_matcher()) GTEST_SKIP() << "this build has OpenCV";

@@ -8,7 +8,7 @@
 #include "symscene/simulation/sensor_noise.hpp"
 #include "symscene/stitching/stitching.hpp"
 
-/// A table full of things with a print on them, as a noisy camera sees it from known places.
+/// A table with printed objects, seen by a noisy camera from known poses.
 namespace symscene::testing {
 
 inline const CameraIntrinsics camera{480, 360, 400.0, 400.0, 239.5, 179.5};
@@ -35,7 +35,7 @@ inline Colors plain(const Points& vertices) {
 
 enum class Look { printed, plain };
 
-/// Boxes and a vase on a slab of 1 m, its top at z = 0; what is printed on them goes by `print`.
+/// Boxes and a vase on a slab of 1 m with its top at z = 0; `print` seeds their texture.
 inline std::vector<TriangleMesh> furnished_table(Look look, std::uint64_t print) {
   const auto standing = [](TriangleMesh mesh, double x, double y, double z, double turn) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -78,7 +78,7 @@ inline DepthFrame photograph(const DepthRenderer& renderer, const Eigen::Isometr
   return {0.0, frame.depth, frame.colors};
 }
 
-/// Photographs from azimuths in degrees, and where they were taken.
+/// Photographs from azimuths in degrees with their poses.
 struct Photographs {
   std::vector<DepthFrame> frames;
   std::vector<Eigen::Isometry3d> truth;
@@ -97,7 +97,7 @@ inline Photographs photograph_table(const std::vector<double>& azimuths, Look lo
   return photographs;
 }
 
-/// How far a pose is from the true one.
+/// The error of a pose.
 struct PoseError {
   double distance = 0.0;  ///< [m]
   double angle = 0.0;     ///< [rad]

@@ -1,4 +1,4 @@
-#include "symscene/stitching/view_alignment.hpp"
+#include "stitching/view_alignment.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@ namespace {
 
 using namespace testing;
 
-/// Every pose but the first shoved by up to 2 cm and turned by up to 1.5°.
-std::vector<Eigen::Isometry3d> shoved(std::vector<Eigen::Isometry3d> poses, std::uint64_t seed) {
+/// All poses but the first, moved by up to 2 cm and turned by up to 1.5°.
+std::vector<Eigen::Isometry3d> perturbed(std::vector<Eigen::Isometry3d> poses, std::uint64_t seed) {
   Random random(seed);
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const Eigen::Vector3d axis(random.normal(), random.normal(), random.normal());
@@ -32,11 +32,11 @@ std::vector<Measurement> measured(const Photographs& photographs) {
   return views;
 }
 
-TEST(ViewAlignment, BringsShovedPosesBack) {
+TEST(ViewAlignment, CorrectsPerturbedPoses) {
   const Photographs photographs = photograph_table({0, 30, 60, 90}, Look::plain);
   const std::vector<Measurement> views = measured(photographs);
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const auto start = shoved(photographs.truth, seed);
+    const auto start = perturbed(photographs.truth, seed);
     const ViewAlignment aligned = align_views(views, start, {}, {}, {});
     EXPECT_TRUE(aligned.T_world_camera.front().isApprox(start.front()));
     for (std::size_t i = 1; i < views.size(); ++i) {
@@ -49,10 +49,10 @@ TEST(ViewAlignment, BringsShovedPosesBack) {
   }
 }
 
-TEST(ViewAlignment, MovesWithTheWorld) {
+TEST(ViewAlignment, IsEquivariantUnderRigidMotion) {
   const Photographs photographs = photograph_table({0, 25, 50}, Look::plain);
   const std::vector<Measurement> views = measured(photographs);
-  const auto start = shoved(photographs.truth, 4);
+  const auto start = perturbed(photographs.truth, 4);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.linear() = Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
   motion.translation() << 0.3, -0.2, 0.5;
@@ -67,7 +67,7 @@ TEST(ViewAlignment, MovesWithTheWorld) {
   }
 }
 
-TEST(ViewAlignment, HoldsByPointsWhatSurfacesLeaveFree) {
+TEST(ViewAlignment, ConstrainsByPointsTheMotionsThatSurfacesLeaveFree) {
   const DepthFrame wall{0.0, std::vector<float>(camera.pixels(), 1.0F), {}};
   const std::vector<Measurement> views{prepare_measurement(wall, camera, {}),
                                        prepare_measurement(wall, camera, {})};
@@ -84,7 +84,7 @@ TEST(ViewAlignment, HoldsByPointsWhatSurfacesLeaveFree) {
   EXPECT_LT(degrees(error.angle), 0.05);
 }
 
-TEST(ViewAlignment, LeavesViewsThatShareNothingWhereTheyAre) {
+TEST(ViewAlignment, KeepsThePosesOfViewsWithoutCommonSurface) {
   const DepthFrame nothing{0.0, std::vector<float>(camera.pixels(), 0.0F), {}};
   const std::vector<Measurement> views(2, prepare_measurement(nothing, camera, {}));
   const std::vector<Eigen::Isometry3d> start{Eigen::Isometry3d::Identity(), view_from(1.0)};
@@ -96,7 +96,7 @@ TEST(ViewAlignment, LeavesViewsThatShareNothingWhereTheyAre) {
 TEST(ViewAlignment, GivesTheSameBitsForAnyNumberOfThreads) {
   const Photographs photographs = photograph_table({0, 30, 60}, Look::plain);
   const std::vector<Measurement> views = measured(photographs);
-  const auto start = shoved(photographs.truth, 5);
+  const auto start = perturbed(photographs.truth, 5);
   const auto with = [&](std::size_t threads) {
     return with_threads(threads, [&] { return align_views(views, start, {}, {}, {}); });
   };
@@ -107,7 +107,7 @@ TEST(ViewAlignment, GivesTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(ViewAlignment, RefusesWhatDoesNotBelongTogether) {
+TEST(ViewAlignment, RefusesInconsistentInput) {
   const std::vector<Eigen::Isometry3d> poses(3, Eigen::Isometry3d::Identity());
   EXPECT_THROW(align_views({}, poses, {}, {}, {}), InputError);
   ViewAlignmentOptions options;

@@ -69,7 +69,7 @@ void expect_objects(const BuiltScene& built, const Tabletop& tabletop) {
   }
 }
 
-TEST(SceneBuilding, FindsTheTableAndWhatStandsOnIt) {
+TEST(SceneBuilding, FindsTheTableAndItsObjects) {
   const BuiltScene built = build(table_of_three());
   ASSERT_TRUE(built.scene.table);
   EXPECT_LT(angle_between(built.scene.table->normal, Eigen::Vector3d::UnitZ()), radians(0.5));
@@ -77,7 +77,7 @@ TEST(SceneBuilding, FindsTheTableAndWhatStandsOnIt) {
   expect_objects(built, table_of_three().tabletop);
 }
 
-TEST(SceneBuilding, TakesATableThatIsGiven) {
+TEST(SceneBuilding, UsesAGivenTable) {
   const Plane given{Eigen::Vector3d::UnitZ(), -0.001};
   const BuiltScene built = build(table_of_three(), given);
   ASSERT_TRUE(built.scene.table);
@@ -86,7 +86,7 @@ TEST(SceneBuilding, TakesATableThatIsGiven) {
   expect_objects(built, table_of_three().tabletop);
 }
 
-TEST(SceneBuilding, CutsTheOccupancyOutAroundTheObjects) {
+TEST(SceneBuilding, CropsTheOccupancyAroundTheObjects) {
   const SceneBuildingOptions options;
   const BuiltScene built = build(table_of_three());
   ASSERT_TRUE(built.scene.occupancy);
@@ -156,7 +156,7 @@ TEST(SceneBuilding, RefusesAnEmptySurfaceAndBadOptions) {
   }
 }
 
-TEST(SceneBuilding, KnowsUpFromHowCamerasWereHeld) {
+TEST(SceneBuilding, EstimatesUpFromTheCameras) {
   const auto up = upward(table_of_three().cameras);
   ASSERT_TRUE(up);
   EXPECT_LT(angle_between(*up, Eigen::Vector3d::UnitZ()), radians(60.0));

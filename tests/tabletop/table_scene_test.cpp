@@ -16,6 +16,7 @@
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/table_plane.hpp"
 #include "symscene/simulation/simulation.hpp"
+#include "tabletop/support_plane.hpp"
 
 namespace symscene {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::uint64_t seeds = 1;
 constexpr std::uint64_t seeds = 4;
 #endif
 
-/// Puts a cloud together from noisy surfaces.
+/// Builds a cloud from noisy surfaces.
 class CloudBuilder {
  public:
   explicit CloudBuilder(std::uint64_t seed, double noise = 0.0015) : random_(seed), noise_(noise) {}
@@ -56,7 +57,7 @@ class CloudBuilder {
     }
   }
 
-  /// Where points are shifted along z, like drift does.
+  /// The shift of points along z, as by drift.
   std::function<double(const Eigen::Vector3d&)> bend = [](const Eigen::Vector3d&) { return 0.0; };
 
   PointCloud cloud(const Eigen::Isometry3d& motion = Eigen::Isometry3d::Identity()) const {
@@ -147,7 +148,7 @@ TEST(SupportPlanes, ANoisyTableIsFoundInAnyFrame) {
   }
 }
 
-TEST(SupportPlanes, TheTableWinsAgainstTheFloor) {
+TEST(SupportPlanes, TheTableScoresHigherThanTheFloor) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     CloudBuilder builder(seed);
     add_table(builder, {0, 0, 0.75});
@@ -183,7 +184,7 @@ TEST(SupportPlanes, AWallLargerThanTheTableIsNoTableWhereUpIsKnown) {
   }
 }
 
-TEST(SupportPlanes, TwoTablesAreRivals) {
+TEST(SupportPlanes, TwoTablesAreAmbiguous) {
   CloudBuilder builder(3);
   for (const double x : {0.0, 1.7}) {
     add_table(builder, {x, 0, 0.1 * x});
@@ -233,7 +234,7 @@ Index below(const PointCloud& cloud, float height) {
   return count;
 }
 
-TEST(TableScene, HoldsTheObjectsAndNothingOfTheTable) {
+TEST(TableScene, HoldsTheObjectsWithoutTheTable) {
   CloudBuilder builder(4);
   add_table(builder);
   add_objects(builder);
@@ -247,7 +248,7 @@ TEST(TableScene, HoldsTheObjectsAndNothingOfTheTable) {
   EXPECT_LT(scene.objects.cloud.size(), 1.05 * objects.size());
 }
 
-TEST(TableScene, AThinThingOnABentTableIsKept) {
+TEST(TableScene, AThinObjectOnABentTableIsKept) {
   CloudBuilder builder(5, 0.001);
   builder.bend = [](const Eigen::Vector3d& p) {
     return 0.02 * p.x() * p.x() - 0.01 * p.y() * p.x();
@@ -286,7 +287,7 @@ TEST(TableScene, StrayFragmentsAreDropped) {
   }
 }
 
-TEST(TableScene, WhatReachesOverTheBorderIsKeptAndWhatStandsBesideIsNot) {
+TEST(TableScene, ObjectsOverTheBorderAreKeptAndObjectsBesideTheTableAreNot) {
   CloudBuilder builder(7);
   add_table(builder);
   add_objects(builder);
@@ -298,7 +299,7 @@ TEST(TableScene, WhatReachesOverTheBorderIsKeptAndWhatStandsBesideIsNot) {
   EXPECT_GT(scene.objects.cloud.positions.col(1).minCoeff(), -0.41F);
 }
 
-TEST(TableScene, AGivenPlaneIsTaken) {
+TEST(TableScene, AGivenPlaneIsUsed) {
   CloudBuilder builder(8);
   add_table(builder);
   add_objects(builder);
@@ -324,7 +325,7 @@ TEST(TableScene, TheSameInputGivesTheSameBytes) {
   EXPECT_EQ(a.objects.cloud.positions, b.objects.cloud.positions);
 }
 
-TEST(TableScene, ASimulatedScanGivesTheTableAndTheObjects) {
+TEST(TableScene, FindsTableAndObjectsInASimulatedScan) {
   SimulationOptions options;
   options.tabletop.seed = 1001;
   options.tabletop.random_frame = true;
@@ -385,7 +386,7 @@ TEST(TableScene, RealObjectsOnTheirTableAreKept) {
   EXPECT_LT(scene.objects.cloud.size(), 1.02 * thinned);
 }
 
-TEST(TableSceneOptions, NonsenseIsRefused) {
+TEST(TableSceneOptions, InvalidValuesAreRefused) {
   TableSceneOptions options;
   options.plane.normal_angle = 2.0;
   EXPECT_THROW(options.validate(), InputError);

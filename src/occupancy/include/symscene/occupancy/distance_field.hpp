@@ -12,26 +12,24 @@
 namespace symscene {
 
 struct DistanceFieldOptions {
-  double clamp = 0.03;          ///< distances saturate here (section 2.1.2) [m]
-  bool grow_never_seen = true;  ///< a free voxel beside a never-seen one is an obstacle too
-  bool table_depth_counts =
-      true;  ///< below the table the distance is the depth: no object reaches into the table
+  double clamp = 0.03;
+  bool grow_never_seen = true;
+  bool table_depth_counts = true;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("clamp", self.clamp, "m", "distances saturate here");
-    visit("grow_never_seen", self.grow_never_seen, "",
+    visit("clamp", self.clamp, "m", strictly_between(0.0, 1.0), "largest distance (section 2.1.2)");
+    visit("grow_never_seen", self.grow_never_seen, "", any_value(),
           "a free voxel beside a never-seen one counts as never seen");
-    visit("table_depth_counts", self.table_depth_counts, "",
-          "a point below the table is as far off as it is deep");
+    visit("table_depth_counts", self.table_depth_counts, "", any_value(),
+          "below the table the distance is the depth: no object reaches into the table");
   }
-  /// Throws InputError unless clamp is above 0 and below 1 m.
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// How far a point is from the nearest place where a part of an object can be that no camera saw:
-/// occupied or never-seen space. Exact Euclidean distance between voxel centres, clamped, as
-/// squared voxels in 8 bits.
+/// The distance of a point from the nearest space that an object may fill: occupied or never seen.
+/// Exact Euclidean distance between voxel centres, clamped, as squared voxels in 8 bits.
 struct DistanceField {
   VoxelFrame frame;
   std::vector<std::uint8_t> squared;  ///< squared distance [voxels²]
@@ -64,8 +62,7 @@ struct DistanceField {
 DistanceField distance_field(const OccupancyGrid& grid, const std::optional<Plane>& table,
                              const DistanceFieldOptions& options = {});
 
-/// The field of a scene whose free space is not known: nothing contradicts an object, except the
-/// table.
+/// The field of a scene whose free space is not known: all distances are 0 except below the table.
 DistanceField unknown_distance_field(const Box& box, float resolution,
                                      const std::optional<Plane>& table,
                                      const DistanceFieldOptions& options = {});

@@ -21,14 +21,14 @@ struct VoxelFrame {
   std::size_t voxels() const { return slice_length() * slices(); }
 };
 
-/// What is known of every voxel of a box.
+/// The state of every voxel of a box.
 struct OccupancyGrid {
   VoxelFrame frame;
   std::vector<VoxelState> states;
 };
 
-/// The voxels of `map` that cover `box`, on the map's own lattice; what no leaf covers was never
-/// seen. Throws InputError if the box is empty, leaves the map's 2^16 voxels a side or holds more
+/// The voxels of `map` that cover `box`, on the map's own grid; voxels outside its leaves are never
+/// seen. Throws InputError if the box is empty, leaves the map's 2^16 voxels per side or holds more
 /// than 2^28 voxels.
 OccupancyGrid rasterize(const OccupancyMap& map, const Box& box);
 

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "symscene/core/stage_timer.hpp"
-#include "symscene/reconstruction/camera_tracking.hpp"
-#include "symscene/reconstruction/keyframes.hpp"
+#include "symscene/core/triangle_mesh.hpp"
+#include "symscene/reconstruction/measurement_options.hpp"
+#include "symscene/reconstruction/surface_options.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
-#include "symscene/reconstruction/surface_extraction.hpp"
+#include "symscene/reconstruction/tracking_options.hpp"
 
 namespace symscene {
+
+class TsdfVolume;
 
 struct ReconstructionOptions {
   MeasurementOptions measurement;
@@ -23,28 +29,50 @@ struct ReconstructionOptions {
     visit("occupancy", self.occupancy);
     visit("surface", self.surface);
   }
-  /// Throws InputError where a value is out of its range.
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// What a pose that is given with a frame is good for.
+enum class TrackingStatus {
+  converged,   ///< the pose is known
+  degenerate,  ///< the pose is known except for motions that the surface does not constrain
+  lost         ///< the pose is not known
+};
+
+const char* to_string(TrackingStatus status);
+
+/// The outcome of aligning a frame with the model.
+struct TrackingResult {
+  TrackingStatus status = TrackingStatus::lost;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  double overlap = 0.0;    ///< share of the measured pixels that match the model
+  double inliers = 0.0;    ///< share of the matches within three deviations
+  double agreement = 0.0;  ///< share of the measured pixels on which the model shows a surface that
+                           ///< match it within three deviations
+  double residual = 0.0;   ///< root mean square residual of the inliers [m]
+  std::vector<std::string> unconstrained;  ///< motions of the camera that are free, if degenerate
+  const char* reason = "";                 ///< why the camera is lost
+  bool searchable = true;  ///< the image shows enough for relocalisation to be worth its time
+};
+
+/// How a pose that is given with a frame is used.
 enum class PoseUse {
   exact,  ///< it is the frame's pose
   start   ///< tracking starts from it
 };
 
-/// What became of a frame.
+/// The outcome of adding a frame.
 struct FrameReport {
-  TrackingResult tracking;   ///< of a frame with an exact pose: converged
+  TrackingResult tracking;   ///< converged for a frame with an exact pose
   bool fused = false;        ///< the frame is part of the model
   bool relocalized = false;  ///< the camera was lost and has been found
 };
 
-/// Turns depth frames into a model of the surface and of the space about it, one frame after the
-/// other (section 2.1; KinectFusion, Newcombe et al. 2011): each is aligned with what the model
-/// shows from where the camera was, then fused. The first frame that measures enough fixes the
-/// world: its camera stands at the origin unless it has a pose. A frame whose pose cannot be found
-/// is not fused; the camera is then looked for at its last place and at keyframes that look alike.
+/// Turns depth frames into a model of the surface and of the space around it, frame by frame
+/// (section 2.1; KinectFusion, Newcombe et al. 2011): each frame is aligned with the model as seen
+/// from the camera's last pose, then fused. The first frame that measures enough defines the world:
+/// its camera is at the origin unless it has a pose. A frame whose pose is not found is not fused;
+/// the camera is then searched at its last pose and at similar keyframes.
 ///
 /// The same frames give the same bits for any number of threads.
 class Reconstruction {
@@ -52,50 +80,39 @@ class Reconstruction {
   /// Throws InputError if an option is out of its range.
   explicit Reconstruction(const CameraIntrinsics& camera,
                           const ReconstructionOptions& options = {});
+  ~Reconstruction();
+  Reconstruction(Reconstruction&&) noexcept;
+  Reconstruction& operator=(Reconstruction&&) noexcept;
 
-  /// Throws InputError if the image is not of the camera's size.
+  /// Locates a frame and fuses it. Throws InputError if the image is not of the camera's size or
+  /// the pose is not rigid.
   FrameReport add(const DepthFrame& frame,
                   const std::optional<Eigen::Isometry3d>& T_world_camera = std::nullopt,
                   PoseUse use = PoseUse::exact);
 
-  const TsdfVolume& volume() const { return volume_; }
-  const OccupancyVolume& occupancy() const { return occupancy_; }
-  TriangleMesh surface() const { return extract_surface(volume_, options_.surface); }
+  /// Whether no frame has been fused.
+  bool empty() const;
 
-  /// The model as a camera at a pose would see it.
-  ModelView view(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera) const {
-    return cast_model_view(volume_, camera, T_world_camera);
-  }
+  /// The surface by marching cubes (Lorensen and Cline 1987), in the world's frame, with the
+  /// options of the reconstruction or others.
+  TriangleMesh surface() const;
+  TriangleMesh surface(const SurfaceExtractionOptions& options) const;
+
+  /// The free, occupied and unseen space.
+  const OccupancyVolume& occupancy() const;
+
+  /// The signed distances, for the rooms that include reconstruction/tsdf_volume.hpp.
+  const TsdfVolume& volume() const;
+
+  /// Memory of the model. [bytes]
+  std::size_t bytes() const;
 
   /// Wall time so far of preparing, tracking, fusing, mapping space and predicting views.
-  const std::vector<StageTime>& times() const { return times_; }
+  const std::vector<StageTime>& times() const;
 
  private:
-  template <class Body>
-  auto timed(std::size_t stage, const Body& body);
-
-  TrackingResult locate(const Measurement& measurement,
-                        const std::optional<Eigen::Isometry3d>& guess, bool& relocalized);
-  TrackingResult follow(const Measurement& measurement,
-                        const std::optional<Eigen::Isometry3d>& guess);
-  TrackingResult search(const Measurement& measurement);
-  bool agrees(const TrackingResult& result) const;
-  ModelView predict(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera);
-  void fuse(const DepthFrame& frame, const Measurement& measurement,
-            const Eigen::Isometry3d& T_world_camera);
-
-  CameraIntrinsics camera_;
-  ReconstructionOptions options_;
-  TsdfVolume volume_;
-  OccupancyVolume occupancy_;
-  Keyframes keyframes_;
-  Eigen::Isometry3d T_world_last_ = Eigen::Isometry3d::Identity();  ///< where the camera was last
-  std::optional<ModelView> view_;                             ///< from there, once it is asked for
-  Eigen::Isometry3d motion_ = Eigen::Isometry3d::Identity();  ///< of the camera over the last frame
-  double disagreement_ =
-      0.05;  ///< 1 less the agreement of the frames so far, the last counting most
-  bool lost_ = false;
-  std::vector<StageTime> times_;
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
 };
 
 }  // namespace symscene

@@ -1,29 +1,45 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "symscene/core/depth_frame.hpp"
 #include "symscene/core/stage_timer.hpp"
-#include "symscene/reconstruction/surface_extraction.hpp"
-#include "symscene/stitching/pair_pose.hpp"
-#include "symscene/stitching/view_alignment.hpp"
+#include "symscene/stitching/stitching_options.hpp"
 
 namespace symscene {
 
-struct StitchingOptions {
-  MeasurementOptions measurement;
-  FeatureOptions features;
-  PairOptions pairs;
-  ViewAlignmentOptions alignment;
+/// A feature of one frame and one of another that look alike.
+struct FeatureMatch {
+  Index first = 0;
+  Index second = 0;
+};
 
-  template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit("measurement", self.measurement);
-    visit("features", self.features);
-    visit("pairs", self.pairs);
-    visit("alignment", self.alignment);
-  }
-  /// Throws InputError where a value is out of its range.
-  void validate() const;
+/// How well the points of one frame fit the surface of another.
+struct DepthAgreement {
+  double overlap = 0.0;    ///< share of the points that lie on it
+  double agreement = 0.0;  ///< share of these among the points on it or in space seen to be empty
+};
+
+/// The outcome of comparing two frames.
+enum class PairStatus {
+  accepted,      ///< the pose is known
+  few_matches,   ///< too few features look alike
+  few_inliers,   ///< too few of these agree on a pose
+  little_shown,  ///< under that pose the frames have too little surface in common
+  contradicted   ///< under that pose one frame has surface where the other has seen free space
+};
+
+const char* to_string(PairStatus status);
+
+/// The pose of a second camera relative to a first one, and its support.
+struct PairPose {
+  PairStatus status = PairStatus::few_matches;
+  Eigen::Isometry3d T_first_second = Eigen::Isometry3d::Identity();
+  std::size_t matches = 0;            ///< features that look alike
+  std::vector<FeatureMatch> inliers;  ///< those that agree on the pose
+  DepthAgreement depth;               ///< the worse of the two directions
 };
 
 /// A pair of frames that were compared.
@@ -33,11 +49,18 @@ struct StitchedPair {
   PairPose pose;
 };
 
-/// What became of a frame.
+/// How a view fits the others.
+struct ViewFit {
+  std::size_t matches = 0;  ///< of its pixels with pixels of other views and vice versa
+  double inliers = 0.0;     ///< share of these within three deviations
+  double residual = 0.0;    ///< root mean square residual of the inliers [m]
+};
+
+/// The outcome for a frame.
 struct StitchedFrame {
-  std::optional<Eigen::Isometry3d> T_world_camera;  ///< none: it was left out
+  std::optional<Eigen::Isometry3d> T_world_camera;  ///< none if it was left out
   std::size_t features = 0;
-  ViewFit fit;              ///< to the other frames
+  ViewFit fit;
   const char* reason = "";  ///< why it was left out
 };
 
@@ -49,11 +72,14 @@ struct StitchingResult {
   std::vector<StageTime> times;
 };
 
+/// Whether this build has OpenCV, which stitching needs.
+bool has_feature_matcher();
+
 /// Poses of a few frames from unknown viewpoints (section 4.6.2): pairs are joined by SIFT features
-/// and PnP, chained along the surest of them, and all refined together by ICP. The first frame that
-/// is placed stands at the origin. Frames that show nothing that others show are left out. The same
-/// bits for any number of threads. Throws InputError if a frame has no colours, an image is not of
-/// the camera's size, or the build has no OpenCV.
+/// and PnP, chained along the pairs with most inliers, and refined together by ICP. The first
+/// placed frame is at the origin. Frames without surface in common with others are left out. The
+/// same bits for any number of threads. Throws InputError if a frame has no colours, an image is
+/// not of the camera's size, or the build has no OpenCV.
 StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
                               const StitchingOptions& options = {});
 

@@ -10,34 +10,37 @@ namespace symscene {
 
 struct SceneBuildingOptions {
   TableSceneOptions table;
-  double margin = 0.2;            ///< of mapped space around and above the objects [m]
-  double table_thickness = 0.03;  ///< of mapped space below the table's plane [m]
+  double margin = 0.2;
+  double table_thickness = 0.03;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("table", self.table);
-    visit("margin", self.margin, "m", "mapped space around and above the objects");
-    visit("table_thickness", self.table_thickness, "m", "mapped space below the table's plane");
+    visit("margin", self.margin, "m", at_least(0.0), "mapped space around and above the objects");
+    visit("table_thickness", self.table_thickness, "m", at_least(0.0),
+          "mapped space below the table's plane");
   }
-  /// Throws InputError where a value is out of its range.
-  void validate() const;
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
 };
 
-/// A scene made of a reconstruction, and how its table was found.
+/// A scene from a reconstruction, with its table.
 struct BuiltScene {
   Scene scene;
   LogOddsMap log_odds;  ///< of the space that the scene's occupancy covers
   TableScene table;
 };
 
-/// Finds the table in a reconstructed surface (`plane` if it is given) and what stands on it, and
-/// cuts the occupancy out around that. `up` is where the table may face, if that is known. Without
-/// a table scene and map are empty. Throws InputError if the surface has no vertices.
+/// Finds the table in a reconstructed surface (`plane` if it is given) and the objects on it, and
+/// crops the occupancy to a box around them. `up` is the direction that the table faces, if it is
+/// known. Without a table the scene and the map are empty. Throws InputError if the surface has no
+/// vertices.
 BuiltScene build_scene(const TriangleMesh& surface, const OccupancyVolume& occupancy,
                        const std::optional<Plane>& plane, const std::optional<Eigen::Vector3d>& up,
                        const SceneBuildingOptions& options = {});
 
-/// The mean of the cameras' −y axes: up, for cameras that were held upright.
+/// The mean of the cameras' −y axes, which is up for cameras that were held upright; none if they
+/// point in different directions.
 std::optional<Eigen::Vector3d> upward(const Trajectory& cameras);
 
 }  // namespace symscene

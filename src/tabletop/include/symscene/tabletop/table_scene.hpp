@@ -1,72 +1,57 @@
 #pragma once
 
-#include "symscene/tabletop/support_plane.hpp"
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "symscene/core/geometry.hpp"
+#include "symscene/core/point_cloud.hpp"
+#include "symscene/tabletop/tabletop_options.hpp"
 
 namespace symscene {
 
-struct TableCropOptions {
-  double voxel_size = 0.005;     ///< spacing of the objects' points, section 2.1.2 [m]
-  double min_clearance = 0.005;  ///< height over the table from which points are not its own [m]
-  double max_clearance = 0.015;  ///< the same where the table's points are rough [m]
-  double max_height = 0.6;       ///< of the objects [m]
-  double overhang = 0.05;        ///< of an object over the table's border [m]
-  double link = 0.012;           ///< points closer than this are of one fragment [m]
-  int min_fragment = 40;         ///< points at voxel_size that a fragment needs
-  bool follow_bend = true;       ///< heights are over a quadric: drift bends tables
-
-  template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit("voxel_size", self.voxel_size, "m", "spacing of the objects' points");
-    visit("min_clearance", self.min_clearance, "m",
-          "least height of points that are not the table's");
-    visit("max_clearance", self.max_clearance, "m", "the same where the table is rough");
-    visit("max_height", self.max_height, "m", "height of the objects");
-    visit("overhang", self.overhang, "m", "how far an object may reach over the border");
-    visit("link", self.link, "m", "points closer than this are of one fragment");
-    visit("min_fragment", self.min_fragment, "", "points of the smallest fragment that is kept");
-    visit("follow_bend", self.follow_bend, "", "measure heights over the table as it is bent");
-  }
-  void validate() const;
+/// A plane of the scene, rated as a table.
+struct SupportPlane {
+  Plane plane;               ///< least-squares plane of the inliers; its normal points to the side
+                             ///< from which the surface was seen
+  double residual = 0.0;     ///< root mean square distance of the inliers [m]
+  double area = 0.0;         ///< area that the inliers cover [m²]
+  double object_area = 0.0;  ///< the part of it below something [m²]
+  double score = 0.0;        ///< geometric mean of both areas: a table is large and carries objects
+  PointIndices inliers;      ///< into the cloud, ascending: one connected patch
+  std::vector<Eigen::Vector3d> outline;  ///< corners of the convex hull of the patch, on the plane,
+                                         ///< counter-clockwise [m]
 };
 
-struct TableSceneOptions {
-  SupportPlaneOptions plane;
-  TableCropOptions crop;
+enum class SupportStatus : std::uint8_t { found, none, several };
 
-  template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit("plane", self.plane);
-    visit("crop", self.crop);
-  }
-  void validate() const;
+struct SupportPlanes {
+  SupportStatus status = SupportStatus::none;
+  std::vector<SupportPlane> supports;  ///< by falling score; if several, with the alternatives
+  std::vector<SupportPlane> others;    ///< walls and small planes
 };
 
-/// What stands on a table.
+/// The objects on a table.
 struct TableObjects {
-  PointCloud cloud;                   ///< a point a voxel
+  PointCloud cloud;                   ///< one point per voxel
   double clearance = 0.0;             ///< height from which points were taken [m]
-  std::size_t dropped_fragments = 0;  ///< small, or off the table for the most part
-  std::size_t dropped_points = 0;     ///< of these, a point a voxel
+  std::size_t dropped_fragments = 0;  ///< small, or mostly off the table
+  std::size_t dropped_points = 0;     ///< of these, one per voxel
 };
 
-/// The points over the table and inside its outline, thinned to a point a voxel, without stray
-/// fragments. A connected fragment is kept or dropped whole: it is kept if half of its points or
-/// more are inside the outline. Points of `walls` are left out.
-TableObjects objects_on(const PointCloud& cloud, const SupportPlane& table,
-                        const std::vector<SupportPlane>& walls,
-                        const TableCropOptions& options = {});
-
-/// A table and what stands on it; empty without a table.
+/// A table and the objects on it; empty without a table.
 struct TableScene {
   SupportPlanes planes;  ///< the table is the first of the supports
   TableObjects objects;
 };
 
-/// Finds the table in the oriented points of a whole reconstruction and what stands on it.
+/// Finds the table in the oriented points of a whole reconstruction and the objects on it. `up` is
+/// the direction that the table faces, if it is known. Throws InputError if points have no normals.
 TableScene find_table_scene(const PointCloud& cloud, const TableSceneOptions& options = {},
                             const std::optional<Eigen::Vector3d>& up = std::nullopt);
 
-/// The same with a table that is given.
+/// The same with a given table, whose normal may have any length. Throws InputError if the normal
+/// is zero or the plane not finite.
 TableScene table_scene_on(const PointCloud& cloud, const Plane& table,
                           const TableSceneOptions& options = {});
 

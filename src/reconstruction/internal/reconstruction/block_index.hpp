@@ -7,9 +7,9 @@
 
 namespace symscene {
 
-/// Which slot holds a block of voxels: a directory of chunks of 32³ blocks, so that a look-up is
-/// two loads. Blocks have coordinates in [−1024, 1024); slots are numbered in the order of
-/// insertion.
+/// Maps the coordinates of blocks of voxels to slots: a directory of chunks of 32³ blocks, so that
+/// a look-up is two loads. Blocks have coordinates in [−1024, 1024); slots are numbered in the
+/// order of insertion.
 class BlockIndex {
  public:
   static constexpr std::int32_t none = -1;
@@ -17,12 +17,12 @@ class BlockIndex {
 
   BlockIndex();
 
-  /// Whether a block may be kept at these coordinates.
+  /// Whether the index can hold a block at these coordinates.
   static bool in_reach(const Eigen::Vector3i& block) {
     return (block.array() >= -reach).all() && (block.array() < reach).all();
   }
 
-  /// The slot of a block, or `none`; also beyond the reach.
+  /// The slot of a block, or `none`; any coordinates are allowed.
   std::int32_t find(int x, int y, int z) const {
     const auto bx = static_cast<std::uint32_t>(x + reach);
     const auto by = static_cast<std::uint32_t>(y + reach);
@@ -36,7 +36,7 @@ class BlockIndex {
     return find(block.x(), block.y(), block.z());
   }
 
-  /// The slot of a block in reach, a new one if it had none.
+  /// The slot of a block in reach; it is added if it has none.
   std::int32_t insert(const Eigen::Vector3i& block);
 
   /// The coordinates of the blocks by slot.

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+
+#include "camera_tracking.hpp"
+#include "keyframes.hpp"
+#include "reconstruction/tsdf_volume.hpp"
+#include "stage_clock.hpp"
+
+namespace symscene {
+
+/// Locates the frames of a sequence in the model: follows the camera with a constant-velocity
+/// model, checks each pose against the agreement of earlier frames, and searches a lost camera at
+/// its last pose and at similar keyframes.
+class CameraTracker {
+ public:
+  /// The volume and the clock must outlive it.
+  CameraTracker(const TsdfVolume& volume, const TrackingOptions& options,
+                const MeasurementOptions& sensor, StageClock& clock)
+      : volume_(&volume), clock_(&clock), options_(options), sensor_(sensor), keyframes_(options) {}
+
+  struct Located {
+    TrackingResult tracking;
+    bool relocalized = false;
+  };
+  /// The pose of a frame in a model that is not empty, tracked from `guess` or else from the motion
+  /// model.
+  Located locate(const Measurement& measurement, const std::optional<Eigen::Isometry3d>& guess);
+
+  /// The frame's pose is accepted and the frame is part of the model. `confirmed` if tracking has
+  /// converged against an earlier model: only then the motion model carries on.
+  void accept(const Measurement& measurement, const TrackingResult& tracking, bool confirmed);
+
+  /// The frame's pose is unknown: the motion model is reset.
+  void lose();
+
+ private:
+  TrackingResult follow(const Measurement& measurement,
+                        const std::optional<Eigen::Isometry3d>& guess);
+  TrackingResult search(const Measurement& measurement);
+  bool agrees(const TrackingResult& result) const;
+  ModelView predict(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera);
+  TrackingResult track(const Measurement& measurement, const ModelView& view,
+                       const Eigen::Isometry3d& T_world_guess, const TrackingOptions& options);
+
+  const TsdfVolume* volume_;
+  StageClock* clock_;
+  TrackingOptions options_;
+  MeasurementOptions sensor_;
+  Keyframes keyframes_;
+  Eigen::Isometry3d T_world_last_ = Eigen::Isometry3d::Identity();
+  std::optional<ModelView> view_;  ///< of the model from T_world_last_, once it is needed
+  Eigen::Isometry3d T_last_next_ = Eigen::Isometry3d::Identity();  ///< constant-velocity model
+  double disagreement_ = options_.initial_disagreement;  ///< running mean of 1 − agreement
+  bool lost_ = false;
+};
+
+}  // namespace symscene

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "symscene/core/camera.hpp"
+
+namespace symscene {
+
+/// A depth image of one pyramid level, 0 where nothing was measured.
+struct DepthLevel {
+  CameraIntrinsics camera;
+  std::vector<float> depth;  ///< [m]
+};
+
+/// The depths between `min` and `max`; all others, and those that are not finite, become 0.
+DepthLevel keep_in_range(const std::vector<float>& depth, const CameraIntrinsics& camera,
+                         double min, double max);
+
+/// Half the size. A pixel is the mean of those of 2×2 pixels that are within `step`, relative to
+/// their depth, of the nearest of them; 0 if these are fewer than two.
+DepthLevel halve(const DepthLevel& fine, float step);
+
+/// A bilateral filter over 5×5 pixels: weights fall to zero at a difference of `noise` times the
+/// squared depth. [1/m]
+DepthLevel smooth(const DepthLevel& raw, float noise);
+
+}  // namespace symscene

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "symscene/core/options.hpp"
+
+namespace symscene {
+
+/// How depth images are prepared for tracking and fusion.
+struct MeasurementOptions {
+  double min_depth = 0.2;
+  double max_depth = 3.0;
+  double noise = 1.425e-3;
+  double edge_step = 0.015;
+  double smoothing_sigmas = 4.0;
+  double min_cosine = 0.1;
+  int tracking_width = 320;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("min_depth", self.min_depth, "m", above(0.0), "nearer depths are ignored");
+    visit("max_depth", self.max_depth, "m", strictly_between(0.0, 6.5),
+          "farther depths are ignored");
+    visit("noise", self.noise, "1/m", between(1e-6, 1.0),
+          "standard deviation of a depth over its square (Khoshelham and Elberink 2012, Eq. 10)");
+    visit("edge_step", self.edge_step, "m", above_up_to(0.0, 1.0),
+          "depth step between neighbouring pixels, at 1 m, that makes an edge");
+    visit("smoothing_sigmas", self.smoothing_sigmas, "", above_up_to(0.0, 100.0),
+          "depth difference in deviations at which the bilateral filter's weight falls to zero");
+    visit("min_cosine", self.min_cosine, "", strictly_between(0.0, 1.0),
+          "cosine of the angle between normal and ray from which a pixel is fused");
+    visit("tracking_width", self.tracking_width, "px", at_least(40.0),
+          "images are halved for tracking while they are at least 1.5 times as wide");
+  }
+  /// Throws InputError if a value is out of its range or max_depth is not above min_depth.
+  void validate() const;
+
+  /// The standard deviation of a depth (Khoshelham and Elberink 2012, Eq. 10). [m]
+  double deviation(double depth) const { return noise * depth * depth; }
+};
+
+}  // namespace symscene

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+
+#include "symscene/core/options.hpp"
+
+namespace symscene {
+
+/// The truncated signed distance function into which frames are fused.
+struct TsdfOptions {
+  double voxel_size = 0.0031;
+  double truncation = 0.0125;
+  double max_truncation = 0.04;
+  double truncation_sigmas = 3.0;
+  double full_weight_behind = 0.25;
+  double zero_weight_behind = 0.625;
+  double max_weight = 200.0;
+  bool color = true;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("voxel_size", self.voxel_size, "m", between(0.0005, 0.1),
+          "edge of a voxel (section 2.1.1)");
+    visit("truncation", self.truncation, "m", above_up_to(0.0, 1.0),
+          "smallest truncation distance, at least two voxels");
+    visit("max_truncation", self.max_truncation, "m", above_up_to(0.0, 1.0),
+          "largest truncation distance, for far and noisy depths");
+    visit("truncation_sigmas", self.truncation_sigmas, "", above_up_to(0.0, 100.0),
+          "truncation distance in standard deviations of a depth");
+    visit("full_weight_behind", self.full_weight_behind, "", between(0.0, 1.0),
+          "depth behind the surface, as a share of the truncation distance, down to which a "
+          "measurement has its full weight (Bylow et al. 2013)");
+    visit("zero_weight_behind", self.zero_weight_behind, "", above_up_to(0.0, 1.0),
+          "depth behind the surface, as a share of the truncation distance, at which the weight "
+          "has fallen to zero (Bylow et al. 2013)");
+    visit("max_weight", self.max_weight, "", between(1.0, 2000.0),
+          "largest weight of a voxel, in frontal views at 1 m");
+    visit("color", self.color, "", any_value(), "fuse colours where frames have them");
+  }
+  /// Throws InputError if a value is out of its range, if the truncation distances are not
+  /// 2 voxel_size <= truncation <= max_truncation, or full_weight_behind is not below
+  /// zero_weight_behind.
+  void validate() const;
+};
+
+/// Marching cubes.
+struct SurfaceExtractionOptions {
+  double min_weight = 1.5;
+  int full_frames = 200;
+  int min_triangles = 100;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("min_weight", self.min_weight, "", between(0.0, 2000.0),
+          "weight that all corners of a cell need, in frontal views at 1 m");
+    visit("full_frames", self.full_frames, "", at_least(1.0),
+          "number of frames for which min_weight is made; stitching scales it for fewer");
+    visit("min_triangles", self.min_triangles, "", at_least(1.0),
+          "smaller connected pieces of the surface are dropped");
+  }
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
+};
+
+/// The options for a surface that few frames have seen: min_weight shrinks in proportion to the
+/// number of frames below full_frames, down to the smallest weight of one measurement.
+SurfaceExtractionOptions surface_of_few(const SurfaceExtractionOptions& options,
+                                        std::size_t frames);
+
+}  // namespace symscene

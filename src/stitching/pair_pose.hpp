@@ -1,0 +1,21 @@
+#pragma once
+
+#include "features.hpp"
+#include "reconstruction/surface_image.hpp"
+
+namespace symscene {
+
+/// A frame as the pose of a pair takes it.
+struct PairView {
+  const ImageFeatures& features;
+  const SurfaceImage& surface;  ///< against which the pose is checked
+};
+
+/// The pose of one frame in another from features that both have: PnP with RANSAC on the points of
+/// either and the pixels of the other (section 4.6.2), in the direction with more inliers; then
+/// refined on these and checked against both depth images. Throws InputError if the build has no
+/// OpenCV.
+PairPose find_pair_pose(const PairView& first, const PairView& second,
+                        const CameraIntrinsics& camera, const StitchingOptions& options);
+
+}  // namespace symscene

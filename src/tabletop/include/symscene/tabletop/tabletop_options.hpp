@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+
+#include "symscene/core/options.hpp"
+
+namespace symscene {
+
+/// The search for planes that objects stand on.
+struct SupportPlaneOptions {
+  double inlier_distance = 0.01;
+  double normal_angle = 0.4363323;
+  int sample = 6000;
+  int hypotheses = 300;
+  int max_planes = 6;
+  double min_share = 0.01;
+  double refined_sigmas = 2.5;
+  double min_area = 0.03;
+  double wall_area = 0.25;
+  double max_tilt = 1.2217305;
+  double min_clearance = 0.005;
+  double max_height = 0.6;
+  double ambiguity = 0.5;
+  std::uint64_t seed = 1;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    constexpr double right_angle = 1.5707963267948966;
+    visit("inlier_distance", self.inlier_distance, "m", strictly_between(0.0, 1.0),
+          "largest distance of an inlier from its plane; drift bends tables by as much");
+    visit("normal_angle", self.normal_angle, "rad", strictly_between(0.0, right_angle),
+          "largest angle between the normals of an inlier and its plane");
+    visit("sample", self.sample, "", at_least(100.0),
+          "points from which hypotheses are drawn and on which inliers are counted");
+    visit("hypotheses", self.hypotheses, "", at_least(1.0), "RANSAC hypotheses per plane");
+    visit("max_planes", self.max_planes, "", at_least(1.0),
+          "planes that are found, walls included");
+    visit("min_share", self.min_share, "", between(0.0, 1.0),
+          "share of the sample that a plane must have as inliers");
+    visit("refined_sigmas", self.refined_sigmas, "", above(0.0),
+          "refinement keeps points within this many standard deviations of the plane");
+    visit("min_area", self.min_area, "m^2", at_least(0.0), "least area of a supporting plane");
+    visit("wall_area", self.wall_area, "m^2", at_least(0.0),
+          "area from which the points of another plane are not points of objects");
+    visit("max_tilt", self.max_tilt, "rad", above(0.0),
+          "largest angle between a supporting plane's normal and up, where up is known; large, as "
+          "a camera that looks down on a table is tilted itself");
+    visit("min_clearance", self.min_clearance, "m", at_least(0.0),
+          "height above the plane from which points belong to objects");
+    visit("max_height", self.max_height, "m", above(0.0),
+          "height above the plane up to which points belong to objects on it");
+    visit("ambiguity", self.ambiguity, "", above_up_to(0.0, 1.0),
+          "share of the best plane's score from which another plane is an alternative");
+    visit("seed", self.seed, "", any_value(), "seed of the hypotheses");
+  }
+  /// Throws InputError if a value is out of its range or max_height is not above min_clearance.
+  void validate() const;
+};
+
+/// How the points of objects are cut out above a table.
+struct TableCropOptions {
+  double voxel_size = 0.005;
+  double min_clearance = 0.005;
+  double max_clearance = 0.015;
+  double clearance_sigmas = 3.0;
+  double max_height = 0.6;
+  double overhang = 0.05;
+  double link = 0.012;
+  int min_fragment = 40;
+  bool follow_bend = true;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("voxel_size", self.voxel_size, "m", above(0.0),
+          "spacing of the objects' points (section 2.1.2)");
+    visit("min_clearance", self.min_clearance, "m", at_least(0.0),
+          "least height from which points belong to objects");
+    visit("max_clearance", self.max_clearance, "m", at_least(0.0),
+          "the same where the table's points are rough");
+    visit("clearance_sigmas", self.clearance_sigmas, "", at_least(0.0),
+          "the height in standard deviations of the table's points, between these bounds");
+    visit("max_height", self.max_height, "m", above(0.0), "largest height of objects");
+    visit("overhang", self.overhang, "m", at_least(0.0),
+          "how far an object may reach beyond the table's border");
+    visit("link", self.link, "m", above(0.0), "points closer than this are of one fragment");
+    visit("min_fragment", self.min_fragment, "", at_least(1.0),
+          "points of the smallest fragment that is kept");
+    visit("follow_bend", self.follow_bend, "", any_value(),
+          "measure heights above a quadric, as drift bends tables");
+  }
+  /// Throws InputError if a value is out of its range or min_clearance <= max_clearance <
+  /// max_height does not hold.
+  void validate() const;
+};
+
+struct TableSceneOptions {
+  SupportPlaneOptions plane;
+  TableCropOptions crop;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("plane", self.plane);
+    visit("crop", self.crop);
+  }
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
+};
+
+}  // namespace symscene

@@ -1,0 +1,114 @@
+#include "table_objects.hpp"
+
+#include <algorithm>
+
+#include "bent_plane.hpp"
+#include "core/voxel_sampling.hpp"
+#include "symscene/core/neighbors.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr Index points_for_bend = 20000;
+
+ConvexOutline outline_of(const SupportPlane& table, const PlaneFrame& frame) {
+  std::vector<Eigen::Vector2d> corners;
+  for (const Eigen::Vector3d& corner : table.outline) corners.push_back(frame.within(corner));
+  return ConvexOutline(std::move(corners));
+}
+
+std::vector<bool> inliers_of(const std::vector<SupportPlane>& planes, const PointCloud& cloud) {
+  std::vector<bool> inliers(cloud.size(), false);
+  for (const SupportPlane& plane : planes) {
+    for (const Index i : plane.inliers) inliers[i] = true;
+  }
+  return inliers;
+}
+
+/// The fragment of each point; fragments are numbered by their first points.
+std::vector<Index> fragments_of(const PointCloud& cloud, double link) {
+  std::vector<Index> fragment(cloud.size());
+  if (cloud.empty()) return fragment;
+  const auto radius = static_cast<float>(link);
+  const NeighborLists neighbors = radius_neighbors(cloud.positions, radius);
+  std::fill(fragment.begin(), fragment.end(), cloud.size());
+  std::vector<Index> open;
+  Index count = 0;
+  for (Index seed = 0; seed < cloud.size(); ++seed) {
+    if (fragment[seed] != cloud.size()) continue;
+    fragment[seed] = count;
+    open.push_back(seed);
+    while (!open.empty()) {
+      const Index i = open.back();
+      open.pop_back();
+      for (const Index other : neighbors.of(i)) {
+        if (fragment[other] != cloud.size()) continue;
+        fragment[other] = count;
+        open.push_back(other);
+      }
+    }
+    ++count;
+  }
+  return fragment;
+}
+
+/// Drops fragments that are small or mostly off the table.
+void drop_stray_fragments(TableObjects& objects, const PlaneFrame& frame,
+                          const ConvexOutline& outline, const TableCropOptions& options) {
+  const std::vector<Index> fragment = fragments_of(objects.cloud, options.link);
+  struct Size {
+    std::size_t points = 0;
+    std::size_t inside = 0;
+  };
+  std::vector<Size> sizes;
+  for (Index i = 0; i < objects.cloud.size(); ++i) {
+    if (fragment[i] >= sizes.size()) sizes.resize(fragment[i] + std::size_t{1});
+    ++sizes[fragment[i]].points;
+    const Eigen::Vector3d point = objects.cloud.position(i).cast<double>();
+    sizes[fragment[i]].inside += outline.distance(frame.within(point)) < 0.0 ? 1 : 0;
+  }
+  const auto kept = [&](const Size& size) {
+    return size.points >= static_cast<std::size_t>(options.min_fragment) &&
+           2 * size.inside >= size.points;
+  };
+  PointIndices points;
+  for (Index i = 0; i < objects.cloud.size(); ++i) {
+    if (kept(sizes[fragment[i]])) points.push_back(i);
+  }
+  objects.dropped_fragments =
+      sizes.size() - static_cast<std::size_t>(std::count_if(sizes.begin(), sizes.end(), kept));
+  objects.dropped_points = objects.cloud.size() - points.size();
+  objects.cloud = select(objects.cloud, points);
+}
+
+}  // namespace
+
+TableObjects objects_on(const PointCloud& cloud, const SupportPlane& table,
+                        const std::vector<SupportPlane>& walls, const TableCropOptions& options) {
+  options.validate();
+  PointIndices some;
+  for (const Index k : evenly_spread(static_cast<Index>(table.inliers.size()), points_for_bend)) {
+    some.push_back(table.inliers[k]);
+  }
+  const BentPlane surface =
+      options.follow_bend ? BentPlane(table.plane, cloud, some) : BentPlane(table.plane);
+  const ConvexOutline outline = outline_of(table, surface.frame());
+  TableObjects objects;
+  objects.clearance = std::clamp(options.clearance_sigmas * surface.residual(cloud, some),
+                                 options.min_clearance, options.max_clearance);
+  const std::vector<bool> on_wall = inliers_of(walls, cloud);
+  PointIndices over;
+  for (const Index i : finite_points(cloud.positions)) {
+    const Eigen::Vector3d point = cloud.position(i).cast<double>();
+    const double height = surface.height(point);
+    if (!on_wall[i] && height > objects.clearance && height < options.max_height &&
+        outline.distance(surface.frame().within(point)) < options.overhang) {
+      over.push_back(i);
+    }
+  }
+  objects.cloud = voxel_downsample(select(cloud, over), options.voxel_size);
+  drop_stray_fragments(objects, surface.frame(), outline, options);
+  return objects;
+}
+
+}  // namespace symscene
