@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t rows_per_task = 8;
+constexpr std::size_t search_rows_per_task = 8;
 constexpr std::size_t slots_per_task = 4096;
 constexpr float min_depth = 0.05F;  // from which the image of a block is bounded [m]
 
@@ -146,11 +146,13 @@ std::vector<Eigen::Vector3i> BlockSelection::missing(
   const BlockSearch search(*this, measurement, T_world_camera);
   const Index stride = search.stride();
   const std::size_t rows = (measurement.camera.height + stride - 1) / stride;
-  std::vector<std::vector<Eigen::Vector3i>> lists((rows + rows_per_task - 1) / rows_per_task);
-  parallel_for_blocks(rows, rows_per_task, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<Eigen::Vector3i>> lists((rows + search_rows_per_task - 1) /
+                                                  search_rows_per_task);
+  parallel_for_blocks(rows, search_rows_per_task, [&](std::size_t begin, std::size_t end) {
     Eigen::Vector3i last = Eigen::Vector3i::Constant(BlockIndex::reach);
     for (std::size_t row = begin; row < end; ++row) {
-      search.search_row(static_cast<Index>(row) * stride, last, lists[begin / rows_per_task]);
+      search.search_row(static_cast<Index>(row) * stride, last,
+                        lists[begin / search_rows_per_task]);
     }
   });
   return joined(lists);

@@ -8,7 +8,6 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t rows_per_task = 16;
 constexpr std::size_t smoothing_radius = 2;  // [px]
 
 SYMSCENE_MULTIVERSION
@@ -90,12 +89,13 @@ DepthLevel halve(const DepthLevel& fine, float step) {
   DepthLevel coarse{halved(fine.camera), {}};
   const std::size_t width = coarse.camera.width;
   coarse.depth.resize(coarse.camera.pixels());
-  parallel_for_blocks(coarse.camera.height, rows_per_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const float* upper = fine.depth.data() + 2 * v * fine.camera.width;
-      halve_row(upper, upper + fine.camera.width, width, step, coarse.depth.data() + v * width);
-    }
-  });
+  parallel_for_blocks(
+      coarse.camera.height, image_rows_per_task, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+          const float* upper = fine.depth.data() + 2 * v * fine.camera.width;
+          halve_row(upper, upper + fine.camera.width, width, step, coarse.depth.data() + v * width);
+        }
+      });
   return coarse;
 }
 
@@ -104,7 +104,7 @@ DepthLevel smooth(const DepthLevel& raw, float noise) {
   const std::size_t width = raw.camera.width, height = raw.camera.height;
   if (height <= 2 * smoothing_radius || width <= 2 * smoothing_radius) return smoothed;
   const std::size_t rows = height - 2 * smoothing_radius;
-  parallel_for_blocks(rows, rows_per_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for_blocks(rows, image_rows_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t top = begin; top < end; ++top) {
       const float* about[2 * smoothing_radius + 1];
       for (std::size_t y = 0; y <= 2 * smoothing_radius; ++y) {

@@ -6,6 +6,8 @@
 
 namespace symscene {
 
+constexpr std::size_t image_rows_per_task = 16;
+
 /// A depth image of one pyramid level, 0 where nothing was measured.
 struct DepthLevel {
   CameraIntrinsics camera;

@@ -11,7 +11,6 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t rows_per_task = 16;
 constexpr std::size_t max_levels = 3;
 constexpr Index min_side = 8;  // of a level [px]
 
@@ -67,11 +66,12 @@ std::vector<std::uint32_t> pack(const DepthLevel& raw, const SurfaceImage& surfa
                                 std::size_t shift, const MeasurementOptions& options) {
   std::vector<std::uint32_t> packed(raw.depth.size() + 1);
   const RowPacker packer(raw, surface, shift, options);
-  parallel_for_blocks(raw.camera.height, rows_per_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      packer.pack_row(v, packed.data() + v * raw.camera.width);
-    }
-  });
+  parallel_for_blocks(raw.camera.height, image_rows_per_task,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t v = begin; v < end; ++v) {
+                          packer.pack_row(v, packed.data() + v * raw.camera.width);
+                        }
+                      });
   return packed;
 }
 

@@ -2,81 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/parallel.hpp"
+#include "depth_ranges.hpp"
 #include "field.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr Index tile = 4;         // [px]
-constexpr float closest = 0.02F;  // depth from which surface is shown [m]
-
-/// The range of depths of the surface in every tile of an image. [m]
-struct DepthRanges {
-  Index columns = 0;
-  std::vector<float> nearest;
-  std::vector<float> farthest;
-};
-
-/// The pixels onto which an interval [center − reach, center + reach] may project between two
-/// depths. [px]
-struct Span {
-  float first, last;
-};
-
-Span project_span(float center, float reach, float inverse_near, float inverse_far, float focal,
-                  float principal) {
-  const float low = center - reach, high = center + reach;
-  return {std::min(low * inverse_near, low * inverse_far) * focal + principal,
-          std::max(high * inverse_near, high * inverse_far) * focal + principal};
-}
-
-/// Projects the boxes, in the camera's axes, of all blocks with surface.
-DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& camera,
-                              const Eigen::Isometry3d& T_camera_world) {
-  DepthRanges ranges;
-  ranges.columns = (camera.width + tile - 1) / tile;
-  const Index rows = (camera.height + tile - 1) / tile;
-  ranges.nearest.assign(std::size_t{ranges.columns} * rows, std::numeric_limits<float>::infinity());
-  ranges.farthest.assign(ranges.nearest.size(), 0.0F);
-  const double block_size = volume.voxel_size() * TsdfBlock::edge;
-  // One voxel more than the block, as its outermost cells reach into the next block.
-  const Eigen::Vector3f reach = (T_camera_world.linear().cwiseAbs() *
-                                 Eigen::Vector3d::Constant(0.5 * block_size + volume.voxel_size()))
-                                    .cast<float>();
-  const Eigen::Matrix3f R = (T_camera_world.linear() * block_size).cast<float>();
-  const Eigen::Vector3f t =
-      (T_camera_world * Eigen::Vector3d::Constant(0.5 * block_size)).cast<float>();
-  const auto fx = static_cast<float>(camera.fx), fy = static_cast<float>(camera.fy);
-  const auto cx = static_cast<float>(camera.cx), cy = static_cast<float>(camera.cy);
-  const auto right = static_cast<float>(camera.width - 1);
-  const auto bottom = static_cast<float>(camera.height - 1);
-  for (std::size_t slot = 0; slot < volume.index().size(); ++slot) {
-    if (!volume.near_surface(slot)) continue;
-    const Eigen::Vector3f center = R * volume.index().blocks()[slot].cast<float>() + t;
-    const float farthest = center.z() + reach.z();
-    if (!(farthest > closest)) continue;
-    const float nearest = std::max(center.z() - reach.z(), closest);
-    const float near = 1.0F / nearest, far = 1.0F / farthest;
-    const Span u = project_span(center.x(), reach.x(), near, far, fx, cx);
-    const Span v = project_span(center.y(), reach.y(), near, far, fy, cy);
-    if (u.last < 0 || v.last < 0 || u.first > right || v.first > bottom) continue;
-    const auto tile_at = [](float at, float end) {
-      return static_cast<Index>(std::clamp(at, 0.0F, end)) / tile;
-    };
-    const Index first = tile_at(u.first, right), last = tile_at(u.last + 1.0F, right);
-    for (Index y = tile_at(v.first, bottom); y <= tile_at(v.last + 1.0F, bottom); ++y) {
-      for (Index x = first; x <= last; ++x) {
-        const std::size_t at = std::size_t{y} * ranges.columns + x;
-        ranges.nearest[at] = std::min(ranges.nearest[at], nearest);
-        ranges.farthest[at] = std::max(ranges.farthest[at], farthest);
-      }
-    }
-  }
-  return ranges;
-}
+constexpr Index tile = DepthRanges::tile;
 
 /// Casts rays of one camera, lengths being depths. [voxels]
 class RayCaster {

@@ -9,7 +9,7 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t rows_per_task = 16;
+constexpr std::size_t hit_rows_per_task = 16;
 
 /// A row of pixels: the point of pixel u is origin + depth · (start + u · step), in voxels from an
 /// anchor near the camera, so that floats are exact enough anywhere in the tree.
@@ -142,9 +142,9 @@ OccupancyHits::OccupancyHits(const DepthFrame& frame, const CameraIntrinsics& ca
                              const Eigen::Isometry3d& T_world_camera,
                              const OccupancyVolumeOptions& options) {
   const HitFinder finder(frame, camera, T_world_camera, options);
-  found_.resize((camera.height + rows_per_task - 1) / rows_per_task);
-  parallel_for_blocks(camera.height, rows_per_task, [&](std::size_t begin, std::size_t end) {
-    found_[begin / rows_per_task] = finder.find(begin, end);
+  found_.resize((camera.height + hit_rows_per_task - 1) / hit_rows_per_task);
+  parallel_for_blocks(camera.height, hit_rows_per_task, [&](std::size_t begin, std::size_t end) {
+    found_[begin / hit_rows_per_task] = finder.find(begin, end);
   });
   for (const std::vector<FoundInBrick>& task : found_) {
     for (const FoundInBrick& found : task) runs_.push_back({found.brick, found.voxels});

@@ -11,7 +11,7 @@ namespace symscene {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-constexpr std::size_t rows_per_task = 32;
+constexpr std::size_t limit_rows_per_task = 32;
 
 /// The smallest measured depth of each pixel and its two neighbours in the row; infinity if none.
 SYMSCENE_MULTIVERSION
@@ -46,13 +46,13 @@ std::vector<float> depth_limits(const DepthFrame& frame, const CameraIntrinsics&
   const std::size_t width = camera.width;
   const std::size_t height = camera.height;
   std::vector<float> least(camera.pixels(), infinite);
-  parallel_for_blocks(height, rows_per_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for_blocks(height, limit_rows_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       least_in_row(frame.depth.data() + v * width, width, least.data() + v * width);
     }
   });
   std::vector<float> limits(camera.pixels(), 0.0F);
-  parallel_for_blocks(height, rows_per_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for_blocks(height, limit_rows_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = std::max<std::size_t>(begin, 1); v < std::min(end, height - 1); ++v) {
       const float* const row = least.data() + v * width;
       limit_row(row - width, row, row + width, width, static_cast<float>(options.free_margin),

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t lanes = 64;
 constexpr std::size_t products = 27;  ///< upper half of J Jᵀ, then r J
-constexpr std::size_t rows_per_task = 8;
+constexpr std::size_t match_rows_per_task = 8;
 
 SYMSCENE_MULTIVERSION
 void add_products(const float (*j)[lanes], const float* r, const float* weight,
@@ -120,7 +120,7 @@ double PointToPlaneMatcher::unit_weight() const {
 template <bool constraints>
 NormalEquations PointToPlaneMatcher::sum_rows(const Eigen::Isometry3f& T_fixed_moved) const {
   return reduce_blocks(
-             association_.rows(), rows_per_task, Sums{},
+             association_.rows(), match_rows_per_task, Sums{},
              [&](std::size_t begin, std::size_t end) {
                Sums sums;
                for (std::size_t v = begin; v < end; ++v)

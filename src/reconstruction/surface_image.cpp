@@ -10,8 +10,6 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t rows_per_task = 16;
-
 /// A row of depths between the rows `reach` above and below it.
 struct NormalRow {
   const float* above;
@@ -68,14 +66,15 @@ SurfaceImage with_normals(const DepthLevel& level, std::size_t reach, float step
   if (width <= 2 * reach || height <= 2 * reach) return image;
   const std::vector<float> ray_x = level.camera.column_rays();
   const std::vector<float> ray_y = level.camera.row_rays();
-  parallel_for_blocks(height - 2 * reach, rows_per_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin + reach; v < end + reach; ++v) {
-      const float* here = level.depth.data() + v * width;
-      normal_row({here - reach * width, here, here + reach * width, ray_x.data(), ray_y[v - reach],
-                  ray_y[v], ray_y[v + reach], width, reach, step},
-                 image.pixels.data() + v * width);
-    }
-  });
+  parallel_for_blocks(
+      height - 2 * reach, image_rows_per_task, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin + reach; v < end + reach; ++v) {
+          const float* here = level.depth.data() + v * width;
+          normal_row({here - reach * width, here, here + reach * width, ray_x.data(),
+                      ray_y[v - reach], ray_y[v], ray_y[v + reach], width, reach, step},
+                     image.pixels.data() + v * width);
+        }
+      });
   return image;
 }
 

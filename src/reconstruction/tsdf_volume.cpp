@@ -8,7 +8,6 @@
 namespace symscene {
 namespace {
 
-constexpr int edge = TsdfBlock::edge;
 constexpr std::size_t blocks_per_task = 64;
 
 }  // namespace
@@ -41,7 +40,7 @@ void TsdfVolume::allocate_colors(std::span<const std::uint32_t> slots) {
 }
 
 bool TsdfVolume::in_reach(const Eigen::Isometry3d& T_world_camera) const {
-  const double reach = BlockIndex::reach * edge * options_.voxel_size;
+  const double reach = BlockIndex::reach * TsdfBlock::edge * options_.voxel_size;
   return T_world_camera.matrix().allFinite() &&
          T_world_camera.translation().cwiseAbs().maxCoeff() < reach;
 }
@@ -65,7 +64,7 @@ void TsdfVolume::integrate(const Measurement& measurement,
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t slot = slots[k];
       const Eigen::Vector3d corner =
-          index_.blocks()[slot].cast<double>() * (edge * options_.voxel_size);
+          index_.blocks()[slot].cast<double>() * (TsdfBlock::edge * options_.voxel_size);
       const Eigen::Vector3f corner_camera = (T_camera_world * corner).cast<float>();
       Slab& home = *slabs_[slot / slab];
       const int nearest = fusion.fuse(corner_camera, pixels, home.tsdf[slot % slab]);

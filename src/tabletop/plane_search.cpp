@@ -14,7 +14,7 @@ namespace {
 /// Over the inlier distance: hypotheses of one point and its normal are less accurate than fits.
 constexpr double coarse_factor = 3.0;
 constexpr std::size_t refined_hypotheses = 8;
-constexpr std::size_t refinements = 3;
+constexpr std::size_t hypothesis_refinements = 3;
 
 /// Points and normals as arrays, for loops that vectorise.
 struct OrientedSample {
@@ -116,7 +116,7 @@ class PlaneSearch {
 
   Counted refined(Plane plane) const {
     double distance = coarse_factor * options_.inlier_distance;
-    for (std::size_t round = 0; round < refinements; ++round) {
+    for (std::size_t round = 0; round < hypothesis_refinements; ++round) {
       PlaneMoments moments;
       for (std::size_t i = 0; i < sample_.size(); ++i) {
         if (is_inlier(i, plane, distance)) moments.add(sample_.position(i).cast<double>());

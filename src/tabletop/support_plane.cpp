@@ -12,7 +12,7 @@ namespace {
 
 constexpr double cell_edge = 0.02;        ///< of the cells that areas are counted in [m]
 constexpr double least_distance = 0.003;  ///< within which refinement keeps all points [m]
-constexpr int refinements = 2;
+constexpr int fit_refinements = 2;
 constexpr Index points_for_fit = 50000;
 
 PointIndices usable_points(const PointCloud& cloud) {
@@ -68,7 +68,7 @@ struct PlaneFit {
 PlaneFit fitted(const PointCloud& cloud, const PointIndices& some, const Plane& start,
                 const SupportPlaneOptions& options) {
   PlaneFit fit{start, options.inlier_distance};
-  for (int round = 0; round < refinements; ++round) {
+  for (int round = 0; round < fit_refinements; ++round) {
     const PlaneMoments moments =
         moments_of(cloud, patch_of(cloud, some, fit.plane, fit.distance, options.normal_angle));
     fit.plane = moments.plane(fit.plane);
