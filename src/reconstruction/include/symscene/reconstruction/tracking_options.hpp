@@ -46,7 +46,7 @@ struct TrackingOptions {
           "iterations at half of the tracking image's size");
     visit("iterations_fine", self.iterations_fine, "", between(1.0, 100.0),
           "iterations at the tracking image's full size");
-    visit("convergence", self.convergence, "", at_least(0.0),
+    visit("convergence", self.convergence, "", between(0.0, 1.0),
           "step in m and rad below which a coarse or middle level ends");
     visit(
         "max_distance", self.max_distance, "m", above_up_to(0.0, 1e6),
