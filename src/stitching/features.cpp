@@ -126,13 +126,13 @@ bool distinct(const Nearest& nearest, double ratio) {
 
 }  // namespace
 
-ImageFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& camera,
+FrameFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& camera,
                             const FeatureOptions& options, const MeasurementOptions& sensor) {
   options.validate();
   require_images(frame, camera);
   Keypoints found = find_keypoints(gray_values(frame.colors), camera,
                                    surface_mask(frame, camera, options, sensor), options);
-  ImageFeatures features{std::move(found.pixels), {}, std::move(found.descriptors)};
+  FrameFeatures features{std::move(found.pixels), {}, std::move(found.descriptors)};
   features.points_camera.resize(3, features.pixels.cols());
   for (Eigen::Index i = 0; i < features.pixels.cols(); ++i) {
     const Eigen::Vector2d pixel = features.pixels.col(i);
@@ -142,7 +142,7 @@ ImageFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& cam
   return features;
 }
 
-std::vector<FeatureMatch> match_features(const ImageFeatures& first, const ImageFeatures& second,
+std::vector<FeatureMatch> match_features(const FrameFeatures& first, const FrameFeatures& second,
                                          const FeatureOptions& options) {
   std::vector<FeatureMatch> matches;
   if (first.size() == 0 || second.size() == 0) return matches;

@@ -7,7 +7,7 @@
 namespace symscene {
 
 /// The features of an image and the points of the surface that they show.
-struct ImageFeatures {
+struct FrameFeatures {
   Eigen::Matrix2Xd pixels;         ///< [px]
   Eigen::Matrix3Xd points_camera;  ///< what the pixels show [m]
   Eigen::MatrixXf descriptors;     ///< one per column
@@ -18,12 +18,12 @@ struct ImageFeatures {
 /// SIFT features (Lowe 2004) of a frame's grey values where its depth is known and smooth. Throws
 /// InputError if the frame has no colours, the images are not of the camera's size, or the build
 /// has no OpenCV.
-ImageFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& camera,
+FrameFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& camera,
                             const FeatureOptions& options, const MeasurementOptions& sensor);
 
 /// Pairs of features that are each other's nearest descriptor and pass the ratio test, by rising
 /// `first`.
-std::vector<FeatureMatch> match_features(const ImageFeatures& first, const ImageFeatures& second,
+std::vector<FeatureMatch> match_features(const FrameFeatures& first, const FrameFeatures& second,
                                          const FeatureOptions& options);
 
 }  // namespace symscene

@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-SharedPoints shared_points(const ImageFeatures& first, const ImageFeatures& second,
+SharedPoints shared_points(const FrameFeatures& first, const FrameFeatures& second,
                            std::span<const FeatureMatch> matches) {
   const auto count = static_cast<Eigen::Index>(matches.size());
   SharedPoints shared{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count),

@@ -7,7 +7,7 @@ namespace symscene {
 
 /// A frame as the pose of a pair takes it.
 struct PairView {
-  const ImageFeatures& features;
+  const FrameFeatures& features;
   const SurfaceImage& surface;  ///< against which the pose is checked
 };
 

@@ -13,7 +13,7 @@ namespace {
 /// A prepared frame.
 struct View {
   Measurement measurement;
-  ImageFeatures features;
+  FrameFeatures features;
 
   /// The surface against which the pose of a pair is checked; a coarse one suffices.
   const SurfaceImage& checked_surface() const {

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "symscene/core/stage_timer.hpp"
 #include "symscene/core/triangle_mesh.hpp"
 #include "symscene/reconstruction/measurement_options.hpp"
-#include "symscene/reconstruction/surface_options.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
+#include "symscene/reconstruction/surface_options.hpp"
 #include "symscene/reconstruction/tracking_options.hpp"
 
 namespace symscene {
