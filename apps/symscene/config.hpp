@@ -18,7 +18,7 @@ struct OptionField {
   std::variant<double*, int*, bool*, std::uint64_t*, std::string*> value;
   std::string unit;
   std::string help;
-  Range range = any_value();
+  Range range;
 };
 using OptionFields = std::vector<OptionField>;
 
@@ -28,10 +28,6 @@ class FieldCollector {
   FieldCollector(OptionFields& fields, std::string prefix)
       : fields_(fields), prefix_(std::move(prefix)) {}
 
-  template <class Value>
-  void operator()(const std::string& name, Value& value, const char* unit, const char* help) {
-    fields_.push_back({prefix_ + name, &value, unit, help});
-  }
   template <class Value>
   void operator()(const std::string& name, Value& value, const char* unit, const Range& range,
                   const char* help) {
