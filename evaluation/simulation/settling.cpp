@@ -21,7 +21,7 @@ constexpr double check_interval = 0.05;  // simulated between two checks for res
 constexpr std::uint64_t drop_stream = std::uint64_t{1}
                                       << 32U;  // distinct from the streams of the frames
 
-Points moved(const Points& points, const Eigen::Isometry3d& pose) {
+Points in_pose(const Points& points, const Eigen::Isometry3d& pose) {
   const Eigen::Isometry3f T = pose.cast<float>();
   return (points * T.linear().transpose()).rowwise() + T.translation().transpose();
 }
@@ -43,7 +43,7 @@ class Pile {
 
   /// Drops an object in this orientation and at this place, as low as the objects below it allow.
   void drop(std::size_t i, const Eigen::Isometry3d& T_table_object) {
-    const Points falling = moved(surfaces_[i], T_table_object);
+    const Points falling = in_pose(surfaces_[i], T_table_object);
     const double rise = top_under(falling) + options_.drop_height - falling.col(2).minCoeff();
     world_.put(i, Eigen::Translation3d(0, 0, rise) * T_table_object);
   }
@@ -63,7 +63,7 @@ class Pile {
   bool is_still(std::size_t i) const { return world_.speed(i) <= options_.still_speed; }
 
   bool is_on_table(std::size_t i) const {
-    const Points surface = moved(surfaces_[i], world_.pose(i));
+    const Points surface = in_pose(surfaces_[i], world_.pose(i));
     const Eigen::Vector3f middle = surface.colwise().mean().transpose();
     return middle.head<2>().norm() < options_.area && surface.col(2).minCoeff() > -0.01F;
   }
@@ -88,7 +88,7 @@ class Pile {
     float top = 0.0F;
     for (std::size_t i = 0; i < size(); ++i) {
       if (!is_there(i)) continue;
-      const Points lying = moved(surfaces_[i], world_.pose(i));
+      const Points lying = in_pose(surfaces_[i], world_.pose(i));
       for (Eigen::Index k = 0; k < lying.rows(); ++k) {
         const bool under = lying(k, 0) > box.min.x() && lying(k, 0) < box.max.x() &&
                            lying(k, 1) > box.min.y() && lying(k, 1) < box.max.y();
@@ -194,7 +194,7 @@ void put_on_table(const Pile& pile, std::vector<ObjectModel> models, Tabletop& t
   Box box;
   for (std::size_t i = 0; i < pile.size(); ++i) {
     if (!pile.is_there(i)) continue;
-    const Box own = bounding_box(moved(models[i].mesh.vertices, pile.pose(i)));
+    const Box own = bounding_box(in_pose(models[i].mesh.vertices, pile.pose(i)));
     box.min = box.min.cwiseMin(own.min);
     box.max = box.max.cwiseMax(own.max);
   }

@@ -36,7 +36,7 @@ std::vector<Index> nearest_objects(const Points& points_truth, const SceneTruth&
   return objects;
 }
 
-Points moved(const Points& points, const Eigen::Isometry3d& T) {
+Points in_truth_frame(const Points& points, const Eigen::Isometry3d& T) {
   return ((points.cast<double>() * T.linear().transpose()).rowwise() + T.translation().transpose())
       .cast<float>();
 }
@@ -101,7 +101,7 @@ SceneTruth transfer_truth(const SceneTruth& truth, std::span<const TriangleMesh>
   options.validate();
   const TrueSurface surface(placed_meshes(truth, meshes));
   const std::vector<Index> objects = nearest_objects(
-      moved(cloud.positions, T_cloud_truth.inverse()), truth, surface, options.tolerance);
+      in_truth_frame(cloud.positions, T_cloud_truth.inverse()), truth, surface, options.tolerance);
   std::vector<PointIndices> masks(truth.objects.size());
   for (Index i = 0; i < objects.size(); ++i) {
     if (objects[i] < masks.size()) masks[objects[i]].push_back(i);

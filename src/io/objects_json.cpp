@@ -9,26 +9,27 @@
 namespace symscene {
 namespace {
 
-constexpr const char* what = "result to write";
+constexpr const char* result_to_write = "result to write";
 constexpr std::size_t version = 1;
 
 std::string mesh_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
 
 Json format_object(const SceneObject& object, std::size_t id) {
-  Json json = {{"id", id}, {"points", object.points}, {"score", to_json(object.score, what)}};
+  Json json = {
+      {"id", id}, {"points", object.points}, {"score", to_json(object.score, result_to_write)}};
   json["rotational"] = Json::array();
   for (const ScoredAxis& axis : object.rotational) {
-    json["rotational"].push_back({{"point", to_json(axis.axis.point, what)},
-                                  {"direction", to_json(axis.axis.direction, what)},
-                                  {"score", to_json(axis.residual, what)}});
+    json["rotational"].push_back({{"point", to_json(axis.axis.point, result_to_write)},
+                                  {"direction", to_json(axis.axis.direction, result_to_write)},
+                                  {"score", to_json(axis.residual, result_to_write)}});
   }
   json["reflectional"] = Json::array();
   for (const ScoredPlane& plane : object.reflectional) {
-    json["reflectional"].push_back({{"point", to_json(plane.plane.point, what)},
-                                    {"normal", to_json(plane.plane.normal, what)},
-                                    {"score", to_json(plane.residual, what)}});
+    json["reflectional"].push_back({{"point", to_json(plane.plane.point, result_to_write)},
+                                    {"normal", to_json(plane.plane.normal, result_to_write)},
+                                    {"score", to_json(plane.residual, result_to_write)}});
   }
-  json["centroid"] = to_json(object.centroid, what);
+  json["centroid"] = to_json(object.centroid, result_to_write);
   json["mesh"] = mesh_name(id);
   return json;
 }
@@ -114,7 +115,7 @@ void parse_records(const JsonCursor& root, SegmentationResult& result) {
 
 std::string format_objects_json(const SegmentationResult& result, bool with_timings) {
   Json document = {{"version", version}, {"cloud", "cloud.ply"}};
-  if (result.table) document["table"] = to_json(*result.table, what);
+  if (result.table) document["table"] = to_json(*result.table, result_to_write);
   document["objects"] = Json::array();
   for (const SceneObject& object : result.objects) {
     document["objects"].push_back(format_object(object, document["objects"].size()));

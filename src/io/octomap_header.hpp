@@ -6,6 +6,9 @@
 
 namespace symscene {
 
+/// The first line of a .bt file.
+inline constexpr std::string_view binary_octomap_line = "# Octomap OcTree binary file";
+
 /// The header of an OctoMap file.
 struct OctomapHeader {
   std::uint64_t size = 0;  ///< number of nodes, including leaves

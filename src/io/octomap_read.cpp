@@ -12,8 +12,6 @@
 namespace symscene {
 namespace {
 
-constexpr std::string_view first_line = "# Octomap OcTree binary file";
-
 /// Walks the tree in the file's order, depth first, with a stack as deep as the tree.
 class TreeReader {
  public:
@@ -94,7 +92,7 @@ class TreeReader {
 
 OccupancyMap parse_octomap(std::string_view bytes, const std::string& name) {
   const OctomapHeader header =
-      parse_octomap_header(bytes, first_line, "an OctoMap binary file (.bt)", name);
+      parse_octomap_header(bytes, binary_octomap_line, "an OctoMap binary file (.bt)", name);
   OccupancyMap map;
   map.resolution = header.resolution;
   if (header.size == 0) return map;

@@ -11,8 +11,6 @@
 namespace symscene {
 namespace {
 
-constexpr std::string_view first_line = "# Octomap OcTree binary file";
-
 using StateLeaf = CodedLeaf<ChildState>;
 
 /// The leaves in depth-first order.
@@ -70,7 +68,8 @@ std::string format_octomap(const OccupancyMap& map) {
   const std::vector<StateLeaf> leaves = coded_leaves(map);
   TreeWriter writer;
   if (!leaves.empty()) writer.write(leaves, 0, octree_depth);
-  return format_octomap_header({writer.nodes(), map.resolution}, first_line) + writer.body();
+  return format_octomap_header({writer.nodes(), map.resolution}, binary_octomap_line) +
+         writer.body();
 }
 
 }  // namespace symscene

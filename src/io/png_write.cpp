@@ -12,7 +12,7 @@
 namespace symscene {
 namespace {
 
-constexpr const char* what = "image to write";
+constexpr const char* image_to_write = "image to write";
 
 /// The destination of libpng. It leaves a failed call by longjmp, so nothing may throw inside.
 struct Target {
@@ -77,9 +77,10 @@ std::string format(const Pixels& pixels) {
 }
 
 void require_values(ImageSize size, std::size_t values) {
-  require_image_size(size.width, size.height, what);
+  require_image_size(size.width, size.height, image_to_write);
   if (values != size.pixels()) {
-    throw InputError(what, fmt::format("{} pixels", size.pixels()), fmt::format("{}", values));
+    throw InputError(image_to_write, fmt::format("{} pixels", size.pixels()),
+                     fmt::format("{}", values));
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* what = "result to write";
+constexpr const char* folder_to_write = "result to write";
 
 /// Whether `file` is NUMBER.ply.
 bool is_object_file(std::string_view file) {
@@ -27,7 +27,7 @@ bool is_object_file(std::string_view file) {
   return std::all_of(file.begin(), file.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-bool belongs(const std::string& relative) {
+bool belongs_to_result(const std::string& relative) {
   static constexpr std::array<std::string_view, 5> files = {"cloud.ply", "objects.json", "objects/",
                                                             "surface.ply", "poses.txt"};
   if (std::find(files.begin(), files.end(), relative) != files.end()) return true;
@@ -37,22 +37,23 @@ bool belongs(const std::string& relative) {
 std::string object_file(std::size_t id) { return fmt::format("objects/{}.ply", id); }
 
 void require_writable(const SegmentationResult& result) {
-  require_consistent(result.cloud, what);
+  require_consistent(result.cloud, folder_to_write);
   if (!result.completed.empty() && result.completed.size() != result.objects.size()) {
-    throw InputError(what,
+    throw InputError(folder_to_write,
                      fmt::format("{} completed clouds, one per object", result.objects.size()),
                      std::to_string(result.completed.size()));
   }
-  for (const PointCloud& completed : result.completed) require_consistent(completed, what);
+  for (const PointCloud& completed : result.completed)
+    require_consistent(completed, folder_to_write);
   for (const SceneObject& object : result.objects) {
     const PointIndices& points = object.points;
     const bool ascending =
         std::adjacent_find(points.begin(), points.end(), std::greater_equal<>()) == points.end();
     if (!ascending || (!points.empty() && points.back() >= result.cloud.size())) {
-      throw InputError(what, "ascending indices of points of the cloud", "others");
+      throw InputError(folder_to_write, "ascending indices of points of the cloud", "others");
     }
     if (!(object.score >= 0.0 && object.score <= 1.0)) {
-      throw InputError(what, "scores in [0, 1]", fmt::format("{}", object.score));
+      throw InputError(folder_to_write, "scores in [0, 1]", fmt::format("{}", object.score));
     }
   }
 }
@@ -104,7 +105,7 @@ PointCloud read_added(const fs::path& path, std::size_t own_size) {
 void write_result(const fs::path& dir, const SegmentationResult& result,
                   const ResultExtras& extras) {
   require_writable(result);
-  AtomicDirectory folder(dir, {"a result folder", "objects.json", belongs});
+  AtomicDirectory folder(dir, {"a result folder", "objects.json", belongs_to_result});
   folder.write("cloud.ply", format_ply(result.cloud));
   folder.write("objects.json", format_objects_json(result));
   for (std::size_t id = 0; id < result.objects.size(); ++id) {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr const char* scene_folder =
     "a scene folder, which holds cloud.ply (or cloud.pcd), occupancy.bt and table_plane.txt";
 
-bool belongs(const std::string& relative) {
+bool belongs_to_scene(const std::string& relative) {
   static constexpr std::array<std::string_view, 8> files = {
       "cloud.ply", "occupancy.bt", "occupancy.ot", "table_plane.txt",
       "mesh.ply",  "poses.txt",    "scene.json",   "truth.json"};
@@ -70,7 +70,7 @@ Scene read_scene(const fs::path& dir) {
 }
 
 void write_scene(const fs::path& dir, const Scene& scene, const SceneExtras& extras) {
-  AtomicDirectory folder(dir, {"a scene folder", "scene.json", belongs});
+  AtomicDirectory folder(dir, {"a scene folder", "scene.json", belongs_to_scene});
   folder.write("cloud.ply", format_ply(scene.cloud));
   if (scene.occupancy) folder.write("occupancy.bt", format_octomap(*scene.occupancy));
   if (scene.table) folder.write("table_plane.txt", format_table_plane(*scene.table));

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* layout = "sequence";
+constexpr const char* own_layout = "sequence";
 
 /// The colour image of the same number; empty if there is none.
 fs::path color_beside(const fs::path& dir, const std::string& number) {
@@ -42,7 +42,7 @@ void require_line_per_frame(std::size_t lines, std::size_t frames, const fs::pat
                    fmt::format("{}", lines));
 }
 
-void set_poses(std::vector<ImageFrame>& frames, const fs::path& file) {
+void set_own_poses(std::vector<ImageFrame>& frames, const fs::path& file) {
   const Trajectory poses = read_trajectory(file);
   require_line_per_frame(poses.size(), frames.size(), file);
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -66,12 +66,12 @@ bool is_own_layout(const fs::path& path) {
 bool is_own_layout_without_camera(const fs::path& path) { return fs::is_directory(path / "depth"); }
 
 SequencePointer open_own_layout(const fs::path& path, const SequenceOptions& options) {
-  ImageFrames content{path, layout, {std::nullopt, 1000.0}, 0, find_frames(path)};
+  ImageFrames content{path, own_layout, {std::nullopt, 1000.0}, 0, find_frames(path)};
   const fs::path intrinsics = path / "intrinsics.txt";
   if (fs::exists(intrinsics)) content.calibration.intrinsics = read_intrinsics(intrinsics);
-  content.calibration = resolve_calibration(path, layout, content.calibration, options);
+  content.calibration = resolve_calibration(path, own_layout, content.calibration, options);
   if (fs::exists(path / "poses.txt")) {
-    set_poses(content.frames, path / "poses.txt");
+    set_own_poses(content.frames, path / "poses.txt");
   } else if (fs::exists(path / "times.txt")) {
     set_times(content.frames, path / "times.txt");
   }

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* layout = "Redwood";
+constexpr const char* redwood_layout = "Redwood";
 
 /// Larger files are not read as camera files. [byte]
 constexpr std::uintmax_t largest_camera_file = 1 << 20;
@@ -104,7 +104,7 @@ fs::path find_log(const fs::path& path, std::vector<std::string>& warnings) {
 }
 
 /// There is one pose per frame, or each pose has the number of its frame.
-void set_poses(std::vector<ImageFrame>& frames, const fs::path& file) {
+void set_redwood_poses(std::vector<ImageFrame>& frames, const fs::path& file) {
   const Trajectory poses = parse_trajectory_log(read_file(file), file.string());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double at = poses.size() == frames.size() ? static_cast<double>(i) : poses[i].time;
@@ -128,8 +128,11 @@ bool is_redwood(const fs::path& path) {
 SequencePointer open_redwood(const fs::path& path, const SequenceOptions& options) {
   std::optional<CameraIntrinsics> camera;
   if (!options.intrinsics) camera = find_camera(path);
-  ImageFrames content{
-      path, layout, resolve_calibration(path, layout, {camera, 1000.0}, options), 0, {}};
+  ImageFrames content{path,
+                      redwood_layout,
+                      resolve_calibration(path, redwood_layout, {camera, 1000.0}, options),
+                      0,
+                      {}};
   const fs::path colors_in = color_folder(path);
   const ColorImages colors(colors_in.empty() ? std::vector<NumberedImage>()
                                              : numbered_images(colors_in));
@@ -139,7 +142,7 @@ SequencePointer open_redwood(const fs::path& path, const SequenceOptions& option
         {depth.time.value_or(by_rate), depth.file, colors.beside(depth), std::nullopt});
   }
   const fs::path poses = find_log(path, content.warnings);
-  if (!poses.empty()) set_poses(content.frames, poses);
+  if (!poses.empty()) set_redwood_poses(content.frames, poses);
   return make_image_sequence(std::move(content));
 }
 

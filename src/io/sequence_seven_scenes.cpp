@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* layout = "7-Scenes";
+constexpr const char* seven_scenes_layout = "7-Scenes";
 constexpr const char* depth_ending = ".depth.png";
 
 /// The camera as the dataset documents it; it was not calibrated.
@@ -48,11 +48,12 @@ void warn(ImageFrames& content, const char* what) {
 bool is_seven_scenes(const fs::path& path) { return !depth_files(path).empty(); }
 
 SequencePointer open_seven_scenes(const fs::path& path, const SequenceOptions& options) {
-  ImageFrames content{path,
-                      layout,
-                      resolve_calibration(path, layout, {documented_camera, 1000.0}, options),
-                      not_measured,
-                      {}};
+  ImageFrames content{
+      path,
+      seven_scenes_layout,
+      resolve_calibration(path, seven_scenes_layout, {documented_camera, 1000.0}, options),
+      not_measured,
+      {}};
   bool color = false;
   for (const fs::path& depth : depth_files(path)) {
     content.frames.push_back(frame_of(depth, content.frames.size()));

@@ -16,7 +16,7 @@
 namespace symscene {
 namespace {
 
-constexpr const char* what = "sequence to write";
+constexpr const char* sequence_to_write = "sequence to write";
 
 /// Whether `name` is FOLDER/NUMBER with one of the endings.
 bool is_frame_file(const std::filesystem::path& name) {
@@ -40,7 +40,7 @@ bool is_file_beside(const std::string& name) {
          (name.ends_with(".json") || name == "table_plane.txt");
 }
 
-bool belongs(const std::string& relative) {
+bool belongs_to_sequence(const std::string& relative) {
   static constexpr std::array<std::string_view, 6> own = {
       "depth/", "color/", "meshes/", "intrinsics.txt", "poses.txt", "times.txt"};
   return std::find(own.begin(), own.end(), relative) != own.end() || is_file_beside(relative) ||
@@ -62,7 +62,7 @@ std::vector<std::uint16_t> to_millimetres(const std::vector<float>& depth) {
 
 struct SequenceWriter::Implementation {
   Implementation(const std::filesystem::path& dir, const CameraIntrinsics& of)
-      : camera(of), folder(dir, {"a sequence folder", "intrinsics.txt", belongs}) {}
+      : camera(of), folder(dir, {"a sequence folder", "intrinsics.txt", belongs_to_sequence}) {}
 
   CameraIntrinsics camera;
   AtomicDirectory folder;
@@ -73,16 +73,18 @@ struct SequenceWriter::Implementation {
   ImageSize size() const { return {camera.width, camera.height}; }
 
   void require(const DepthFrame& frame, bool pose) const {
-    if (finished) throw InputError(what, "no frame after the last", "one");
+    if (finished) throw InputError(sequence_to_write, "no frame after the last", "one");
     if (!frames.empty() && pose != posed) {
-      throw InputError(what, "a pose for all frames or for none", "some with and some without");
+      throw InputError(sequence_to_write, "a pose for all frames or for none",
+                       "some with and some without");
     }
     if (!std::isfinite(frame.time) || (!frames.empty() && frame.time < frames.back().time)) {
-      throw InputError(what, "frames by rising time", fmt::format("time {}", frame.time));
+      throw InputError(sequence_to_write, "frames by rising time",
+                       fmt::format("time {}", frame.time));
     }
     const auto colors = static_cast<std::size_t>(frame.colors.rows());
     if (frame.depth.size() != camera.pixels() || (colors != 0 && colors != camera.pixels())) {
-      throw InputError(what, fmt::format("frames of {} pixels", camera.pixels()),
+      throw InputError(sequence_to_write, fmt::format("frames of {} pixels", camera.pixels()),
                        fmt::format("{} of depth, {} of colour", frame.depth.size(), colors));
     }
   }
@@ -96,8 +98,8 @@ struct SequenceWriter::Implementation {
 };
 
 SequenceWriter::SequenceWriter(const std::filesystem::path& dir, const CameraIntrinsics& camera) {
-  require_camera(camera, what);
-  if (camera.pixels() == 0) throw InputError(what, "a camera with pixels", "none");
+  require_camera(camera, sequence_to_write);
+  if (camera.pixels() == 0) throw InputError(sequence_to_write, "a camera with pixels", "none");
   implementation_ = std::make_unique<Implementation>(dir, camera);
 }
 
@@ -118,7 +120,7 @@ void SequenceWriter::add(const DepthFrame& frame, const Eigen::Isometry3d* T_wor
 
 void SequenceWriter::add_file(const std::string& name, const std::string& content) {
   if (!is_file_beside(name)) {
-    throw InputError(what,
+    throw InputError(sequence_to_write,
                      "a file named NAME.json, table_plane.txt or meshes/NAME.ply beside the images",
                      in_quotes(name));
   }
@@ -128,7 +130,7 @@ void SequenceWriter::add_file(const std::string& name, const std::string& conten
 void SequenceWriter::finish() {
   Implementation& to = *implementation_;
   if (to.finished) return;
-  if (to.frames.empty()) throw InputError(what, "at least one frame", "none");
+  if (to.frames.empty()) throw InputError(sequence_to_write, "at least one frame", "none");
   to.folder.write("intrinsics.txt", format_intrinsics(to.camera));
   to.folder.write(to.posed ? "poses.txt" : "times.txt", to.format_times());
   to.folder.commit();

@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-constexpr const char* what = "truth to write";
+constexpr const char* truth_to_write = "truth to write";
 
 bool is_strict(const JsonCursor& symmetry) {
   const auto strict = symmetry.find("strict");
@@ -46,7 +46,7 @@ Json format_pose(const Eigen::Isometry3d& pose) {
   Json rows = Json::array();
   for (int i = 0; i < 4; ++i) {
     Json row = Json::array();
-    for (int k = 0; k < 4; ++k) row.push_back(to_json(pose.matrix()(i, k), what));
+    for (int k = 0; k < 4; ++k) row.push_back(to_json(pose.matrix()(i, k), truth_to_write));
     rows.push_back(std::move(row));
   }
   return rows;
@@ -86,18 +86,18 @@ Json format_object(const TrueObject& object) {
   if (!object.points.empty() || !has_model) json["points"] = object.points;
   json["rot"] = Json::array();
   for (const TrueAxis& axis : object.rotational) {
-    json["rot"].push_back({{"p", to_json(axis.axis.point, what)},
-                           {"d", to_json(axis.axis.direction, what)},
+    json["rot"].push_back({{"p", to_json(axis.axis.point, truth_to_write)},
+                           {"d", to_json(axis.axis.direction, truth_to_write)},
                            {"strict", axis.strict}});
   }
   json["refl"] = Json::array();
   for (const TruePlane& plane : object.reflectional) {
-    json["refl"].push_back({{"p", to_json(plane.plane.point, what)},
-                            {"n", to_json(plane.plane.normal, what)},
+    json["refl"].push_back({{"p", to_json(plane.plane.point, truth_to_write)},
+                            {"n", to_json(plane.plane.normal, truth_to_write)},
                             {"strict", plane.strict}});
   }
   json["sphere"] = object.sphere;
-  json["centroid"] = to_json(object.centroid, what);
+  json["centroid"] = to_json(object.centroid, truth_to_write);
   return json;
 }
 
@@ -121,7 +121,7 @@ SceneTruth read_truth(const std::filesystem::path& path, std::optional<Index> cl
 
 std::string format_truth(const SceneTruth& truth) {
   Json document;
-  document["table"] = to_json(truth.table, what);
+  document["table"] = to_json(truth.table, truth_to_write);
   document["objects"] = Json::array();
   for (const TrueObject& object : truth.objects) {
     document["objects"].push_back(format_object(object));

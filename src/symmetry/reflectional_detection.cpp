@@ -11,16 +11,17 @@
 namespace symscene {
 namespace {
 
-constexpr float cell_size = 0.01F;
+constexpr float detection_cell_size = 0.01F;
 
 /// The bound that a plane fails, in the order of judgement.
-enum class Outcome { symmetry, inlier, occlusion, accepted };
+enum class PlaneOutcome { symmetry, inlier, occlusion, accepted };
 
-Outcome judge(const ReflectionalScores& scores, const ReflectionalDetectionOptions& options) {
-  if (scores.symmetry_score <= options.min_symmetry_score) return Outcome::symmetry;
-  if (scores.inlier_score <= options.min_inlier_score) return Outcome::inlier;
-  if (scores.occlusion_residual >= options.max_occlusion_residual) return Outcome::occlusion;
-  return Outcome::accepted;
+PlaneOutcome judge_plane(const ReflectionalScores& scores,
+                         const ReflectionalDetectionOptions& options) {
+  if (scores.symmetry_score <= options.min_symmetry_score) return PlaneOutcome::symmetry;
+  if (scores.inlier_score <= options.min_inlier_score) return PlaneOutcome::inlier;
+  if (scores.occlusion_residual >= options.max_occlusion_residual) return PlaneOutcome::occlusion;
+  return PlaneOutcome::accepted;
 }
 
 /// A plane of a segment with its scores.
@@ -65,7 +66,7 @@ void sort_by_occlusion(std::vector<ScoredTrial>& trials) {
 }
 
 /// What a segment proposes, and how many planes reached each bound.
-struct SegmentResult {
+struct PlanesOfSegment {
   std::vector<ScoredTrial> accepted;
   std::array<std::size_t, 4> reached{};
   std::size_t tried = 0;
@@ -76,24 +77,24 @@ class SegmentDetector {
   SegmentDetector(const PointCloud& cloud, const PointIndices& segment, const DistanceField& field,
                   const ReflectionalDetectionOptions& options)
       : points_(select(cloud, segment)),
-        cells_(points_.positions, cell_size),
+        cells_(points_.positions, detection_cell_size),
         sources_(evenly_spread(points_.size(), static_cast<Index>(options.max_points))),
         centroid_(centroid(points_.positions)),
         field_(field),
         options_(options) {}
 
-  SegmentResult detect(const std::optional<Eigen::Vector3d>& up) const {
-    SegmentResult result;
+  PlanesOfSegment detect(const std::optional<Eigen::Vector3d>& up) const {
+    PlanesOfSegment result;
     const std::vector<ReflectionPlane> placed =
         placed_planes(points_, up, options_.fit.matching.min_plane_distance, options_.placement);
     result.tried = placed.size();
     for (const ReflectionPlane& plane : distinct_fits(placed)) {
       const ScoredTrial trial{
           plane, reflectional_scores({points_, cells_}, sources_, plane, field_, options_)};
-      const Outcome outcome = judge(trial.scores, options_);
+      const PlaneOutcome outcome = judge_plane(trial.scores, options_);
       for (std::size_t bound = 0; bound <= static_cast<std::size_t>(outcome); ++bound)
         ++result.reached[bound];
-      if (outcome == Outcome::accepted) result.accepted.push_back(trial);
+      if (outcome == PlaneOutcome::accepted) result.accepted.push_back(trial);
     }
     sort_by_occlusion(result.accepted);
     result.accepted =
@@ -165,7 +166,7 @@ ReflectionalDetection detect_reflectional(const PointCloud& cloud,
                                           const std::optional<Eigen::Vector3d>& up,
                                           const ReflectionalDetectionOptions& options) {
   options.validate();
-  std::vector<SegmentResult> results(segments.size());
+  std::vector<PlanesOfSegment> results(segments.size());
   parallel_for_each(segments.size(), [&](std::size_t s) {
     results[s] = SegmentDetector(cloud, segments[s], field, options).detect(up);
   });

@@ -12,14 +12,14 @@ namespace symscene {
 namespace {
 
 /// The bound that a candidate fails, in the order of judgement.
-enum class Outcome { symmetry, perpendicularity, coverage, occlusion, accepted };
+enum class AxisOutcome { symmetry, perpendicularity, coverage, occlusion, accepted };
 
-Outcome judge(const RotationalScores& scores, const RotationalDetectionOptions& options) {
-  if (scores.symmetry_residual >= options.max_symmetry_residual) return Outcome::symmetry;
-  if (scores.perpendicularity >= options.max_perpendicularity) return Outcome::perpendicularity;
-  if (scores.coverage <= options.min_coverage) return Outcome::coverage;
-  if (scores.occlusion_residual >= options.max_occlusion_residual) return Outcome::occlusion;
-  return Outcome::accepted;
+AxisOutcome judge_axis(const RotationalScores& scores, const RotationalDetectionOptions& options) {
+  if (scores.symmetry_residual >= options.max_symmetry_residual) return AxisOutcome::symmetry;
+  if (scores.perpendicularity >= options.max_perpendicularity) return AxisOutcome::perpendicularity;
+  if (scores.coverage <= options.min_coverage) return AxisOutcome::coverage;
+  if (scores.occlusion_residual >= options.max_occlusion_residual) return AxisOutcome::occlusion;
+  return AxisOutcome::accepted;
 }
 
 /// The points of a segment that are not on its rim, where normals are least accurate: those whose
@@ -46,24 +46,24 @@ PointIndices interior_points(const PointCloud& cloud, const PointIndices& segmen
 }
 
 /// The candidate of a segment that passes most bounds.
-struct SegmentResult {
-  Outcome outcome = Outcome::symmetry;
+struct AxisOfSegment {
+  AxisOutcome outcome = AxisOutcome::symmetry;
   RotationalCandidate candidate;
 };
 
-SegmentResult detect_in_segment(const PointCloud& cloud, const PointIndices& segment,
+AxisOfSegment detect_in_segment(const PointCloud& cloud, const PointIndices& segment,
                                 const DistanceField& field,
                                 const std::vector<Eigen::Vector3d>& directions,
                                 const RotationalDetectionOptions& options) {
-  SegmentResult best;
+  AxisOfSegment best;
   const PointCloud interior = select(cloud, interior_points(cloud, segment, options));
   for (const RotationAxis& initial : initial_axes(interior, directions, options.fit)) {
     const AxisFit fit = fit_axis(interior, initial, options.fit);
     if (!is_usable(fit.status)) continue;
     const RotationalScores scores = rotational_scores(interior, fit.axis, field, options);
-    const Outcome outcome = judge(scores, options);
+    const AxisOutcome outcome = judge_axis(scores, options);
     const bool better = outcome > best.outcome ||
-                        (outcome == Outcome::accepted &&
+                        (outcome == AxisOutcome::accepted &&
                          scores.occlusion_residual < best.candidate.scores.occlusion_residual);
     if (better) best = {outcome, {fit.axis, scores, {}}};
   }
@@ -100,25 +100,25 @@ RotationalDetection detect_rotational(const PointCloud& cloud,
   options.validate();
   std::vector<Eigen::Vector3d> directions;
   if (up) directions.push_back(*up);
-  std::vector<SegmentResult> results(segments.size());
+  std::vector<AxisOfSegment> results(segments.size());
   parallel_for_each(segments.size(), [&](std::size_t s) {
     results[s] = detect_in_segment(cloud, segments[s], field, directions, options);
   });
 
-  const auto reached = [&](Outcome outcome) {
+  const auto reached = [&](AxisOutcome outcome) {
     return static_cast<std::size_t>(
         std::count_if(results.begin(), results.end(),
-                      [&](const SegmentResult& r) { return r.outcome >= outcome; }));
+                      [&](const AxisOfSegment& r) { return r.outcome >= outcome; }));
   };
   RotationalDetection detection;
   detection.funnel = {{"rotational: segments fitted", segments.size()},
-                      {"rotational: symmetric", reached(Outcome::perpendicularity)},
-                      {"rotational: not flat across the axis", reached(Outcome::coverage)},
-                      {"rotational: seen from enough sides", reached(Outcome::occlusion)},
-                      {"rotational: clear of free space", reached(Outcome::accepted)}};
+                      {"rotational: symmetric", reached(AxisOutcome::perpendicularity)},
+                      {"rotational: not flat across the axis", reached(AxisOutcome::coverage)},
+                      {"rotational: seen from enough sides", reached(AxisOutcome::occlusion)},
+                      {"rotational: clear of free space", reached(AxisOutcome::accepted)}};
   std::vector<RotationalCandidate> accepted;
-  for (SegmentResult& result : results) {
-    if (result.outcome == Outcome::accepted) accepted.push_back(std::move(result.candidate));
+  for (AxisOfSegment& result : results) {
+    if (result.outcome == AxisOutcome::accepted) accepted.push_back(std::move(result.candidate));
   }
   detection.candidates = merge_equal_axes(std::move(accepted), cloud, options);
   detection.funnel.push_back({"rotational: distinct axes", detection.candidates.size()});
