@@ -54,7 +54,7 @@ ScoredScene scored(const FitScene& given, const Arguments& arguments) {
     scene.samples.push_back(sample_of(
         proposal.features, target_of(scene.truth, proposal.object.points, arguments.partial_target),
         arguments.without));
-    scene.confidences.push_back(proposal.cut_confidence);
+    scene.confidences.push_back(proposal.features.confidence);
     scene.objects.push_back(std::move(proposal.object));
   }
   std::vector<const PointIndices*> sets;

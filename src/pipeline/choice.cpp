@@ -39,7 +39,11 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
   std::vector<RatedHypothesis> rated;
   append_rated(rotational, of_axes, rated);
   append_rated(reflectional, of_planes, rated);
-  result.objects = merge_hypotheses(std::move(rated), proposals.cloud, options.merge);
+  for (MergedHypothesis& merged :
+       merge_hypotheses(std::move(rated), proposals.cloud, options.merge)) {
+    const double score = merged.confidence;
+    result.objects.push_back(object_of(std::move(merged), proposals.cloud, score));
+  }
   result.funnel.push_back({"distinct hypotheses", result.objects.size()});
   result.objects = select_consistent(std::move(result.objects), options.selection, result.rejected);
 }

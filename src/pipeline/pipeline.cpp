@@ -11,34 +11,25 @@ void append(const std::vector<FunnelStep>& steps, std::vector<FunnelStep>& funne
   funnel.insert(funnel.end(), steps.begin(), steps.end());
 }
 
-SceneProposals begin_proposals(const Scene& scene, const Workspace& space) {
-  SceneProposals proposals;
-  proposals.table = scene.table;
-  proposals.funnel = {{"points", scene.cloud.size()},
-                      {"points at the working spacing", space.cloud.size()},
-                      {"smooth segments", space.segments.size()}};
-  return proposals;
+std::vector<FunnelStep> funnel_of(const Scene& scene, const Workspace& space,
+                                  const RotationalDetection& axes,
+                                  const ReflectionalDetection& planes, std::size_t proposals) {
+  std::vector<FunnelStep> funnel = {{"points", scene.cloud.size()},
+                                    {"points at the working spacing", space.cloud.size()},
+                                    {"smooth segments", space.segments.size()}};
+  append(axes.funnel, funnel);
+  append(planes.funnel, funnel);
+  funnel.push_back({"distinct proposals", proposals});
+  return funnel;
 }
 
-/// Adds what the reflectional stream found in the remainder, with indices into the whole cloud.
-void add_reflectional(const Remainder& rest, ReflectionalDetection detection, HypothesisSet set,
-                      SceneProposals& proposals) {
-  append(detection.funnel, proposals.funnel);
-  proposals.planes = std::move(detection.candidates);
-  proposals.reflectional = std::move(set.hypotheses);
-  proposals.rejected = std::move(set.rejected);
-  for (auto& candidate : proposals.planes) candidate.support = rest.in_whole(candidate.support);
-  for (auto& hypothesis : proposals.reflectional)
+/// Turns indices into the remainder into indices into the whole cloud.
+void index_whole_cloud(const Remainder& rest, std::vector<ReflectionalCandidate>& candidates,
+                       SegmentedHypotheses& segmented) {
+  for (auto& candidate : candidates) candidate.support = rest.in_whole(candidate.support);
+  for (auto& hypothesis : segmented.hypotheses)
     hypothesis.points = rest.in_whole(hypothesis.points);
-  for (auto& rejection : proposals.rejected) rejection.points = rest.in_whole(rejection.points);
-}
-
-void end_proposals(Workspace space, const StageTimer& timer, SceneProposals& proposals) {
-  proposals.funnel.push_back({"distinct proposals", proposals.objects.size()});
-  proposals.cloud = std::move(space.cloud);
-  proposals.field = std::move(space.field);
-  proposals.warnings = std::move(space.warnings);
-  proposals.timings = timer.stages();
+  for (auto& rejection : segmented.rejected) rejection.points = rest.in_whole(rejection.points);
 }
 
 /// Adds the hidden points of every object and its centre of mass.
@@ -61,37 +52,48 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
   options.validate();
   StageTimer timer(on_begin);
   Workspace space = build_workspace(scene, options, timer);  // sections 2.1, 3.5.1 and 4.3.2
-  SceneProposals proposals = begin_proposals(scene, space);
+  RotationalDetection axes;
+  std::vector<Hypothesis> rotational;
   if (options.rotational_stream) {
-    RotationalDetection axes = timer.time("rotational detection", [&] {  // section 3.5.2
+    axes = timer.time("rotational detection", [&] {  // section 3.5.2
       return detect_rotational(space.cloud, space.segments, space.field, space.up,
                                options.rotational_detection);
     });
-    append(axes.funnel, proposals.funnel);
-    proposals.axes = std::move(axes.candidates);
-    proposals.rotational = timer.time("rotational segmentation", [&] {  // section 4.3.1.1
-      return segment_rotational(space.surface(), proposals.axes, options.rotational_detection,
+    rotational = timer.time("rotational segmentation", [&] {  // section 4.3.1.1
+      return segment_rotational(space.surface(), axes.candidates, options.rotational_detection,
                                 options.rotational_segmentation);
     });
   }
   const Remainder rest = timer.time("removal of rotational objects", [&] {  // section 4.4
-    return without_rotational_objects(space, proposals.rotational, options);
+    return without_rotational_objects(space, rotational, options);
   });
   ReflectionalDetection planes = timer.time("reflectional detection", [&] {  // section 3.5.3
     return detect_reflectional(rest.cloud, rest.segments, space.field, space.up,
                                options.reflectional_detection);
   });
-  HypothesisSet mirrored = timer.time("reflectional segmentation", [&] {  // section 4.3.1.2
+  SegmentedHypotheses reflectional = timer.time("reflectional segmentation", [&] {  // 4.3.1.2
     return segment_reflectional({rest.cloud, rest.edges, space.field}, planes.candidates,
                                 options.reflectional_detection.fit,
                                 options.reflectional_segmentation);
   });
-  add_reflectional(rest, std::move(planes), std::move(mirrored), proposals);
-  proposals.objects = timer.time("proposals", [&] {  // sections 4.3.3 and 4.4
-    return object_proposals(space, proposals, options.proposal_options());
+  index_whole_cloud(rest, planes.candidates, reflectional);
+  std::vector<ObjectProposal> objects = timer.time("proposals", [&] {  // sections 4.3.3 and 4.4
+    return object_proposals(space, scene.table, rotational, reflectional.hypotheses,
+                            options.proposal_options());
   });
-  end_proposals(std::move(space), timer, proposals);
-  return proposals;
+  std::vector<FunnelStep> funnel = funnel_of(scene, space, axes, planes, objects.size());
+  return {.cloud = std::move(space.cloud),
+          .table = scene.table,
+          .field = std::move(space.field),
+          .axes = std::move(axes.candidates),
+          .planes = std::move(planes.candidates),
+          .rotational = std::move(rotational),
+          .reflectional = std::move(reflectional.hypotheses),
+          .rejected = std::move(reflectional.rejected),
+          .objects = std::move(objects),
+          .funnel = std::move(funnel),
+          .timings = timer.stages(),
+          .warnings = std::move(space.warnings)};
 }
 
 SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& options,

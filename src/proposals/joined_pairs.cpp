@@ -23,27 +23,27 @@ bool lies_in(const PointIndices& part, const PointIndices& whole, double contain
 }  // namespace
 
 Continuations find_continuations(const PointCloud& cloud, const DistanceField& field,
-                                 const std::vector<ObjectProposal>& proposals,
+                                 const std::vector<ProposalDraft>& proposals,
                                  const ContinuationOptions& options) {
-  const auto end = std::find_if(proposals.begin(), proposals.end(), [&](const ObjectProposal& p) {
+  const auto end = std::find_if(proposals.begin(), proposals.end(), [&](const ProposalDraft& p) {
     return p.own_score < options.min_score;
   });
   const auto count = static_cast<std::size_t>(end - proposals.begin());
   const std::size_t best = std::min(count, static_cast<std::size_t>(options.max_proposals));
   std::vector<SurfaceSample> samples(count);
   for (std::size_t k = 0; k < count; ++k) {
-    samples[k] = sample_surface(cloud, proposals[k].object.points,
+    samples[k] = sample_surface(cloud, proposals[k].merged.points,
                                 static_cast<Index>(options.sample_points));
   }
   Continuations found;
   found.continued.resize(proposals.size(), 0.0);
   std::vector<std::vector<std::size_t>> partners(count);
   parallel_for_each(count, [&](std::size_t a) {
-    const PointIndices& own = proposals[a].object.points;
+    const PointIndices& own = proposals[a].merged.points;
     for (std::size_t b = 0; b < best; ++b) {
       if (a == b) continue;
       const double value = continuation(samples[a], samples[b], field, options);
-      if (value <= 0.0 || share_points(own, proposals[b].object.points, options.max_shared))
+      if (value <= 0.0 || share_points(own, proposals[b].merged.points, options.max_shared))
         continue;
       found.continued[a] = std::max(found.continued[a], value);
       if (a < b && value >= options.min_continuation) partners[a].push_back(b);
@@ -55,44 +55,43 @@ Continuations find_continuations(const PointCloud& cloud, const DistanceField& f
   return found;
 }
 
-std::vector<SceneObject> joined_pairs(const PointCloud& cloud,
-                                      const std::vector<ObjectProposal>& proposals,
-                                      const Continuations& continuations, double same_object) {
-  std::vector<SceneObject> joined;
+std::vector<MergedHypothesis> joined_pairs(const std::vector<ProposalDraft>& proposals,
+                                           const Continuations& continuations, double same_object) {
+  std::vector<MergedHypothesis> joined;
   for (const auto& [a, b] : continuations.pairs) {
-    const PointIndices &p = proposals[a].object.points, &q = proposals[b].object.points;
-    SceneObject object;
-    std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(object.points));
-    const auto repeats = [&](const SceneObject& other) {
-      return is_same_set(other.points, object.points, same_object);
+    const PointIndices &p = proposals[a].merged.points, &q = proposals[b].merged.points;
+    MergedHypothesis pair;
+    std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(pair.points));
+    const auto repeats = [&](const MergedHypothesis& other) {
+      return cover_same_points(other.points, pair.points, same_object);
     };
     const bool is_known =
         std::any_of(proposals.begin(), proposals.end(),
-                    [&](const ObjectProposal& known) { return repeats(known.object); });
+                    [&](const ProposalDraft& known) { return repeats(known.merged); });
     if (is_known || std::any_of(joined.begin(), joined.end(), repeats)) continue;
-    object.centroid = centroid(cloud.positions, object.points);
-    joined.push_back(std::move(object));
+    joined.push_back(std::move(pair));
   }
   return joined;
 }
 
-void discount_parts(const std::vector<PointIndices>& joined, const ContinuationOptions& options,
-                    std::vector<ObjectProposal>& proposals) {
-  std::vector<double> probabilities;  // of the joined pairs
-  for (const PointIndices& pair : joined) {
-    const auto own = std::find_if(proposals.begin(), proposals.end(), [&](const auto& proposal) {
-      return proposal.object.points == pair;
-    });
-    probabilities.push_back(own->probability);
+std::vector<double> part_discounts(const std::vector<ProposalDraft>& proposals,
+                                   const std::vector<double>& probabilities,
+                                   const ContinuationOptions& options) {
+  std::vector<std::size_t> pairs;
+  for (std::size_t k = 0; k < proposals.size(); ++k) {
+    if (proposals[k].is_joined_pair) pairs.push_back(k);
   }
+  std::vector<double> discounts(proposals.size());
   parallel_for_each(proposals.size(), [&](std::size_t k) {
     double greatest = 0.0;
-    for (std::size_t j = 0; j < joined.size(); ++j) {
-      if (lies_in(proposals[k].object.points, joined[j], options.contained_share))
-        greatest = std::max(greatest, probabilities[j]);
+    for (const std::size_t pair : pairs) {
+      if (lies_in(proposals[k].merged.points, proposals[pair].merged.points,
+                  options.contained_share))
+        greatest = std::max(greatest, probabilities[pair]);
     }
-    proposals[k].discount = options.joined_discount * greatest;
+    discounts[k] = options.joined_discount * greatest;
   });
+  return discounts;
 }
 
 }  // namespace symscene

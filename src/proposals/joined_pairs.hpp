@@ -3,7 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "symscene/proposals/proposals.hpp"
+#include "proposal_draft.hpp"
+#include "symscene/occupancy/distance_field.hpp"
+#include "symscene/proposals/proposal_options.hpp"
 
 namespace symscene {
 
@@ -14,20 +16,20 @@ struct Continuations {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 
-/// Compares proposals by falling own_score.
+/// Compares proposals, which come by falling own_score.
 Continuations find_continuations(const PointCloud& cloud, const DistanceField& field,
-                                 const std::vector<ObjectProposal>& proposals,
+                                 const std::vector<ProposalDraft>& proposals,
                                  const ContinuationOptions& options);
 
 /// The union of each pair, without those that nearly equal (`same_object`, IoU) a proposal or an
 /// earlier union.
-std::vector<SceneObject> joined_pairs(const PointCloud& cloud,
-                                      const std::vector<ObjectProposal>& proposals,
-                                      const Continuations& continuations, double same_object);
+std::vector<MergedHypothesis> joined_pairs(const std::vector<ProposalDraft>& proposals,
+                                           const Continuations& continuations, double same_object);
 
-/// Suppresses parts of a likely joined object: sets the discount of each proposal inside one of
-/// the joined pairs, which are among `proposals`, by the probability of the likeliest such pair.
-void discount_parts(const std::vector<PointIndices>& joined, const ContinuationOptions& options,
-                    std::vector<ObjectProposal>& proposals);
+/// Suppresses parts of a likely joined object: the discount of each proposal inside a joined pair,
+/// by the probability of the likeliest such pair. `probabilities` holds one per proposal.
+std::vector<double> part_discounts(const std::vector<ProposalDraft>& proposals,
+                                   const std::vector<double>& probabilities,
+                                   const ContinuationOptions& options);
 
 }  // namespace symscene

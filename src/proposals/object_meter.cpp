@@ -27,14 +27,14 @@ ObjectMeter::ObjectMeter(const MeasuredScene& scene, const ProposalOptions& opti
   }
 }
 
-ObjectFeatures ObjectMeter::measure(const SceneObject& object, double confidence) const {
-  const PointIndices& points = object.points;
+ObjectFeatures ObjectMeter::measure(const MergedHypothesis& merged) const {
+  const PointIndices& points = merged.points;
   Flags inside(scene_.cloud.size(), 0);
   for (const Index i : points) inside[i] = 1;
   const EdgeFeatures edges = edge_features(points, inside);
   const PairFeatures pairs = pair_features(points);
   const ExtentFeatures extent = extent_features(points);
-  const SymmetryFit symmetry = symmetry_fit(object, scene_.cloud, scene_.field, options_);
+  const SymmetryFit symmetry = symmetry_fit(merged, scene_.cloud, scene_.field, options_);
   return {.size = std::log(static_cast<double>(points.size())),
           .broken = edges.broken,
           .torn = edges.torn,
@@ -58,7 +58,7 @@ ObjectFeatures ObjectMeter::measure(const SceneObject& object, double confidence
           .plane_inlier = symmetry.plane_inlier,
           .plane_occlusion = symmetry.plane_occlusion,
           .continued = 0.0,
-          .confidence = confidence};
+          .confidence = merged.confidence};
 }
 
 bool ObjectMeter::is_crease(const Neighbor& neighbor) const {

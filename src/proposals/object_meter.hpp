@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "proposals/merge.hpp"
 #include "segmentation/surface_regions.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/scene.hpp"
@@ -28,10 +29,9 @@ class ObjectMeter {
  public:
   ObjectMeter(const MeasuredScene& scene, const ProposalOptions& options);
 
-  /// All features of an object with the symmetries of its hypotheses and the greatest confidence of
-  /// these. `continued` is 0: continuations are searched among measured proposals. The points are
-  /// ascending and not empty.
-  ObjectFeatures measure(const SceneObject& object, double confidence) const;
+  /// The features that do not depend on other proposals: all but `continued`, which is 0. `merged`
+  /// has points.
+  ObjectFeatures measure(const MergedHypothesis& merged) const;
 
  private:
   using Flags = std::vector<std::uint8_t>;

@@ -1,7 +1,6 @@
 #include "proposals/object_proposals.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "core/model_features.hpp"
@@ -16,14 +15,15 @@
 namespace symscene {
 namespace {
 
-/// The hypotheses of both streams and the parts of the surface, merged. The score of an object is
-/// the confidence of its best hypothesis.
-std::vector<SceneObject> merged_candidates(const Workspace& space, const SceneProposals& proposals,
-                                           const SurfaceRegions& regions,
-                                           const ProposalOptions& options) {
+/// The hypotheses of both streams and the parts of the surface, merged.
+std::vector<MergedHypothesis> merged_hypotheses(const Workspace& space,
+                                                const std::vector<Hypothesis>& rotational,
+                                                const std::vector<Hypothesis>& reflectional,
+                                                const SurfaceRegions& regions,
+                                                const ProposalOptions& options) {
   std::vector<RatedHypothesis> rated;
-  append_rated(proposals.rotational, options.rotational_bounds, rated);
-  append_rated(proposals.reflectional, options.reflectional_bounds, rated);
+  append_rated(rotational, options.rotational_bounds, rated);
+  append_rated(reflectional, options.reflectional_bounds, rated);
   std::erase_if(rated, [&](const RatedHypothesis& candidate) {
     return candidate.hypothesis.points.size() <
            static_cast<std::size_t>(options.surface_parts.min_size);
@@ -36,95 +36,96 @@ std::vector<SceneObject> merged_candidates(const Workspace& space, const ScenePr
   return merge_hypotheses(std::move(rated), space.cloud, options.merge);
 }
 
-/// Proposals of objects whose score is the confidence of their best hypothesis, in the same order,
-/// with features and scores that do not depend on other proposals.
-std::vector<ObjectProposal> measured(std::vector<SceneObject> objects, const ObjectMeter& meter,
-                                     const ProposalOptions& options) {
+/// Adds drafts of proposals and sorts all by falling own_score.
+void add_drafts(std::vector<MergedHypothesis> hypotheses, bool are_joined_pairs,
+                const ObjectMeter& meter, const ProposalOptions& options,
+                std::vector<ProposalDraft>& drafts) {
   const TreeModel& model = chosen_model(options.object_alone, object_model());
   const double weight = options.object_score.confidence_weight;
-  std::vector<ObjectProposal> proposals(objects.size());
-  parallel_for_each(objects.size(), [&](std::size_t k) {
-    ObjectProposal& proposal = proposals[k];
-    proposal.object = std::move(objects[k]);
-    proposal.cut_confidence = std::exchange(proposal.object.score, 0.0);
-    proposal.features = meter.measure(proposal.object, proposal.cut_confidence);
-    proposal.estimate = estimated_probability(proposal.features, model);
-    proposal.own_score = combined_score(proposal.estimate, proposal.cut_confidence, weight);
+  const std::size_t before = drafts.size();
+  drafts.resize(before + hypotheses.size());
+  parallel_for_each(hypotheses.size(), [&](std::size_t k) {
+    const ObjectFeatures features = meter.measure(hypotheses[k]);
+    const double own_score =
+        combined_score(estimated_probability(features, model), features.confidence, weight);
+    drafts[before + k] = {std::move(hypotheses[k]), features, own_score, are_joined_pairs};
   });
-  return proposals;
-}
-
-void sort_by_own_score(std::vector<ObjectProposal>& proposals) {
   std::stable_sort(
-      proposals.begin(), proposals.end(),
-      [](const ObjectProposal& a, const ObjectProposal& b) { return a.own_score > b.own_score; });
+      drafts.begin(), drafts.end(),
+      [](const ProposalDraft& a, const ProposalDraft& b) { return a.own_score > b.own_score; });
 }
 
-/// Adds the one feature that depends on other proposals, and estimates anew with it.
-void complete_features(const std::vector<double>& continued, const ProposalOptions& options,
-                       std::vector<ObjectProposal>& proposals) {
-  const TreeModel& model = chosen_model(options.object_alone, object_model());
-  for (std::size_t k = 0; k < proposals.size(); ++k) {
-    proposals[k].features.continued = continued[k];
-    proposals[k].estimate = estimated_probability(proposals[k].features, model);
+/// The features of all proposals, with the one that depends on the others: `continued`.
+std::vector<ObjectFeatures> completed_features(const std::vector<ProposalDraft>& drafts,
+                                               const std::vector<double>& continued) {
+  std::vector<ObjectFeatures> features;
+  for (std::size_t k = 0; k < drafts.size(); ++k) {
+    features.push_back(drafts[k].features);
+    features.back().continued = continued[k];
   }
+  return features;
 }
 
-/// Sets `probability` from the features and the relations between the proposals.
-void score_among_others(const ProposalOptions& options, std::vector<ObjectProposal>& proposals) {
-  const TreeModel& model = chosen_model(options.object_among_others, object_context_model());
+/// One context per proposal.
+std::vector<ProposalContext> contexts_of(const std::vector<ProposalDraft>& drafts,
+                                         const std::vector<double>& estimates,
+                                         const ProposalContextOptions& options) {
   std::vector<const PointIndices*> points;
-  std::vector<double> estimates;
-  for (const ObjectProposal& proposal : proposals) {
-    points.push_back(&proposal.object.points);
-    estimates.push_back(proposal.estimate);
-  }
-  const std::vector<ProposalContext> contexts =
-      proposal_contexts(SharedCounts(points, options.proposal_context), estimates);
-  for (std::size_t k = 0; k < proposals.size(); ++k) {
-    ObjectProposal& proposal = proposals[k];
-    proposal.probability =
-        combined_score(estimated_probability(proposal.features, contexts[k], model),
-                       proposal.cut_confidence, options.object_score.confidence_weight);
-  }
+  for (const ProposalDraft& draft : drafts) points.push_back(&draft.merged.points);
+  return proposal_contexts(SharedCounts(points, options), estimates);
 }
 
-void sort_by_final_score(std::vector<ObjectProposal>& proposals) {
-  for (ObjectProposal& proposal : proposals)
-    proposal.object.score = proposal.probability * (1.0 - proposal.discount);
+/// The proposals with their final features and scores, by falling score.
+std::vector<ObjectProposal> final_proposals(std::vector<ProposalDraft> drafts,
+                                            const std::vector<double>& continued,
+                                            const PointCloud& cloud,
+                                            const ProposalOptions& options) {
+  const TreeModel& alone = chosen_model(options.object_alone, object_model());
+  const TreeModel& among_others = chosen_model(options.object_among_others, object_context_model());
+  const std::vector<ObjectFeatures> features = completed_features(drafts, continued);
+  std::vector<double> estimates, probabilities;
+  for (const ObjectFeatures& own : features) estimates.push_back(estimated_probability(own, alone));
+  const std::vector<ProposalContext> contexts =
+      contexts_of(drafts, estimates, options.proposal_context);
+  for (std::size_t k = 0; k < drafts.size(); ++k) {
+    probabilities.push_back(
+        combined_score(estimated_probability(features[k], contexts[k], among_others),
+                       features[k].confidence, options.object_score.confidence_weight));
+  }
+  const std::vector<double> discounts = part_discounts(drafts, probabilities, options.continuation);
+  std::vector<ObjectProposal> proposals;
+  for (std::size_t k = 0; k < drafts.size(); ++k) {
+    const double score = probabilities[k] * (1.0 - discounts[k]);
+    proposals.push_back({object_of(std::move(drafts[k].merged), cloud, score), features[k],
+                         drafts[k].own_score, estimates[k], probabilities[k], discounts[k]});
+  }
   std::stable_sort(proposals.begin(), proposals.end(),
                    [](const ObjectProposal& a, const ObjectProposal& b) {
                      return a.object.score > b.object.score;
                    });
+  return proposals;
 }
 
 }  // namespace
 
 std::vector<ObjectProposal> object_proposals(const Workspace& space,
-                                             const SceneProposals& proposals,
+                                             const std::optional<Plane>& table,
+                                             const std::vector<Hypothesis>& rotational,
+                                             const std::vector<Hypothesis>& reflectional,
                                              const ProposalOptions& options) {
   const SurfaceRegions regions(space.cloud, space.edges, space.neighbors, options.surface_parts);
-  const ObjectMeter meter({space.cloud, space.edges, space.field, regions, proposals.table},
-                          options);
-  const auto continuations = [&](const std::vector<ObjectProposal>& among) {
+  const ObjectMeter meter({space.cloud, space.edges, space.field, regions, table}, options);
+  const auto continuations = [&](const std::vector<ProposalDraft>& among) {
     return find_continuations(space.cloud, space.field, among, options.continuation);
   };
-  std::vector<ObjectProposal> objects =
-      measured(merged_candidates(space, proposals, regions, options), meter, options);
-  sort_by_own_score(objects);
-  std::vector<ObjectProposal> joined = measured(
-      joined_pairs(space.cloud, objects, continuations(objects), options.merge.same_object), meter,
-      options);
-  std::vector<PointIndices> joined_points;
-  for (const ObjectProposal& pair : joined) joined_points.push_back(pair.object.points);
-  std::move(joined.begin(), joined.end(), std::back_inserter(objects));
-  sort_by_own_score(objects);
+  std::vector<ProposalDraft> drafts;
+  add_drafts(merged_hypotheses(space, rotational, reflectional, regions, options), false, meter,
+             options, drafts);
+  add_drafts(joined_pairs(drafts, continuations(drafts), options.merge.same_object), true, meter,
+             options, drafts);
   // Joined pairs may be continued by a third proposal.
-  complete_features(continuations(objects).continued, options, objects);
-  score_among_others(options, objects);
-  discount_parts(joined_points, options.continuation, objects);
-  sort_by_final_score(objects);
-  return objects;
+  const std::vector<double> continued = continuations(drafts).continued;
+  return final_proposals(std::move(drafts), continued, space.cloud, options);
 }
 
 std::vector<SceneObject> probable_objects(const SceneProposals& proposals,

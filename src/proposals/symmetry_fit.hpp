@@ -1,6 +1,6 @@
 #pragma once
 
-#include "symscene/core/scene.hpp"
+#include "proposals/merge.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/proposals/proposals.hpp"
 
@@ -17,7 +17,7 @@ struct SymmetryFit {
   double plane_occlusion = 1.0;
 };
 
-SymmetryFit symmetry_fit(const SceneObject& object, const PointCloud& cloud,
+SymmetryFit symmetry_fit(const MergedHypothesis& merged, const PointCloud& cloud,
                          const DistanceField& field, const ProposalOptions& options);
 
 }  // namespace symscene

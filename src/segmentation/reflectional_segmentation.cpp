@@ -15,7 +15,7 @@ namespace {
 constexpr float cell_size = 0.01F;  ///< of the search for neighbours; changes no result [m]
 
 /// A labelling with the matches under the plane that it was cut out with.
-struct PlaneCut {
+struct PlaneLabelling {
   std::vector<std::uint8_t> is_object;
   std::vector<Correspondence> matches;
 };
@@ -38,11 +38,11 @@ class ReflectionalCutter {
   /// The points that are consistent with the candidate's plane, refitted; or the rejection if they
   /// lose the segment that proposed it.
   std::variant<Hypothesis, Rejection> segment(const ReflectionalCandidate& candidate) const {
-    const PlaneCut first = cut(candidate.plane, candidate.support);
+    const PlaneLabelling first = cut(candidate.plane, candidate.support);
     if (!holds_support(first, candidate.support))
       return support_rejection(first, candidate.support);
     const ReflectionPlane plane = refitted(candidate.plane, first.is_object);
-    const PlaneCut second = cut(plane, candidate.support);
+    const PlaneLabelling second = cut(plane, candidate.support);
     if (!holds_support(second, candidate.support))
       return support_rejection(second, candidate.support);
     Hypothesis hypothesis;
@@ -91,8 +91,8 @@ class ReflectionalCutter {
     return joined;
   }
 
-  PlaneCut cut(const ReflectionPlane& plane, const PointIndices& support) const {
-    PlaneCut result;
+  PlaneLabelling cut(const ReflectionPlane& plane, const PointIndices& support) const {
+    PlaneLabelling result;
     result.matches = reflect_onto({cloud_, cells_}, all_points_, plane, options_.matching);
     const std::vector<WeightedEdge> joined = edges_with_pairs(result.matches);
     result.is_object = cut_graph(affinities(plane, support, result.matches), joined).is_object;
@@ -114,22 +114,26 @@ class ReflectionalCutter {
     }
   }
 
-  static double held_share(const PlaneCut& cut, const PointIndices& support) {
+  static double held_share(const PlaneLabelling& labelling, const PointIndices& support) {
     std::size_t held = 0;
-    for (const Index i : support) held += cut.is_object[i];
+    for (const Index i : support) held += labelling.is_object[i];
     return static_cast<double>(held) / static_cast<double>(support.size());
   }
 
-  bool holds_support(const PlaneCut& cut, const PointIndices& support) const {
-    return held_share(cut, support) >= options_.min_support_share &&
-           !object_nodes(cut.is_object).empty();
+  bool holds_support(const PlaneLabelling& labelling, const PointIndices& support) const {
+    return held_share(labelling, support) >= options_.min_support_share &&
+           !object_nodes(labelling.is_object).empty();
   }
 
-  Rejection support_rejection(const PlaneCut& cut, const PointIndices& support) const {
-    PointIndices points = object_nodes(cut.is_object);
+  Rejection support_rejection(const PlaneLabelling& labelling, const PointIndices& support) const {
+    PointIndices points = object_nodes(labelling.is_object);
     const std::size_t size = points.size();
-    return {"reflectional", "support",        held_share(cut, support), options_.min_support_share,
-            size,           std::move(points)};
+    return {"reflectional",
+            "support",
+            held_share(labelling, support),
+            options_.min_support_share,
+            size,
+            std::move(points)};
   }
 
   ReflectionPlane refitted(const ReflectionPlane& plane,
@@ -144,12 +148,12 @@ class ReflectionalCutter {
   }
 
   /// Eqs. 4.11 to 4.13.
-  HypothesisResiduals residuals(const PlaneCut& cut, const ReflectionPlane& plane,
+  HypothesisResiduals residuals(const PlaneLabelling& labelling, const ReflectionPlane& plane,
                                 const PointIndices& points) const {
     double symmetry = 0.0;
     double matched = 0.0;
-    for (const Correspondence& match : cut.matches) {
-      if (cut.is_object[match.from] == 0) continue;
+    for (const Correspondence& match : labelling.matches) {
+      if (labelling.is_object[match.from] == 0) continue;
       symmetry += double{options_.angle_range()(match.angle)};
       matched += 1.0;
     }
@@ -157,7 +161,7 @@ class ReflectionalCutter {
     double occluded = 0.0;
     for (const Index i : points) occluded += double{occlusion(reflector, i)};
     return {matched > 0.0 ? symmetry / matched : 1.0, occluded / static_cast<double>(points.size()),
-            smoothness(cut.is_object, scaled_edges_)};
+            smoothness(labelling.is_object, scaled_edges_)};
   }
 
   const PointCloud& cloud_;
@@ -180,24 +184,24 @@ void ReflectionalSegmentationOptions::validate() const {
                  "a weight that times edge_factor is below 8000", pair_weight);
 }
 
-HypothesisSet segment_reflectional(const ObservedSurface& surface,
-                                   const std::vector<ReflectionalCandidate>& candidates,
-                                   const PlaneFitOptions& fit,
-                                   const ReflectionalSegmentationOptions& options) {
+SegmentedHypotheses segment_reflectional(const ObservedSurface& surface,
+                                         const std::vector<ReflectionalCandidate>& candidates,
+                                         const PlaneFitOptions& fit,
+                                         const ReflectionalSegmentationOptions& options) {
   options.validate();
   const ReflectionalCutter cutter(surface, fit, options);
   std::vector<std::variant<Hypothesis, Rejection>> outcomes(candidates.size());
   parallel_for_each(candidates.size(),
                     [&](std::size_t c) { outcomes[c] = cutter.segment(candidates[c]); });
-  HypothesisSet set;
+  SegmentedHypotheses segmented;
   for (std::variant<Hypothesis, Rejection>& outcome : outcomes) {
     if (auto* hypothesis = std::get_if<Hypothesis>(&outcome)) {
-      set.hypotheses.push_back(std::move(*hypothesis));
+      segmented.hypotheses.push_back(std::move(*hypothesis));
     } else {
-      set.rejected.push_back(std::get<Rejection>(std::move(outcome)));
+      segmented.rejected.push_back(std::get<Rejection>(std::move(outcome)));
     }
   }
-  return set;
+  return segmented;
 }
 
 }  // namespace symscene

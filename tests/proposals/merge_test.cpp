@@ -29,12 +29,12 @@ TEST(Merge, KeepsTheMostConfidentPointsAndAllSymmetries) {
   rated[0] = {{range(0, 100), {}, {}, {{x, 0.1}}}, 0.5};
   rated[1] = {{range(0, 99), {}, {}, {{y, 0.2}}}, 0.9};
   rated[2] = {{range(0, 60), {}, {}, {{x, 0.0}}}, 0.4};
-  const std::vector<SceneObject> objects = merge_hypotheses(rated, hundred_points());
-  ASSERT_EQ(objects.size(), 2U);
-  EXPECT_EQ(objects[0].points, range(0, 99));
-  EXPECT_EQ(objects[0].score, 0.9);
-  EXPECT_EQ(objects[0].reflectional.size(), 2U);
-  EXPECT_EQ(objects[1].reflectional.size(), 1U);
+  const std::vector<MergedHypothesis> merged = merge_hypotheses(rated, hundred_points());
+  ASSERT_EQ(merged.size(), 2U);
+  EXPECT_EQ(merged[0].points, range(0, 99));
+  EXPECT_EQ(merged[0].confidence, 0.9);
+  EXPECT_EQ(merged[0].reflectional.size(), 2U);
+  EXPECT_EQ(merged[1].reflectional.size(), 1U);
 }
 
 TEST(Merge, KeepsASymmetryOnce) {
@@ -43,20 +43,20 @@ TEST(Merge, KeepsASymmetryOnce) {
   std::vector<RatedHypothesis> rated(2);
   rated[0] = {{range(0, 100), {}, {}, {{plane, 0.1}}}, 0.5};
   rated[1] = {{range(0, 100), {}, {}, {{nearly, 0.1}}}, 0.4};
-  const std::vector<SceneObject> objects = merge_hypotheses(rated, hundred_points());
-  ASSERT_EQ(objects.size(), 1U);
-  EXPECT_EQ(objects[0].reflectional.size(), 1U);
+  const std::vector<MergedHypothesis> merged = merge_hypotheses(rated, hundred_points());
+  ASSERT_EQ(merged.size(), 1U);
+  EXPECT_EQ(merged[0].reflectional.size(), 1U);
 }
 
-TEST(Merge, ComparesSetsByTheirOverlap) {
-  EXPECT_TRUE(is_same_set(range(0, 100), range(0, 100), 0.95));
-  EXPECT_TRUE(is_same_set(range(0, 96), range(0, 100), 0.95));
-  EXPECT_TRUE(is_same_set(range(0, 100), range(0, 96), 0.95));
-  EXPECT_FALSE(is_same_set(range(0, 95), range(0, 100), 0.95));  // 0.95 is not more
-  EXPECT_FALSE(is_same_set(range(0, 100), range(10, 110), 0.95));
-  EXPECT_TRUE(is_same_set(range(0, 100), range(10, 110), 0.8));  // 90 of 110
-  EXPECT_FALSE(is_same_set(range(0, 50), range(50, 100), 0.0));
-  EXPECT_FALSE(is_same_set({}, {}, 0.5));
+TEST(Merge, ComparesPointsByTheirOverlap) {
+  EXPECT_TRUE(cover_same_points(range(0, 100), range(0, 100), 0.95));
+  EXPECT_TRUE(cover_same_points(range(0, 96), range(0, 100), 0.95));
+  EXPECT_TRUE(cover_same_points(range(0, 100), range(0, 96), 0.95));
+  EXPECT_FALSE(cover_same_points(range(0, 95), range(0, 100), 0.95));  // 0.95 is not more
+  EXPECT_FALSE(cover_same_points(range(0, 100), range(10, 110), 0.95));
+  EXPECT_TRUE(cover_same_points(range(0, 100), range(10, 110), 0.8));  // 90 of 110
+  EXPECT_FALSE(cover_same_points(range(0, 50), range(50, 100), 0.0));
+  EXPECT_FALSE(cover_same_points({}, {}, 0.5));
 }
 
 TEST(Merge, RefusesOptionsOutOfRange) {

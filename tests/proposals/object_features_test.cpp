@@ -45,19 +45,12 @@ DistanceField seen_around_boxes(const PointCloud& cloud) {
   return distance_field(grid, std::nullopt);
 }
 
-SceneObject object_of(const PointIndices& points) {
-  SceneObject object;
-  object.points = points;
-  return object;
-}
-
 ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
                            const std::vector<WeightedEdge>& edges, const DistanceField& field,
                            const std::optional<Plane>& table = {}) {
   const SurfaceRegions regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
   const ProposalOptions options;
-  return ObjectMeter({cloud, edges, field, regions, table}, options)
-      .measure(object_of(points), 0.0);
+  return ObjectMeter({cloud, edges, field, regions, table}, options).measure({points, {}, {}, 0.0});
 }
 
 ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
@@ -171,12 +164,12 @@ TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
   const DistanceField field = seen_around_boxes(cloud);
   const std::optional<Plane> table = Plane{Eigen::Vector3d::UnitZ(), 0.0};
   const ProposalOptions options;
-  SceneObject box = object_of(all_of(cloud));
+  MergedHypothesis box{all_of(cloud), {}, {}, 0.7};
   box.points.resize(cloud.size() / 2);
   box.reflectional = {{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.0},
                       {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}, 0.0}};
   const ObjectMeter meter({cloud, edges, field, regions, table}, options);
-  const ObjectFeatures features = meter.measure(box, 0.7);
+  const ObjectFeatures features = meter.measure(box);
   EXPECT_EQ(features.confidence, 0.7);
   EXPECT_EQ(features.axes, 0.0);
   EXPECT_EQ(features.axis_misfit, 1.0);

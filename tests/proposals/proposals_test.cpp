@@ -179,8 +179,7 @@ TEST(Proposals, ScoreObjectsHighAndFragmentsAndUnionsLow) {
 
 TEST(Proposals, HaveOneFieldPerScore) {
   for (const ObjectProposal& proposal : propose_objects(box_and_vase()).objects) {
-    EXPECT_EQ(proposal.cut_confidence, proposal.features.confidence);
-    EXPECT_GE(proposal.probability, 0.6 * proposal.cut_confidence - 1e-12);
+    EXPECT_GE(proposal.probability, 0.6 * proposal.features.confidence - 1e-12);
     EXPECT_DOUBLE_EQ(proposal.object.score, proposal.probability * (1.0 - proposal.discount));
     EXPECT_GT(proposal.estimate, 0.0);
     EXPECT_LT(proposal.estimate, 1.0);

@@ -47,8 +47,8 @@ struct BoxAndVase {
     return points;
   }
 
-  HypothesisSet cut(const ReflectionPlane& plane,
-                    const ReflectionalSegmentationOptions& options = {}) const {
+  SegmentedHypotheses cut(const ReflectionPlane& plane,
+                          const ReflectionalSegmentationOptions& options = {}) const {
     return segment_reflectional({cloud, surface_graph(cloud), all_seen(cloud)},
                                 {{plane, {}, face()}}, {}, options);
   }
@@ -112,10 +112,10 @@ TEST(Judge, NamesTheBoundThatAHypothesisBreaks) {
 
 TEST(SegmentReflectional, CutsTheBoxOutThatHoldsTheFace) {
   const BoxAndVase scene;
-  const HypothesisSet set = scene.cut(mirror_of_the_box);
-  ASSERT_EQ(set.hypotheses.size(), 1U);
-  EXPECT_TRUE(set.rejected.empty());
-  const Hypothesis& found = set.hypotheses[0];
+  const SegmentedHypotheses segmented = scene.cut(mirror_of_the_box);
+  ASSERT_EQ(segmented.hypotheses.size(), 1U);
+  EXPECT_TRUE(segmented.rejected.empty());
+  const Hypothesis& found = segmented.hypotheses[0];
   EXPECT_EQ(intersection_size(found.points, scene.face()), scene.face().size());
   EXPECT_GT(intersection_over_union(found.points, range(0, scene.box_size)), 0.95);
   ASSERT_EQ(found.reflectional.size(), 1U);
@@ -125,12 +125,12 @@ TEST(SegmentReflectional, CutsTheBoxOutThatHoldsTheFace) {
 
 TEST(SegmentReflectional, RejectsAPlaneThatItsSupportContradicts) {
   const ReflectionPlane off_centre{Eigen::Vector3d(0.025, 0.0, 0.0), Eigen::Vector3d::UnitX()};
-  const HypothesisSet set = BoxAndVase{}.cut(off_centre);
-  EXPECT_TRUE(set.hypotheses.empty());
-  ASSERT_EQ(set.rejected.size(), 1U);
-  EXPECT_EQ(set.rejected[0].kind, "reflectional");
-  EXPECT_EQ(set.rejected[0].reason, "support");
-  EXPECT_EQ(set.rejected[0].bound, ReflectionalSegmentationOptions{}.min_support_share);
+  const SegmentedHypotheses segmented = BoxAndVase{}.cut(off_centre);
+  EXPECT_TRUE(segmented.hypotheses.empty());
+  ASSERT_EQ(segmented.rejected.size(), 1U);
+  EXPECT_EQ(segmented.rejected[0].kind, "reflectional");
+  EXPECT_EQ(segmented.rejected[0].reason, "support");
+  EXPECT_EQ(segmented.rejected[0].bound, ReflectionalSegmentationOptions{}.min_support_share);
 }
 
 }  // namespace

@@ -18,14 +18,23 @@ struct RatedHypothesis {
 void append_rated(const std::vector<Hypothesis>& hypotheses, const HypothesisBounds& bounds,
                   std::vector<RatedHypothesis>& rated);
 
-/// Whether two ascending sets of indices overlap by more than `same_object` [IoU].
-bool is_same_set(std::span<const Index> a, std::span<const Index> b, double same_object);
+/// Hypotheses of the same object, merged (section 4.4).
+struct MergedHypothesis {
+  PointIndices points;                 ///< of the most confident hypothesis, ascending
+  std::vector<ScoredAxis> rotational;  ///< distinct ones of all, in ascending order of residual
+  std::vector<ScoredPlane> reflectional;
+  double confidence = 0.0;  ///< of the most confident hypothesis (section 4.3.3); 0 for none
+};
 
-/// Merges hypotheses of the same object (section 4.4): the object keeps the points of the most
-/// confident one and the distinct symmetries of all. Returned by falling score, which is the
-/// confidence.
-std::vector<SceneObject> merge_hypotheses(std::vector<RatedHypothesis> hypotheses,
-                                          const PointCloud& cloud,
-                                          const MergeOptions& options = {});
+/// Whether two ascending lists of indices overlap by more than `same_object` [IoU].
+bool cover_same_points(std::span<const Index> a, std::span<const Index> b, double same_object);
+
+/// Merges hypotheses of the same object (section 4.4), most confident ones first.
+std::vector<MergedHypothesis> merge_hypotheses(std::vector<RatedHypothesis> hypotheses,
+                                               const PointCloud& cloud,
+                                               const MergeOptions& options = {});
+
+/// The object of a merged hypothesis, with its final score.
+SceneObject object_of(MergedHypothesis merged, const PointCloud& cloud, double score);
 
 }  // namespace symscene

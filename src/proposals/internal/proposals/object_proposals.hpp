@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "segmentation/workspace.hpp"
@@ -10,9 +11,11 @@ namespace symscene {
 
 /// The proposals of a scene: the hypotheses of both streams and the parts of the surface, merged
 /// (section 4.4), pairs that continue each other joined, with features and scores. By falling
-/// score. `proposals` holds the hypotheses.
+/// score. `table` is that of the scene, where it is known.
 std::vector<ObjectProposal> object_proposals(const Workspace& space,
-                                             const SceneProposals& proposals,
+                                             const std::optional<Plane>& table,
+                                             const std::vector<Hypothesis>& rotational,
+                                             const std::vector<Hypothesis>& reflectional,
                                              const ProposalOptions& options);
 
 /// The objects that select_probable() chooses among the proposals, with the symmetries of their

@@ -33,10 +33,11 @@ struct ScoredPlane {
   double residual = 0.0;
 };
 
-/// An object of the result.
+/// An object of the result. Its score is the probability of being one whole object; without
+/// selection.by_score, the confidence of the hypothesis.
 struct SceneObject {
   PointIndices points;                 ///< into the result's cloud, ascending
-  double score = 0.0;                  ///< confidence in [0, 1]
+  double score = 0.0;                  ///< in [0, 1]
   std::vector<ScoredAxis> rotational;  ///< in ascending order of residual
   std::vector<ScoredPlane> reflectional;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< centre of mass under the symmetries [m]

@@ -16,26 +16,26 @@ namespace symscene {
 /// A candidate object: a set of points with the symmetries of its hypotheses, if any, its features
 /// and its scores, each in [0, 1].
 struct ObjectProposal {
-  SceneObject object;  ///< its score is `probability` after the discount inside a joined pair
+  SceneObject object;  ///< its score is probability * (1 - discount)
   ObjectFeatures features;
-  double cut_confidence = 0.0;  ///< of its most confident hypothesis (section 4.3.3); 0 for none
-  double estimate = 0.0;        ///< probability from its own features
-  double own_score = 0.0;       ///< the estimate before continuations, combined with the confidence
-  double probability = 0.0;     ///< the same from its relations to other proposals too
-  double discount = 0.0;        ///< the score is probability * (1 - discount)
+  double own_score = 0.0;    ///< from its features but `continued`, with the confidence
+  double estimate = 0.0;     ///< probability from all its features
+  double probability = 0.0;  ///< from its relations to other proposals too, with the confidence
+  double discount = 0.0;     ///< for a part of a joined pair
 };
 
-/// The proposals of a scene with all that was detected and cut for them, before objects are chosen.
+/// The proposals of a scene with the detections and hypotheses that they are made of, before
+/// objects are chosen.
 struct SceneProposals {
   PointCloud cloud;            ///< the cloud that all indices refer to
   std::optional<Plane> table;  ///< of the scene, where it is known
   DistanceField field;
   std::vector<RotationalCandidate> axes;      ///< detections of the rotational stream
   std::vector<ReflectionalCandidate> planes;  ///< detections of the reflectional stream
-  std::vector<Hypothesis> rotational;         ///< one per cut
-  std::vector<Hypothesis> reflectional;       ///< one per cut that contains its support
-  std::vector<Rejection> rejected;            ///< cuts that do not
-  std::vector<ObjectProposal> objects;        ///< distinct hypotheses and parts, by falling score
+  std::vector<Hypothesis> rotational;         ///< of the rotational stream
+  std::vector<Hypothesis> reflectional;       ///< of the reflectional stream, with their support
+  std::vector<Rejection> rejected;            ///< hypotheses that lost their support
+  std::vector<ObjectProposal> objects;        ///< by falling score
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
   std::vector<std::string> warnings;  ///< the scene's and those of the pipeline, a sentence each

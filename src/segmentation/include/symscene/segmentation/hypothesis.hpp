@@ -57,7 +57,7 @@ struct Hypothesis {
 };
 
 /// The hypotheses of one stream.
-struct HypothesisSet {
+struct SegmentedHypotheses {
   std::vector<Hypothesis> hypotheses;
   std::vector<Rejection> rejected;  ///< hypotheses that lost the segment that proposed them
 };

@@ -64,9 +64,9 @@ struct ReflectionalSegmentationOptions {
 /// refits the plane to them, cuts once more and computes the residuals (section 4.3.3). Hypotheses
 /// are in the order of their candidates; the result is the same for any number of threads. Throws
 /// InputError if an option is invalid.
-HypothesisSet segment_reflectional(const ObservedSurface& surface,
-                                   const std::vector<ReflectionalCandidate>& candidates,
-                                   const PlaneFitOptions& fit,
-                                   const ReflectionalSegmentationOptions& options = {});
+SegmentedHypotheses segment_reflectional(const ObservedSurface& surface,
+                                         const std::vector<ReflectionalCandidate>& candidates,
+                                         const PlaneFitOptions& fit,
+                                         const ReflectionalSegmentationOptions& options = {});
 
 }  // namespace symscene
