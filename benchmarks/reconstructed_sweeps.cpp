@@ -55,7 +55,7 @@ SurfaceErrors errors_of(const SweptScene& sweep, const Tabletop& tabletop) {
 double seconds_of(const SweptScene& sweep) {
   double seconds = 0.0;
   for (const StageTime& time : sweep.stages) {
-    if (time.stage != "render" && time.stage != "truth") seconds += time.seconds;
+    if (time.stage != "render" && time.stage != "ground truth") seconds += time.seconds;
   }
   return seconds;
 }

@@ -10,12 +10,12 @@ double percent(std::size_t part, std::size_t whole) {
 }
 
 /// Precision and recall in percent; a dash where there is nothing to find or nothing was found.
-std::string rates(const Score& score) {
+std::string rates(const DetectionCounts& counts) {
   const auto rate = [](std::size_t part, std::size_t whole) {
     return whole == 0 ? std::string("-") : fmt::format("{:.0f}", percent(part, whole));
   };
-  return fmt::format("{:>4} {:>4}", rate(score.correct, score.found),
-                     rate(score.correct, score.truth));
+  return fmt::format("{:>4} {:>4}", rate(counts.correct, counts.found),
+                     rate(counts.correct, counts.ground_truth));
 }
 
 }  // namespace
@@ -31,12 +31,12 @@ std::string scene_header() {
 }
 
 std::string scene_row(const std::string& name, const SceneScore& score) {
-  const Score& masks = score.counts.score(Metric::masks_90);
+  const DetectionCounts& masks = score.counts.detections(Metric::masks_90);
   return fmt::format("{:<16} {:>7} {:>5} {:>8} | {} | {} | {:>5.2f} | {} | {} | {:>7.2f}\n", name,
-                     masks.truth, masks.correct, masks.found, rates(masks),
-                     rates(score.counts.score(Metric::masks_75)), score.counts.mean_overlap(),
-                     rates(score.counts.score(Metric::axes_near)),
-                     rates(score.counts.score(Metric::planes_near)), score.seconds);
+                     masks.ground_truth, masks.correct, masks.found, rates(masks),
+                     rates(score.counts.detections(Metric::masks_75)), score.counts.mean_overlap(),
+                     rates(score.counts.detections(Metric::axes_near)),
+                     rates(score.counts.detections(Metric::planes_near)), score.seconds);
 }
 
 std::string kind_table(const SceneScore& total) {
@@ -44,7 +44,7 @@ std::string kind_table(const SceneScore& total) {
                                  "R% at 0.9", "R% at 0.75", "mean IoU", "symmetries R%");
   for (const auto& [name, kind] : total.kinds) {
     text += fmt::format("{:<16} {:>7} {:>10.0f} {:>11.0f} {:>9.2f} {:>13.0f}\n", name, kind.objects,
-                        percent(kind.count(Fate::found), kind.objects),
+                        percent(kind.count(Outcome::found), kind.objects),
                         percent(kind.over_75, kind.objects), kind.mean_overlap(),
                         percent(kind.symmetries_met, kind.symmetries));
   }
@@ -52,15 +52,15 @@ std::string kind_table(const SceneScore& total) {
 }
 
 std::string json_line(std::uint64_t seed, std::size_t scenes, const SceneScore& total) {
-  const auto score = [&](const char* name, Metric metric) {
-    const Score& s = total.counts.score(metric);
+  const auto rates_of = [&](const char* name, Metric metric) {
+    const DetectionCounts& s = total.counts.detections(metric);
     return fmt::format(R"("{}": {{"precision": {:.4f}, "recall": {:.4f}, "f": {:.4f}}}, )", name,
                        s.precision(), s.recall(), s.f_measure());
   };
   return fmt::format(
              R"({{"seed": {}, "scenes": {}, {}{}{}{}"mean_iou": {:.4f}, "seconds": {:.3f}}})", seed,
-             scenes, score("iou_90", Metric::masks_90), score("iou_75", Metric::masks_75),
-             score("axes", Metric::axes_near), score("planes", Metric::planes_near),
+             scenes, rates_of("iou_90", Metric::masks_90), rates_of("iou_75", Metric::masks_75),
+             rates_of("axes", Metric::axes_near), rates_of("planes", Metric::planes_near),
              total.counts.mean_overlap(), total.seconds) +
          "\n";
 }

@@ -70,7 +70,7 @@ std::string placement(const fs::path& dir) {
 
 DatasetEntry scene_entry(const fs::path& dir, const std::string& name) {
   if (!fs::exists(dir / truth_file))
-    throw InputError((dir / truth_file).string(), "the truth of the scene", "no such file");
+    throw InputError((dir / truth_file).string(), "the ground truth of the scene", "no such file");
   return {name, placement(dir), dir, {}, {}, {}};
 }
 
@@ -83,7 +83,7 @@ void find_scenes(const fs::path& root, const fs::path& dir, int levels,
     if (is_scene_folder(child)) {
       entries.push_back(scene_entry(child, child.lexically_relative(root).string()));
     } else if (fs::exists(child / truth_file)) {
-      throw InputError((child / "cloud.ply").string(), "the cloud of a scene with truth",
+      throw InputError((child / "cloud.ply").string(), "the cloud of a scene with ground truth",
                        "no such file");
     } else if (levels > 1) {
       find_scenes(root, child, levels - 1, entries);

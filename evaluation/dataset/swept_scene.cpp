@@ -60,7 +60,7 @@ SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep
                          .scene;
     });
   }
-  timer.time("truth", [&] {
+  timer.time("ground truth", [&] {
     result.truth = transfer_truth(tabletop_truth(tabletop), meshes_of(tabletop), result.scene.cloud,
                                   result.T_scene_world, options.truth);
   });

@@ -15,8 +15,8 @@ struct MaskPair {
 /// O(n³)), sorted by row. Gains are at least 0; pairs with gain 0 are left out.
 std::vector<MaskPair> assign_masks(const OverlapMatrix& gains);
 
-/// The mask of each point among masks that may overlap: the first that holds the point, so that of
-/// masks sorted by falling score each point has the best. `unlabeled` if no mask holds it.
+/// The index of the first mask that contains each point; `unlabeled` if none does. If the masks are
+/// sorted by descending score, each point gets the highest-scoring mask.
 inline constexpr Index unlabeled = ~Index{0};
 std::vector<Index> label_points(const std::vector<PointIndices>& masks, std::size_t point_count);
 

@@ -19,7 +19,7 @@ constexpr double side = 320.0;
 double x_of(double recall) { return left + side * recall; }
 double y_of(double precision) { return top + side * (1.0 - precision); }
 
-CurvePoint point_of(const Score& score) { return {score.recall(), score.precision()}; }
+CurvePoint point_of(const DetectionCounts& counts) { return {counts.recall(), counts.precision()}; }
 
 std::string at(const CurvePoint& point) {
   return fmt::format("{:.1f},{:.1f}", x_of(point.recall), y_of(point.precision));
@@ -73,7 +73,7 @@ std::string star(const CurvePoint& centre, std::size_t color) {
 std::string dots(const Sweep& sweep, Metric metric, std::size_t color) {
   std::set<std::string> places;
   for (const SettingCounts& counts : sweep.counts)
-    places.insert(fmt::format("M{}h0", at(point_of(counts.score(metric)))));
+    places.insert(fmt::format("M{}h0", at(point_of(counts.detections(metric)))));
   std::string path;
   for (const std::string& place : places) path += place;
   return fmt::format("<path class=\"dots c{}\" d=\"{}\"/>\n", color, path);
@@ -93,11 +93,11 @@ std::string series(const Sweep& sweep, Metric metric, std::size_t color) {
   if (!best) return "";
   std::string svg = dots(sweep, metric, color) + envelope(sweep, metric, color);
   if (sweep.at_default) {
-    const CurvePoint given = point_of(sweep.at_default->score(metric));
+    const CurvePoint given = point_of(sweep.at_default->detections(metric));
     svg += fmt::format("<circle class=\"ring c{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\"/>\n", color,
                        x_of(given.recall), y_of(given.precision));
   }
-  return svg + star(point_of(sweep.counts[*best].score(metric)), color);
+  return svg + star(point_of(sweep.counts[*best].detections(metric)), color);
 }
 
 std::string legend_entry(const Sweep& sweep, Metric metric, std::size_t color) {
@@ -105,9 +105,9 @@ std::string legend_entry(const Sweep& sweep, Metric metric, std::size_t color) {
   if (!best) return "";
   std::string text = fmt::format("<li><span class=\"swatch c{}\"></span>{}: best F <b>{}</b>",
                                  color, escape_markup(sweep.method),
-                                 percent(sweep.counts[*best].score(metric).f_measure()));
+                                 percent(sweep.counts[*best].detections(metric).f_measure()));
   if (sweep.at_default)
-    text += fmt::format(", default {}", percent(sweep.at_default->score(metric).f_measure()));
+    text += fmt::format(", default {}", percent(sweep.at_default->detections(metric).f_measure()));
   return text + fmt::format("<small>{}</small></li>\n", escape_markup(setting_text(sweep, *best)));
 }
 

@@ -24,10 +24,10 @@ void add_time(const StageTime& time, RuntimeClass& to) {
 }  // namespace
 
 void OutcomeCounts::add(const ObjectOutcome& outcome) {
-  const auto fate = static_cast<std::size_t>(outcome.fate);
+  const auto k = static_cast<std::size_t>(outcome.outcome);
   ++objects;
-  ++fates[fate];
-  if (!outcome.reason.empty()) ++reasons[fate][outcome.reason];
+  ++counts[k];
+  if (!outcome.reason.empty()) ++reasons[k][outcome.reason];
   over_75 += outcome.best_overlap > 0.75 ? 1 : 0;
   overlap_sum += outcome.best_overlap;
   symmetries += outcome.symmetries;
@@ -36,9 +36,9 @@ void OutcomeCounts::add(const ObjectOutcome& outcome) {
 
 OutcomeCounts& OutcomeCounts::operator+=(const OutcomeCounts& other) {
   objects += other.objects;
-  for (std::size_t fate = 0; fate < fates.size(); ++fate) {
-    fates[fate] += other.fates[fate];
-    for (const auto& [reason, count] : other.reasons[fate]) reasons[fate][reason] += count;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    counts[k] += other.counts[k];
+    for (const auto& [reason, count] : other.reasons[k]) reasons[k][reason] += count;
   }
   over_75 += other.over_75;
   overlap_sum += other.overlap_sum;

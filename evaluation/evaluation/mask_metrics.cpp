@@ -14,7 +14,7 @@ std::vector<Index> labels_of(const PointCloud& labeled, const SceneTruth& truth)
   for (std::size_t k = truth.objects.size(); k-- > 0;) {
     for (const Index i : truth.objects[k].points) {
       if (i >= labels.size()) {
-        throw InputError("truth of " + truth.objects[k].name,
+        throw InputError("ground truth of " + truth.objects[k].name,
                          "indices below " + std::to_string(labels.size()), std::to_string(i));
       }
       labels[i] = static_cast<Index>(k);
@@ -50,12 +50,12 @@ OverlapMatrix overlap_matrix(const std::vector<PointIndices>& truth,
   return overlaps;
 }
 
-Score mask_score(const OverlapMatrix& overlaps, double min_overlap) {
-  Score score;
-  score.found = static_cast<std::size_t>(overlaps.cols());
-  score.truth = static_cast<std::size_t>(overlaps.rows());
-  for (const double best : best_overlaps(overlaps)) score.correct += best > min_overlap ? 1 : 0;
-  return score;
+DetectionCounts mask_detections(const OverlapMatrix& overlaps, double min_overlap) {
+  DetectionCounts counts;
+  counts.found = static_cast<std::size_t>(overlaps.cols());
+  counts.ground_truth = static_cast<std::size_t>(overlaps.rows());
+  for (const double best : best_overlaps(overlaps)) counts.correct += best > min_overlap ? 1 : 0;
+  return counts;
 }
 
 std::vector<double> best_overlaps(const OverlapMatrix& overlaps) {

@@ -104,13 +104,14 @@ void judge_outcome(const Target& target, const SceneProposals& proposals,
   outcome.best_proposal_overlap = best.overlap;
   if (outcome.best_overlap > found_overlap) return;
   if (best.overlap > found_overlap) {
-    outcome.fate = Fate::rejected;
+    outcome.outcome = Outcome::rejected;
     outcome.reason = rejection_reason(target, result);
     return;
   }
   if (best.overlap <= proposed_overlap) outcome.reason = missing_proposal(target, proposals);
-  outcome.fate = outcome.reason.empty() ? Fate::wrongly_segmented : Fate::not_proposed;
-  if (outcome.fate == Fate::wrongly_segmented) outcome.reason = segmentation_error(target, best);
+  outcome.outcome = outcome.reason.empty() ? Outcome::wrongly_segmented : Outcome::not_proposed;
+  if (outcome.outcome == Outcome::wrongly_segmented)
+    outcome.reason = segmentation_error(target, best);
 }
 
 /// Counts the next `count` entries of `match.truth_met`, which are those of one object.
@@ -122,10 +123,10 @@ void count_met(const SymmetryMatch& match, std::size_t count, std::size_t& next,
 
 }  // namespace
 
-std::string fate_name(Fate fate) {
+std::string outcome_name(Outcome outcome) {
   static constexpr std::array names = {"found", "not proposed", "wrongly segmented", "rejected"};
-  static_assert(names.size() == all_fates.size());
-  return names[static_cast<std::size_t>(fate)];
+  static_assert(names.size() == all_outcomes.size());
+  return names[static_cast<std::size_t>(outcome)];
 }
 
 std::vector<ObjectOutcome> object_outcomes(const SceneTruth& truth,

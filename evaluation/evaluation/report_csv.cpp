@@ -19,11 +19,11 @@ void add_lines(const std::string& subset, const Sweep& sweep, const std::string&
                const SettingCounts& counts, std::string& csv) {
   for (const Metric metric : sweep.metrics) {
     if (!sweep.has(metric)) continue;
-    const Score& score = counts.score(metric);
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{:.6f},{:.6f},{:.6f}\n", field(sweep.method),
-                    field(subset), metric_name(metric), field(setting), score.correct, score.found,
-                    score.truth, score.precision(), score.recall(), score.f_measure());
+    const DetectionCounts& detections = counts.detections(metric);
+    csv += fmt::format("{},{},{},{},{},{},{},{:.6f},{:.6f},{:.6f}\n", field(sweep.method),
+                       field(subset), metric_name(metric), field(setting), detections.correct,
+                       detections.found, detections.ground_truth, detections.precision(),
+                       detections.recall(), detections.f_measure());
   }
 }
 
@@ -76,11 +76,11 @@ std::string objects_csv(const Evaluation& evaluation) {
   for (const SceneEvaluation& scene : evaluation.scenes) {
     for (std::size_t k = 0; k < scene.objects.size(); ++k) {
       const ObjectOutcome& outcome = scene.objects[k];
-      csv +=
-          fmt::format("{},{},{},{},{},{:.6f},{:.6f},{},{},{},{}\n", field(scene.name),
-                      field(scene.subset), k, field(outcome.kind), outcome.points,
-                      outcome.best_overlap, outcome.best_proposal_overlap, fate_name(outcome.fate),
-                      field(outcome.reason), outcome.symmetries, outcome.symmetries_met);
+      csv += fmt::format("{},{},{},{},{},{:.6f},{:.6f},{},{},{},{}\n", field(scene.name),
+                         field(scene.subset), k, field(outcome.kind), outcome.points,
+                         outcome.best_overlap, outcome.best_proposal_overlap,
+                         outcome_name(outcome.outcome), field(outcome.reason), outcome.symmetries,
+                         outcome.symmetries_met);
     }
   }
   return csv;
@@ -95,7 +95,7 @@ std::string scenes_csv(const Evaluation& evaluation) {
     OutcomeCounts counts;
     for (const ObjectOutcome& outcome : scene.objects) counts.add(outcome);
     csv += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f}", field(scene.name), field(scene.subset),
-                       counts.objects, scene.unseen, counts.count(Fate::found), scene.returned,
+                       counts.objects, scene.unseen, counts.count(Outcome::found), scene.returned,
                        counts.mean_overlap(), total_seconds(scene.timings));
     for (const std::string& stage : stages) csv += fmt::format(",{:.6f}", seconds_of(scene, stage));
     csv += "\n";

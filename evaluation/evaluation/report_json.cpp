@@ -29,11 +29,11 @@ Json to_json(const Sweep& sweep, const SettingCounts& counts) {
   Json json = Json::object();
   for (const Metric metric : sweep.metrics) {
     if (!sweep.has(metric)) continue;
-    const Score& score = counts.score(metric);
-    json[metric_name(metric)] = {{"correct", score.correct},
-                                 {"found", score.found},
-                                 {"truth", score.truth},
-                                 {"f", score.f_measure()}};
+    const DetectionCounts& detections = counts.detections(metric);
+    json[metric_name(metric)] = {{"correct", detections.correct},
+                                 {"found", detections.found},
+                                 {"truth", detections.ground_truth},
+                                 {"f", detections.f_measure()}};
   }
   if (has_masks(sweep)) {
     json["mean_iou"] = counts.mean_overlap();
@@ -50,7 +50,7 @@ Json to_json(const Sweep& sweep) {
     if (!sweep.has(metric)) continue;
     if (const auto k = best_setting(sweep, metric)) {
       best[metric_name(metric)] = {{"setting", sweep.settings[*k]},
-                                   {"f", sweep.counts[*k].score(metric).f_measure()}};
+                                   {"f", sweep.counts[*k].detections(metric).f_measure()}};
     }
   }
   json["best"] = std::move(best);
@@ -91,11 +91,12 @@ Json headline_json(const std::vector<Sweep>& sweeps) {
 
 Json to_json(const OutcomeCounts& counts) {
   Json json = {{"objects", counts.objects}};
-  for (const Fate fate : all_fates) {
+  for (const Outcome outcome : all_outcomes) {
     Json reasons = Json::object();
-    for (const auto& [reason, count] : counts.reasons[static_cast<std::size_t>(fate)])
+    for (const auto& [reason, count] : counts.reasons[static_cast<std::size_t>(outcome)])
       reasons[reason] = count;
-    json[fate_name(fate)] = {{"objects", counts.count(fate)}, {"reasons", std::move(reasons)}};
+    json[outcome_name(outcome)] = {{"objects", counts.count(outcome)},
+                                   {"reasons", std::move(reasons)}};
   }
   json["symmetries"] = counts.symmetries;
   json["symmetries_met"] = counts.symmetries_met;
@@ -122,7 +123,7 @@ Json to_json(const SceneEvaluation& scene) {
                                {"points", outcome.points},
                                {"best_iou", outcome.best_overlap},
                                {"best_proposal_iou", outcome.best_proposal_overlap},
-                               {"outcome", fate_name(outcome.fate)},
+                               {"outcome", outcome_name(outcome.outcome)},
                                {"reason", outcome.reason}});
   }
   json["timings"] = std::move(times);
@@ -159,7 +160,7 @@ std::map<std::string, std::map<std::string, double>> headline_numbers(const std:
       rows[key] = row.at("numbers").get<std::map<std::string, double>>();
     }
   } catch (const nlohmann::json::exception&) {
-    throw InputError(name, "the report.json of an evaluation", "a file that is none");
+    throw InputError(name, "the report.json of an evaluation", "another file");
   }
   return rows;
 }

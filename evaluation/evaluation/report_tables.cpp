@@ -19,40 +19,40 @@ HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string 
                   {},
                   counts.mean_overlap(),
                   counts.segments.mean(counts.scenes),
-                  counts.score(Metric::masks_90).found};
+                  counts.detections(Metric::masks_90).found};
   for (const Metric metric : sweep.metrics) {
     if (sweep.has(metric))
-      row.f[static_cast<std::size_t>(metric)] = counts.score(metric).f_measure();
+      row.f[static_cast<std::size_t>(metric)] = counts.detections(metric).f_measure();
   }
   return row;
 }
 
 std::vector<std::string> outcome_row(const std::string& name, const OutcomeCounts& counts) {
   std::vector<std::string> row{name, fmt::format("{}", counts.objects)};
-  for (const Fate fate : all_fates)
-    row.push_back(count_and_share(counts.count(fate), counts.objects));
+  for (const Outcome outcome : all_outcomes)
+    row.push_back(count_and_share(counts.count(outcome), counts.objects));
   return row;
 }
 
-/// The objects of a scene that were missed, by kind and fate.
+/// The objects of a scene that were missed, by kind and outcome.
 std::string missed_objects_of(const SceneEvaluation& scene) {
   std::string text;
   for (const ObjectOutcome& outcome : scene.objects) {
-    if (outcome.fate == Fate::found) continue;
+    if (outcome.outcome == Outcome::found) continue;
     if (!text.empty()) text += ", ";
-    text += fmt::format("{}: {} ({})", outcome.kind, fate_name(outcome.fate), outcome.reason);
+    text += fmt::format("{}: {} ({})", outcome.kind, outcome_name(outcome.outcome), outcome.reason);
   }
   return text;
 }
 
 std::size_t count_found(const SceneEvaluation& scene) {
-  return static_cast<std::size_t>(
-      std::count_if(scene.objects.begin(), scene.objects.end(),
-                    [](const ObjectOutcome& outcome) { return outcome.fate == Fate::found; }));
+  return static_cast<std::size_t>(std::count_if(
+      scene.objects.begin(), scene.objects.end(),
+      [](const ObjectOutcome& outcome) { return outcome.outcome == Outcome::found; }));
 }
 
 double f_of(const SceneEvaluation& scene) {
-  return Score{count_found(scene), scene.returned, scene.objects.size()}.f_measure();
+  return DetectionCounts{count_found(scene), scene.returned, scene.objects.size()}.f_measure();
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
       if (!sweep.has(metric)) continue;
       const std::size_t its_best = best_setting(sweep, metric).value_or(0);
       rows.back().f[static_cast<std::size_t>(metric)] =
-          sweep.counts[its_best].score(metric).f_measure();
+          sweep.counts[its_best].detections(metric).f_measure();
     }
   }
   return rows;
@@ -105,9 +105,9 @@ TextTable default_table(const std::vector<Sweep>& sweeps) {
   for (const Sweep& sweep : sweeps) {
     const auto best = best_setting(sweep, Metric::masks_90);
     if (!sweep.at_default || !best) continue;
-    const Score at_default = sweep.at_default->score(Metric::masks_90);
+    const DetectionCounts at_default = sweep.at_default->detections(Metric::masks_90);
     const double given = at_default.f_measure();
-    const double greatest = sweep.counts[*best].score(Metric::masks_90).f_measure();
+    const double greatest = sweep.counts[*best].detections(Metric::masks_90).f_measure();
     table.push_back({sweep.method, percent(at_default.precision()), percent(at_default.recall()),
                      percent(given), percent(greatest),
                      fmt::format("{:+.1f}", 100.0 * (given - greatest)),
@@ -118,7 +118,7 @@ TextTable default_table(const std::vector<Sweep>& sweeps) {
 
 TextTable missed_object_table(const Evaluation& evaluation) {
   TextTable table{{"kind", "objects"}};
-  for (const Fate fate : all_fates) table.front().push_back(fate_name(fate));
+  for (const Outcome outcome : all_outcomes) table.front().push_back(outcome_name(outcome));
   for (const auto& [name, counts] : evaluation.kinds) table.push_back(outcome_row(name, counts));
   table.push_back(outcome_row("all", evaluation.outcomes));
   return table;
@@ -126,10 +126,11 @@ TextTable missed_object_table(const Evaluation& evaluation) {
 
 TextTable reason_table(const Evaluation& evaluation) {
   TextTable table{{"missed because", "reason", "objects"}};
-  for (const Fate fate : all_fates) {
-    for (const auto& [reason, count] : evaluation.outcomes.reasons[static_cast<std::size_t>(fate)])
+  for (const Outcome outcome : all_outcomes) {
+    for (const auto& [reason, count] :
+         evaluation.outcomes.reasons[static_cast<std::size_t>(outcome)])
       table.push_back(
-          {fate_name(fate), reason, count_and_share(count, evaluation.outcomes.objects)});
+          {outcome_name(outcome), reason, count_and_share(count, evaluation.outcomes.objects)});
   }
   return table;
 }
@@ -138,7 +139,7 @@ TextTable kind_table(const Evaluation& evaluation) {
   TextTable table{{"kind", "objects", "found .9", "found .75", "mean IoU", "symmetries", "met"}};
   for (const auto& [name, counts] : evaluation.kinds) {
     table.push_back({name, fmt::format("{}", counts.objects),
-                     count_and_share(counts.count(Fate::found), counts.objects),
+                     count_and_share(counts.count(Outcome::found), counts.objects),
                      count_and_share(counts.over_75, counts.objects),
                      percent(counts.mean_overlap()), fmt::format("{}", counts.symmetries),
                      count_and_share(counts.symmetries_met, counts.symmetries)});

@@ -279,7 +279,7 @@ void require_usable_truth(const Scene& scene, const SceneTruth& truth) {
   std::vector<Index> owner(scene.cloud.size(), unlabeled);
   for (std::size_t k = 0; k < truth.objects.size(); ++k) {
     const TrueObject& object = truth.objects[k];
-    const std::string where = fmt::format("truth of object {} ({})", k, object.name);
+    const std::string where = fmt::format("ground truth of object {} ({})", k, object.name);
     if (object.points.empty()) throw InputError(where, "points of the cloud", "none");
     for (const Index i : object.points) {
       if (i >= owner.size()) {

@@ -22,10 +22,10 @@ SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<Rotati
   SettingCounts counts;
   counts.scenes = 1;
   if (!knows_symmetries(truth)) return counts;
-  counts.score(Metric::axes) = match_axes(truth, axes, wide).score();
-  counts.score(Metric::axes_near) = match_axes(truth, axes, near).score();
-  counts.score(Metric::planes) = match_planes(truth, planes, wide).score();
-  counts.score(Metric::planes_near) = match_planes(truth, planes, near).score();
+  counts.detections(Metric::axes) = match_axes(truth, axes, wide).detections();
+  counts.detections(Metric::axes_near) = match_axes(truth, axes, near).detections();
+  counts.detections(Metric::planes) = match_planes(truth, planes, wide).detections();
+  counts.detections(Metric::planes_near) = match_planes(truth, planes, near).detections();
   return counts;
 }
 
@@ -41,7 +41,7 @@ SettingCounts CountingContext::count(const std::vector<PointIndices>& found,
   SettingCounts counts = count_symmetries(truth_, axes, planes);
   const OverlapMatrix overlaps = overlap_matrix(masks_, found);
   for (std::size_t k = 0; k < mask_overlaps.size(); ++k)
-    counts.scores[k] = mask_score(overlaps, mask_overlaps[k]);
+    counts.counts[k] = mask_detections(overlaps, mask_overlaps[k]);
   for (const double best : best_overlaps(overlaps)) counts.overlap_sum += best;
   counts.segments = segment_metrics(masks_, found, neighbors_);
   return counts;
@@ -57,7 +57,7 @@ SettingCounts CountingContext::recount(SettingCounts counts,
                                        const std::vector<SceneObject>& objects) const {
   const SettingCounts own = count_symmetries(truth_, all_axes(objects), all_planes(objects));
   for (const Metric metric : {Metric::axes, Metric::axes_near, Metric::planes, Metric::planes_near})
-    counts.score(metric) = own.score(metric);
+    counts.detections(metric) = own.detections(metric);
   return counts;
 }
 

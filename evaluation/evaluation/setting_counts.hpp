@@ -17,7 +17,7 @@ class CountingContext {
 
   const std::vector<PointIndices>& masks() const { return masks_; }
 
-  /// `found` has the masks by falling confidence.
+  /// `found` has the masks by descending confidence.
   SettingCounts count(const std::vector<PointIndices>& found, const std::vector<RotationAxis>& axes,
                       const std::vector<ReflectionPlane>& planes) const;
   SettingCounts count(const std::vector<SceneObject>& objects) const;

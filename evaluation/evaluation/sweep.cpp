@@ -17,12 +17,12 @@ std::string metric_name(Metric metric) {
 }
 
 double SettingCounts::mean_overlap() const {
-  const std::size_t objects = score(Metric::masks_90).truth;
+  const std::size_t objects = detections(Metric::masks_90).ground_truth;
   return objects == 0 ? 1.0 : overlap_sum / static_cast<double>(objects);
 }
 
 SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
-  for (std::size_t m = 0; m < scores.size(); ++m) scores[m] += other.scores[m];
+  for (std::size_t m = 0; m < counts.size(); ++m) counts[m] += other.counts[m];
   overlap_sum += other.overlap_sum;
   segments += other.segments;
   scenes += other.scenes;
@@ -32,7 +32,7 @@ SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
 bool Sweep::has(Metric metric) const {
   if (std::find(metrics.begin(), metrics.end(), metric) == metrics.end()) return false;
   const auto has_elements = [&](const SettingCounts& setting) {
-    return setting.score(metric).found + setting.score(metric).truth > 0;
+    return setting.detections(metric).found + setting.detections(metric).ground_truth > 0;
   };
   return std::any_of(counts.begin(), counts.end(), has_elements) ||
          (at_default && has_elements(*at_default));
@@ -53,8 +53,8 @@ Sweep& Sweep::operator+=(const Sweep& other) {
 std::optional<std::size_t> best_setting(const Sweep& sweep, Metric metric) {
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < sweep.counts.size(); ++k) {
-    const double f = sweep.counts[k].score(metric).f_measure();
-    if (!best || f > sweep.counts[*best].score(metric).f_measure()) best = k;
+    const double f = sweep.counts[k].detections(metric).f_measure();
+    if (!best || f > sweep.counts[*best].detections(metric).f_measure()) best = k;
   }
   return best;
 }
@@ -62,7 +62,7 @@ std::optional<std::size_t> best_setting(const Sweep& sweep, Metric metric) {
 std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric) {
   std::vector<CurvePoint> points;
   for (const SettingCounts& counts : sweep.counts)
-    points.push_back({counts.score(metric).recall(), counts.score(metric).precision()});
+    points.push_back({counts.detections(metric).recall(), counts.detections(metric).precision()});
   std::sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
     return a.recall != b.recall ? a.recall > b.recall : a.precision > b.precision;
   });

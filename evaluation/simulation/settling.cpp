@@ -134,7 +134,7 @@ std::vector<const ObjectModel*> usable_models(std::span<const ObjectModel> model
   std::vector<const ObjectModel*> usable;
   for (const ObjectModel& model : models) {
     if (!is_solid(model.mesh)) {
-      warnings.push_back(fmt::format("{} is no solid and is not used", model.name));
+      warnings.push_back(fmt::format("{} is not a solid and is not used", model.name));
     } else if (thickness(model) >= min_thickness) {
       usable.push_back(&model);
     }

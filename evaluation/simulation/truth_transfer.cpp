@@ -83,13 +83,15 @@ Eigen::Isometry3d align_poses(std::span<const Eigen::Isometry3d> poses_target,
 std::vector<TriangleMesh> placed_meshes(const SceneTruth& truth,
                                         std::span<const TriangleMesh> meshes) {
   if (meshes.size() != truth.objects.size()) {
-    throw InputError("the truth", fmt::format("{} meshes, one an object", truth.objects.size()),
+    throw InputError("the ground truth",
+                     fmt::format("{} meshes, one per object", truth.objects.size()),
                      fmt::format("{}", meshes.size()));
   }
   std::vector<TriangleMesh> placed;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const TrueObject& object = truth.objects[k];
-    if (!object.T_world_mesh) throw InputError("the truth", "a pose of " + object.name, "none");
+    if (!object.T_world_mesh)
+      throw InputError("the ground truth", "a pose of " + object.name, "none");
     placed.push_back(transformed(meshes[k], *object.T_world_mesh));
   }
   return placed;

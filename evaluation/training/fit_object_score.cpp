@@ -65,7 +65,7 @@ ScoredScene scored(const FitScene& given, const Arguments& arguments) {
 
 /// Metrics at one threshold of the score.
 struct Counts {
-  Score over_90, over_75;
+  DetectionCounts over_90, over_75;
 };
 
 Counts count(const std::vector<ScoredScene>& scenes, const SelectionOptions& options) {
@@ -76,8 +76,8 @@ Counts count(const std::vector<ScoredScene>& scenes, const SelectionOptions& opt
     for (const SceneObject& object : select_probable(scene.objects, options, rejected))
       masks.push_back(object.points);
     const OverlapMatrix overlaps = overlap_matrix(scene.truth, masks);
-    counts.over_90 += mask_score(overlaps, 0.9);
-    counts.over_75 += mask_score(overlaps, 0.75);
+    counts.over_90 += mask_detections(overlaps, 0.9);
+    counts.over_75 += mask_detections(overlaps, 0.75);
   }
   return counts;
 }

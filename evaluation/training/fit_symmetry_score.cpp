@@ -164,7 +164,7 @@ void cross_validate(const std::vector<CandidatesOfScene<Kind>>& scenes,
   SymmetryTolerance tolerance;
   tolerance.distance = 0.1;
   for (int k = 0; k <= 14; ++k) {
-    Score score;
+    DetectionCounts counts;
     for (const CandidatesOfScene<Kind>& scene : scenes) {
       std::vector<typename Kind::Symmetry> found;
       for (const Candidate<Kind>& candidate : scene.candidates) {
@@ -172,10 +172,10 @@ void cross_validate(const std::vector<CandidatesOfScene<Kind>>& scenes,
             models[scene.dataset]->probability(candidate.sample.features) > 0.05 * k)
           found.push_back(candidate.symmetry);
       }
-      score += Kind::match(scene.truth, found, tolerance).score();
+      counts += Kind::match(scene.truth, found, tolerance).detections();
     }
-    fmt::print("{:15.2f}  {:.3f}  {:.3f}  {:.3f}\n", 0.05 * k, score.precision(), score.recall(),
-               score.f_measure());
+    fmt::print("{:15.2f}  {:.3f}  {:.3f}  {:.3f}\n", 0.05 * k, counts.precision(), counts.recall(),
+               counts.f_measure());
   }
 }
 

@@ -60,24 +60,24 @@ TEST(MaskScore, CountsAsEquationsFourFourteenAndFifteen) {
   overlaps << 0.95, 0.1, 0.0, 0.92,  // found twice: once right, but both returned
       0.0, 0.8, 0.0, 0.0,            //
       0.0, 0.0, 0.3, 0.0;
-  const Score strict = mask_score(overlaps, 0.9);
+  const DetectionCounts strict = mask_detections(overlaps, 0.9);
   EXPECT_EQ(strict.correct, 1U);
   EXPECT_DOUBLE_EQ(strict.precision(), 0.25);
   EXPECT_DOUBLE_EQ(strict.recall(), 1.0 / 3.0);
   EXPECT_DOUBLE_EQ(strict.f_measure(), 2.0 / 7.0);
-  EXPECT_EQ(mask_score(overlaps, 0.75).correct, 2U);
+  EXPECT_EQ(mask_detections(overlaps, 0.75).correct, 2U);
 }
 
 TEST(MaskScore, TheScoreOfSeveralScenesIsThatOfTheirSummedCounts) {
-  Score total{1, 2, 4};
-  total += Score{3, 3, 4};
+  DetectionCounts total{1, 2, 4};
+  total += DetectionCounts{3, 3, 4};
   EXPECT_DOUBLE_EQ(total.precision(), 0.8);
   EXPECT_DOUBLE_EQ(total.recall(), 0.5);
 }
 
 TEST(MaskScore, WithoutFoundMasksRecallIsZero) {
   const OverlapMatrix overlaps = overlap_matrix({{0, 1}}, {});
-  EXPECT_DOUBLE_EQ(mask_score(overlaps, 0.9).recall(), 0.0);
+  EXPECT_DOUBLE_EQ(mask_detections(overlaps, 0.9).recall(), 0.0);
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ class MissedObjects : public ::testing::Test {
   ObjectOutcome outcome(const SegmentationResult& result) const {
     return object_outcomes(truth_, {range(0, 100)}, proposals_, result).at(0);
   }
-  void expect(Fate fate, const std::string& reason) const {
+  void expect(Outcome expected, const std::string& reason) const {
     const ObjectOutcome seen = outcome();
-    EXPECT_EQ(fate_name(seen.fate), fate_name(fate));
+    EXPECT_EQ(outcome_name(seen.outcome), outcome_name(expected));
     EXPECT_EQ(seen.reason, reason);
   }
 
@@ -54,7 +54,7 @@ class MissedObjects : public ::testing::Test {
 TEST_F(MissedObjects, AGoodMaskIsFound) {
   propose(mirror, range(10, 60));
   cut(range(0, 95));
-  expect(Fate::found, "");
+  expect(Outcome::found, "");
   EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.95);
   EXPECT_EQ(outcome().kind, "box");
   EXPECT_EQ(outcome().points, 100U);
@@ -64,63 +64,63 @@ TEST_F(MissedObjects, AGoodMaskIsFound) {
 
 TEST_F(MissedObjects, WithoutACandidateInItAnObjectIsNotProposed) {
   propose(mirror, range(80, 160));
-  expect(Fate::not_proposed, "no segment");
+  expect(Outcome::not_proposed, "no segment");
 }
 
 TEST_F(MissedObjects, ACandidateThatIsNoSymmetryOfTheObjectDoesNotProposeIt) {
   propose(elsewhere, range(0, 50));
-  expect(Fate::not_proposed, "no symmetry");
+  expect(Outcome::not_proposed, "no symmetry");
 }
 
 TEST_F(MissedObjects, AProposalOfOverHalfTheObjectProposesItWithoutASymmetry) {
   cut(range(0, 60));
-  expect(Fate::wrongly_segmented, "too little");
+  expect(Outcome::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
   cut(range(0, 50));
-  expect(Fate::not_proposed, "no segment");  // half of it is not enough
+  expect(Outcome::not_proposed, "no segment");  // half of it is not enough
 }
 
 TEST_F(MissedObjects, AnObjectWithoutKnownSymmetriesIsProposedByAnyCandidateInIt) {
   truth_.objects.front().reflectional.clear();
   propose(elsewhere, range(0, 50));
   cut(range(0, 50));
-  expect(Fate::wrongly_segmented, "too little");
+  expect(Outcome::wrongly_segmented, "too little");
 }
 
 TEST_F(MissedObjects, AProposalOfHalfTheObjectIsTooLittleAndOneOfTwiceItTooMuch) {
   propose(mirror, range(0, 50));
   cut(range(0, 50));
-  expect(Fate::wrongly_segmented, "too little");
+  expect(Outcome::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
   cut(range(0, 180));
-  expect(Fate::wrongly_segmented, "too much");
+  expect(Outcome::wrongly_segmented, "too much");
   proposals_.reflectional.clear();
-  expect(Fate::wrongly_segmented, "too little");
+  expect(Outcome::wrongly_segmented, "too little");
 }
 
 TEST_F(MissedObjects, TheBoundThatRejectsAGoodHypothesisIsNamed) {
   propose(mirror, range(0, 50));
   cut(range(0, 100), {0.1, 0.9, 0.1});
-  expect(Fate::rejected, "occlusion");
+  expect(Outcome::rejected, "occlusion");
   cut(range(0, 99), {0.9, 0.001, 0.1});
-  expect(Fate::rejected, "occlusion");  // which comes after symmetry
+  expect(Outcome::rejected, "occlusion");  // which comes after symmetry
   EXPECT_DOUBLE_EQ(outcome().best_proposal_overlap, 1.0);
   EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.0);
   options_.reflectional_segmentation.bounds.min_size = 200;
-  expect(Fate::rejected, "size");
+  expect(Outcome::rejected, "size");
 }
 
 TEST_F(MissedObjects, AHypothesisRejectedForItsSupportIsNamed) {
   propose(mirror, range(0, 50));
   proposals_.rejected.push_back({"reflectional", "support", 0.3, 0.5, 100, range(0, 100)});
-  expect(Fate::rejected, "support");
+  expect(Outcome::rejected, "support");
 }
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedForItsOverlapWithABetterOne) {
   propose(mirror, range(0, 50));
   cut(range(0, 100), {0.2, 0.003, 0.1});
   cut(range(0, 190), {0.01, 0.0001, 0.01});
-  expect(Fate::rejected, "overlap");
+  expect(Outcome::rejected, "overlap");
 }
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedAsAComposite) {
@@ -128,7 +128,7 @@ TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedAsAComposite) {
   cut(range(0, 100));
   cut(range(0, 50), {0.05, 0.001, 0.1});
   cut(range(50, 100), {0.05, 0.001, 0.1});
-  expect(Fate::rejected, "composite");
+  expect(Outcome::rejected, "composite");
 }
 
 TEST_F(MissedObjects, AGoodProposalMayBeRejectedForItsScore) {
@@ -138,14 +138,14 @@ TEST_F(MissedObjects, AGoodProposalMayBeRejectedForItsScore) {
   proposal.object.points = range(0, 100);
   proposal.object.score = 0.5 * options_.selection.min_score;
   proposals_.objects.push_back(proposal);
-  expect(Fate::rejected, "score");
+  expect(Outcome::rejected, "score");
 }
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeMergedIntoAnObjectWithAWorseMask) {
   propose(mirror, range(0, 50));
   cut(range(0, 109), {0.2, 0.003, 0.1});
   cut(range(0, 113), {0.01, 0.0001, 0.01});
-  expect(Fate::rejected, "merge");
+  expect(Outcome::rejected, "merge");
 }
 
 }  // namespace

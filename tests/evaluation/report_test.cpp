@@ -12,10 +12,10 @@ namespace {
 const std::string nasty = "<b>\"mug\" & co, \xC3\xA9</b>";
 const ReportInfo info{nasty, "2020-01-02", "0.0", nasty};
 
-SettingCounts masks(Score score) {
+SettingCounts masks(DetectionCounts detections) {
   SettingCounts counts;
-  counts.score(Metric::masks_90) = score;
-  counts.overlap_sum = 0.5 * static_cast<double>(score.truth);
+  counts.detections(Metric::masks_90) = detections;
+  counts.overlap_sum = 0.5 * static_cast<double>(detections.ground_truth);
   counts.scenes = 1;
   return counts;
 }
@@ -30,12 +30,12 @@ Sweep two_settings(const std::string& method) {
   return sweep;
 }
 
-ObjectOutcome outcome(const std::string& kind, Fate fate, const std::string& reason) {
+ObjectOutcome outcome(const std::string& kind, Outcome type, const std::string& reason) {
   ObjectOutcome outcome;
   outcome.kind = kind;
   outcome.points = 10;
-  outcome.best_overlap = fate == Fate::found ? 0.95 : 0.25;
-  outcome.fate = fate;
+  outcome.best_overlap = type == Outcome::found ? 0.95 : 0.25;
+  outcome.outcome = type;
   outcome.reason = reason;
   return outcome;
 }
@@ -46,7 +46,8 @@ SceneEvaluation scene(const std::string& name) {
   scene.subset = "boxes";
   scene.segmentation = {two_settings("ours"), two_settings(nasty)};
   scene.segmentation.front().at_default = masks({1, 2, 2});
-  scene.objects = {outcome("can", Fate::found, ""), outcome(nasty, Fate::rejected, "overlap")};
+  scene.objects = {outcome("can", Outcome::found, ""),
+                   outcome(nasty, Outcome::rejected, "overlap")};
   scene.timings = {
       {"rotational detection", 0.5}, {"reflectional segmentation", 1.0}, {"choice", 2}};
   scene.returned = 2;
@@ -105,11 +106,12 @@ std::string first_mistake(const std::string& page) {
 
 TEST(Evaluation, SumsScenesObjectsAndSubsets) {
   const Evaluation evaluation = two_scenes();
-  EXPECT_EQ(evaluation.segmentation.at(0).counts.at(1).score(Metric::masks_90).truth, 4U);
+  EXPECT_EQ(evaluation.segmentation.at(0).counts.at(1).detections(Metric::masks_90).ground_truth,
+            4U);
   EXPECT_EQ(evaluation.subsets.at("boxes").size(), 2U);
   EXPECT_EQ(evaluation.outcomes.objects, 4U);
-  EXPECT_EQ(evaluation.outcomes.count(Fate::rejected), 2U);
-  EXPECT_EQ(evaluation.kinds.at("can").count(Fate::found), 2U);
+  EXPECT_EQ(evaluation.outcomes.count(Outcome::rejected), 2U);
+  EXPECT_EQ(evaluation.kinds.at("can").count(Outcome::found), 2U);
   EXPECT_DOUBLE_EQ(evaluation.outcomes.mean_overlap(), 0.6);
 }
 
@@ -123,7 +125,7 @@ TEST(Evaluation, RefusesASceneWithOtherMethods) {
 TEST(Runtimes, AreMeansByNumberOfObjects) {
   Evaluation evaluation = two_scenes();
   SceneEvaluation full = scene("full");
-  full.objects.resize(11, outcome("can", Fate::found, ""));
+  full.objects.resize(11, outcome("can", Outcome::found, ""));
   full.timings.front().seconds = 4.0;
   evaluation.add(full);
   const auto classes = runtimes(evaluation);

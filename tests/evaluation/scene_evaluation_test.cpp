@@ -80,8 +80,8 @@ TEST(EvaluateScene, SweepsEveryVariantAndBaselineEquallyForAnyNumberOfThreads) {
   EXPECT_EQ(evaluation.segmentation[2].method, reflectional_method);
   EXPECT_EQ(evaluation.segmentation[2].counts.size(), 30U);
   EXPECT_EQ(evaluation.segmentation[3].method, "everything");
-  EXPECT_EQ(evaluation.segmentation[3].counts[0].score(Metric::masks_50).found, 0U);
-  EXPECT_EQ(evaluation.segmentation[3].counts[1].score(Metric::masks_50).found, 1U);
+  EXPECT_EQ(evaluation.segmentation[3].counts[0].detections(Metric::masks_50).found, 0U);
+  EXPECT_EQ(evaluation.segmentation[3].counts[1].detections(Metric::masks_50).found, 1U);
   EXPECT_EQ(evaluation.detection.size(), 2U);
   EXPECT_EQ(evaluation.objects.size(), scene.truth.objects.size());
   const ThreadLimit one(1);
@@ -97,10 +97,10 @@ TEST(CountResult, CountsNoSymmetriesIfTheGroundTruthHasMasksOnly) {
   result.objects.front().reflectional.emplace_back();
   SceneTruth truth = truth_of({{0, 1}, {2}});
   const SettingCounts counts = count_result(scene, truth, result);
-  EXPECT_EQ(counts.score(Metric::masks_90).correct, 1U);
-  EXPECT_EQ(counts.score(Metric::planes).found, 0U);
+  EXPECT_EQ(counts.detections(Metric::masks_90).correct, 1U);
+  EXPECT_EQ(counts.detections(Metric::planes).found, 0U);
   truth.objects.front().rotational.emplace_back();
-  EXPECT_EQ(count_result(scene, truth, result).score(Metric::axes).truth, 1U);
+  EXPECT_EQ(count_result(scene, truth, result).detections(Metric::axes).ground_truth, 1U);
 }
 
 TEST(EvaluateScene, AcceptsAnEmptyScene) {

@@ -7,9 +7,9 @@
 namespace symscene {
 namespace {
 
-SettingCounts masks(Score score) {
+SettingCounts masks(DetectionCounts detections) {
   SettingCounts counts;
-  counts.score(Metric::masks_90) = score;
+  counts.detections(Metric::masks_90) = detections;
   counts.scenes = 1;
   return counts;
 }
@@ -50,9 +50,9 @@ TEST(Sweep, OfScenesIsTheSumOfTheirCounts) {
   total += five_settings();
   total += five_settings();
   EXPECT_EQ(total.method, "five");
-  EXPECT_EQ(total.counts[1].score(Metric::masks_90).correct, 8U);
+  EXPECT_EQ(total.counts[1].detections(Metric::masks_90).correct, 8U);
   EXPECT_EQ(total.counts[1].scenes, 2U);
-  EXPECT_DOUBLE_EQ(total.counts[1].score(Metric::masks_90).precision(), 0.8);
+  EXPECT_DOUBLE_EQ(total.counts[1].detections(Metric::masks_90).precision(), 0.8);
   Sweep other = five_settings();
   other.settings.back().front() = 6;
   EXPECT_THROW(total += other, InputError);

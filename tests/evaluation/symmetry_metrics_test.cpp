@@ -33,7 +33,7 @@ TEST(MatchAxes, CountsAxesWithinBothTolerances) {
   EXPECT_EQ(match.truth_met, (std::vector<bool>{true, false}));
   EXPECT_EQ(match.right, 1U);
   EXPECT_EQ(match.wrong, 1U);
-  EXPECT_DOUBLE_EQ(match.score().precision(), 0.5);
+  EXPECT_DOUBLE_EQ(match.detections().precision(), 0.5);
   EXPECT_EQ(match_axes(truth, found, {radians(10), 0.1}).right, 2U);
   EXPECT_EQ(match_axes(truth, found, {radians(5), 0.1}).right, 1U);
 }
@@ -80,7 +80,7 @@ TEST(MatchPlanes, FindsThreePlanesOfABoxWhateverTheSignOfTheNormal) {
   const SymmetryMatch match = match_planes(truth, found, one_centimetre);
   EXPECT_EQ(match.truth_met, (std::vector<bool>{true, true, false}));
   EXPECT_EQ(match.wrong, 1U);
-  EXPECT_DOUBLE_EQ(match.score().recall(), 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(match.detections().recall(), 2.0 / 3.0);
 }
 
 TEST(MatchPlanes, PlanesThroughTheAxisOfARotationalObjectDoNotCount) {
@@ -103,8 +103,8 @@ TEST(MatchPlanes, WeakPlanesDoNotCount) {
   const SymmetryMatch match =
       match_planes(truth, std::vector{across({1, 1, 0}, {0.004, 0, 0})}, one_centimetre);
   EXPECT_EQ(match.neither, 1U);
-  EXPECT_EQ(match.score().found, 0U);
-  EXPECT_DOUBLE_EQ(match.score().precision(), 1.0);
+  EXPECT_EQ(match.detections().found, 0U);
+  EXPECT_DOUBLE_EQ(match.detections().precision(), 1.0);
 }
 
 TEST(MatchPlanes, AStrictMatchPrecedesAnExcuse) {

@@ -51,8 +51,8 @@ TEST(Pipeline, FindsTheObjectsOfASimulatedTable) {
   const SimulatedScene& simulated = table_of_four();
   const SegmentationResult& result = result_of_four();
   const auto truth = transfer_masks(simulated.scene.cloud, simulated.truth, result.cloud);
-  const Score score = mask_score(overlap_matrix(truth, masks_of(result)), 0.9);
-  EXPECT_EQ(score.correct, simulated.truth.objects.size());
+  const DetectionCounts masks = mask_detections(overlap_matrix(truth, masks_of(result)), 0.9);
+  EXPECT_EQ(masks.correct, simulated.truth.objects.size());
   EXPECT_LE(result.objects.size(), simulated.truth.objects.size() + 1);
 }
 
@@ -110,7 +110,7 @@ TEST(Pipeline, EstimatesMissingNormalsAndWarns) {
   ASSERT_TRUE(result.cloud.has_normals());
   EXPECT_TRUE(warns(result, "no usable normals"));
   const auto truth = transfer_masks(simulated.scene.cloud, simulated.truth, result.cloud);
-  EXPECT_GE(mask_score(overlap_matrix(truth, masks_of(result)), 0.75).correct + 1,
+  EXPECT_GE(mask_detections(overlap_matrix(truth, masks_of(result)), 0.75).correct + 1,
             simulated.truth.objects.size());
 }
 

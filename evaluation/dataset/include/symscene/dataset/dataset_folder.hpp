@@ -35,7 +35,7 @@ struct DatasetListing {
   std::optional<std::uint64_t> seed;  ///< of layout "dataset"
   std::vector<DatasetEntry> entries;  ///< by name, numbers in names by value
   std::vector<std::string> missing;   ///< names of scenes that are not made yet
-  std::vector<std::string> warnings;  ///< assumptions about the files, a sentence each
+  std::vector<std::string> warnings;  ///< assumptions about the files, one sentence each
 };
 
 /// A scene with its ground truth.

@@ -41,7 +41,7 @@ struct DatasetOptions {
     visit("min_objects", self.min_objects, "", between(1, 15), "fewest objects of a scene");
     visit("max_objects", self.max_objects, "", between(1, 15), "most objects of a scene");
     visit("arranged_every", self.arranged_every, "", at_least(0),
-          "every so many scenes the objects are arranged, not dropped; 0 for never");
+          "interval of scenes whose objects are arranged, not dropped; 0 for never");
     visit("scanned", self.scanned, "", between(0.0, 1.0),
           "share of scanned models among the dropped objects, if there are any");
     visit("min_scale", self.min_scale, "", between(0.2, 2.0),
@@ -104,7 +104,7 @@ struct MadeScene {
   SceneTruth truth;
   SceneFacts facts;
   std::vector<StageTime> stages;      ///< wall time of all attempts
-  std::vector<std::string> warnings;  ///< of all attempts, a sentence each
+  std::vector<std::string> warnings;  ///< of all attempts, one sentence each
 };
 
 /// The objects of a scene on their table, in a randomly rotated and shifted world. If `drop` is

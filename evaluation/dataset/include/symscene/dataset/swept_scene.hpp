@@ -29,7 +29,7 @@ struct SweptSceneOptions {
 struct SweptScene {
   Scene scene;           ///< in the frame of the first camera that was fused
   SceneTruth truth;      ///< of what the scene's cloud shows, in the same frame
-  TriangleMesh surface;  ///< all that was reconstructed, in the same frame
+  TriangleMesh surface;  ///< the whole reconstruction, in the same frame
   Eigen::Isometry3d T_scene_world = Eigen::Isometry3d::Identity();  ///< of the sweep's world
   std::size_t frames = 0;
   std::size_t fused = 0;          ///< of the frames; others were lost
@@ -37,10 +37,10 @@ struct SweptScene {
   std::vector<StageTime> stages;  ///< wall time
 };
 
-/// Renders a sweep over a tabletop, reconstructs it without being told a pose, finds the table and
-/// carries the truth over to what was reconstructed. Where nothing is fused or no table is found
-/// the scene and its truth are empty. The same bits for any number of threads.
-/// Throws InputError where an option is out of its range.
+/// Renders a sweep over a tabletop, reconstructs it with tracked poses, finds the table and
+/// transfers the ground truth to the reconstruction. If no frame is fused or no table is found, the
+/// scene and its ground truth are empty. The result is the same for any number of threads.
+/// Throws InputError if an option is out of its range.
 SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
                              const SweptSceneOptions& options = {});
 

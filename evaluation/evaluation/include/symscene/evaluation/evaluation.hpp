@@ -9,16 +9,16 @@ namespace symscene {
 /// Outcomes of a group of objects: of all, or of those of one kind.
 struct OutcomeCounts {
   std::size_t objects = 0;
-  std::array<std::size_t, all_fates.size()>
-      fates{};  ///< number of objects, in the order of all_fates
-  std::array<std::map<std::string, std::size_t>, all_fates.size()>
-      reasons;                     ///< objects by reason, per fate
+  std::array<std::size_t, all_outcomes.size()>
+      counts{};  ///< number of objects, in the order of all_outcomes
+  std::array<std::map<std::string, std::size_t>, all_outcomes.size()>
+      reasons;                     ///< objects by reason, per outcome
   std::size_t over_75 = 0;         ///< objects that a returned mask overlaps with IoU > 0.75
   double overlap_sum = 0.0;        ///< of the best overlap of each object [IoU]
   std::size_t symmetries = 0;      ///< strict symmetries of the ground truth
   std::size_t symmetries_met = 0;  ///< of these, found within 10° and 1 cm
 
-  std::size_t count(Fate fate) const { return fates[static_cast<std::size_t>(fate)]; }
+  std::size_t count(Outcome outcome) const { return counts[static_cast<std::size_t>(outcome)]; }
   /// Mean best overlap; 1 without objects. [IoU]
   double mean_overlap() const {
     return objects == 0 ? 1.0 : overlap_sum / static_cast<double>(objects);

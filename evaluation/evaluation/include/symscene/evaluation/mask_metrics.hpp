@@ -20,20 +20,20 @@ std::vector<PointIndices> transfer_masks(const PointCloud& labeled, const SceneT
 OverlapMatrix overlap_matrix(const std::vector<PointIndices>& truth,
                              const std::vector<PointIndices>& found);
 
-/// Counts for precision, recall and F. Scores of several scenes are summed count by count.
-struct Score {
-  std::size_t correct = 0;  ///< elements of the ground truth that were found
-  std::size_t found = 0;    ///< returned elements that count as right or wrong
-  std::size_t truth = 0;    ///< elements of the ground truth
+/// Counts for precision, recall and F. Counts of several scenes are added.
+struct DetectionCounts {
+  std::size_t correct = 0;       ///< elements of the ground truth that were found
+  std::size_t found = 0;         ///< returned elements that count as right or wrong
+  std::size_t ground_truth = 0;  ///< elements of the ground truth
 
   double precision() const { return ratio(correct, found); }
-  double recall() const { return ratio(correct, truth); }
-  double f_measure() const { return ratio(2 * correct, found + truth); }
+  double recall() const { return ratio(correct, ground_truth); }
+  double f_measure() const { return ratio(2 * correct, found + ground_truth); }
 
-  Score& operator+=(const Score& other) {
+  DetectionCounts& operator+=(const DetectionCounts& other) {
     correct += other.correct;
     found += other.found;
-    truth += other.truth;
+    ground_truth += other.ground_truth;
     return *this;
   }
 
@@ -46,7 +46,7 @@ struct Score {
 
 /// Eqs. 4.14, 4.15: a true object counts as found if some mask overlaps it by more than
 /// `min_overlap`; every returned mask counts in the precision.
-Score mask_score(const OverlapMatrix& overlaps, double min_overlap);
+DetectionCounts mask_detections(const OverlapMatrix& overlaps, double min_overlap);
 
 /// The best overlap of every true object; 0 if no mask was found.
 std::vector<double> best_overlaps(const OverlapMatrix& overlaps);

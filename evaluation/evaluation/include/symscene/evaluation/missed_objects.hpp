@@ -6,16 +6,16 @@
 namespace symscene {
 
 /// The outcome of a true object: found, or missed by one of the stages, in their order.
-enum class Fate {
+enum class Outcome {
   found,              ///< a returned mask overlaps it with IoU > 0.9
-  not_proposed,       ///< no detected symmetry is one of it, and no proposal overlaps it by half
+  not_proposed,       ///< no detected symmetry matches it and no proposal overlaps it by half
   wrongly_segmented,  ///< proposed, but no proposal overlaps it with IoU > 0.9
   rejected,           ///< some proposal does, and was rejected
 };
-inline constexpr std::array all_fates = {Fate::found, Fate::not_proposed, Fate::wrongly_segmented,
-                                         Fate::rejected};
+inline constexpr std::array all_outcomes = {Outcome::found, Outcome::not_proposed,
+                                            Outcome::wrongly_segmented, Outcome::rejected};
 /// "not proposed", and so on.
-std::string fate_name(Fate fate);
+std::string outcome_name(Outcome outcome);
 
 /// The outcome of a true object in a result.
 struct ObjectOutcome {
@@ -23,9 +23,9 @@ struct ObjectOutcome {
   std::size_t points = 0;              ///< size of its mask in the cloud of the result
   double best_overlap = 0.0;           ///< with a returned mask [IoU]
   double best_proposal_overlap = 0.0;  ///< with a hypothesis or proposal, rejected or not [IoU]
-  Fate fate = Fate::found;
+  Outcome outcome = Outcome::found;
   /// Why it was missed; empty if found. Not proposed: "no segment" (no candidate has most of its
-  /// support in the object) or "no symmetry" (such candidates are no symmetries of the object).
+  /// support in the object) or "no symmetry" (such candidates are not symmetries of the object).
   /// Wrongly segmented: "too little" or "too much" of the object. Rejected: the bound that rejected
   /// the proposal ("size", "symmetry", "occlusion", "smoothness", "support", "score"), or the
   /// selection ("merge", "composite", "overlap").

@@ -48,8 +48,8 @@ std::string scenes_csv(const Evaluation& evaluation);
 std::string report_json(const Evaluation& evaluation, const ReportInfo& info);
 
 /// A table that compares the headline of a report's JSON with that of an earlier one; numbers that
-/// only one of them has are left out. Throws InputError if `earlier` is no report, or one of
-/// another version; `name` stands for it in messages.
+/// only one of them has are left out. Throws InputError if `earlier` is not a report of
+/// this version; `name` stands for it in messages.
 std::string report_difference(const std::string& report, const std::string& earlier,
                               const std::string& name);
 

@@ -8,8 +8,8 @@
 
 namespace symscene {
 
-/// The masks of a baseline in a scene for each value of its parameter, by falling confidence if it
-/// has one.
+/// The masks of a baseline in a scene for each value of its parameter, by descending confidence if
+/// it has one.
 struct BaselineMasks {
   std::string method;
   std::string parameter;
@@ -50,7 +50,7 @@ struct SceneEvaluation {
   std::vector<ObjectOutcome> objects;
   std::vector<StageTime> timings;     ///< of segmentation at the given options, without completion
   std::size_t returned = 0;           ///< number of objects that it returned
-  std::vector<std::string> warnings;  ///< of reading and of segmentation, a sentence each
+  std::vector<std::string> warnings;  ///< of reading and of segmentation, one sentence each
 };
 
 /// Names of the methods in `segmentation` and `detection`: proposals selected by score, and

@@ -31,13 +31,15 @@ std::string metric_name(Metric metric);
 
 /// The counts of one setting of a method, in a scene or summed over scenes.
 struct SettingCounts {
-  std::array<Score, all_metrics.size()> scores;  ///< in the order of all_metrics
-  double overlap_sum = 0.0;                      ///< of the best overlap of each true object [IoU]
-  SegmentMetrics segments;                       ///< summed over scenes
+  std::array<DetectionCounts, all_metrics.size()> counts;  ///< in the order of all_metrics
+  double overlap_sum = 0.0;  ///< of the best overlap of each true object [IoU]
+  SegmentMetrics segments;   ///< summed over scenes
   std::size_t scenes = 0;
 
-  const Score& score(Metric metric) const { return scores[static_cast<std::size_t>(metric)]; }
-  Score& score(Metric metric) { return scores[static_cast<std::size_t>(metric)]; }
+  const DetectionCounts& detections(Metric metric) const {
+    return counts[static_cast<std::size_t>(metric)];
+  }
+  DetectionCounts& detections(Metric metric) { return counts[static_cast<std::size_t>(metric)]; }
   /// Mean best overlap of the true objects; 1 without any. [IoU]
   double mean_overlap() const;
 
@@ -68,7 +70,7 @@ struct CurvePoint {
   double precision = 0.0;
 };
 
-/// The upper envelope of precision over recall of the settings, by rising recall and falling
+/// The upper envelope of precision over recall of the settings, by ascending recall and descending
 /// precision: no setting dominates a point of the curve.
 std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric);
 

@@ -27,7 +27,7 @@ struct SymmetryMatch {
   std::size_t neither = 0;
   std::size_t wrong = 0;
 
-  Score score() const { return {right, right + wrong, truth_met.size()}; }
+  DetectionCounts detections() const { return {right, right + wrong, truth_met.size()}; }
 };
 
 SymmetryMatch match_axes(const SceneTruth& truth, std::span<const RotationAxis> found,

@@ -58,7 +58,7 @@ struct SensorNoiseOptions {
   void validate() const;
 };
 
-/// The frame that the sensor measures where `exact` is the truth. Throws InputError if an option is
+/// Adds the noise of the sensor to the noise-free frame `exact`. Throws InputError if an option is
 /// out of range.
 SensorFrame add_sensor_noise(const SensorFrame& exact, const CameraIntrinsics& camera,
                              const SensorNoiseOptions& options, Random random);

@@ -74,7 +74,7 @@ Tabletop empty_tabletop(const TabletopOptions& options);
 /// The mesh of a placed object. World frame.
 TriangleMesh world_mesh(const PlacedObject& placed);
 
-/// The ground truth of a placed object but for its mask. World frame.
+/// The ground truth of a placed object except for its mask. World frame.
 TrueObject true_object(const PlacedObject& placed);
 
 }  // namespace symscene
