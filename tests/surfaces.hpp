@@ -69,7 +69,7 @@ inline DistanceField nothing_known(const PointCloud& cloud) {
   return unknown_distance_field(bounding_box(cloud.positions), 0.005F, std::nullopt);
 }
 
-/// The space around a cloud, all of it seen empty but for the voxels with points.
+/// The space around a cloud, all of it seen empty except for the voxels with points.
 inline DistanceField all_seen(const PointCloud& cloud) {
   OccupancyGrid grid = rasterize(OccupancyMap{}, bounding_box(cloud.positions).padded(0.1F));
   std::fill(grid.states.begin(), grid.states.end(), VoxelState::free);

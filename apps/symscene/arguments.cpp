@@ -137,14 +137,14 @@ void Arguments::reporting(SharedOptions& shared) {
 }
 
 void Arguments::config(SharedOptions& shared, const std::function<OptionFields()>& configure) {
-  file("--config", shared.config, "JSON file with options of the stages (docs/options.md)");
+  file("--config", shared.config, "JSON file with options of the stages, see `symscene options`");
   command_.add_flag_callback(
       "--dump-config",
       [configure] {
         print_output(format_config(configure()));
         throw CLI::Success();
       },
-      "print all options of the stages as such a file, with unit, range and help");
+      "print all options of the stages in the format of --config, with unit, range and help");
   line_.configurable.push_back({command_.get_name(), configure});
 }
 

@@ -66,7 +66,7 @@ class Arguments {
   void config(SharedOptions& shared, const std::function<OptionFields()>& configure);
   /// Documents the options that the subcommand has with `flag` in place of the others.
   void config_with(const char* flag, std::function<OptionFields()> configure);
-  /// What the subcommand does once the command line is parsed.
+  /// Runs the subcommand after the command line is parsed.
   void run(std::function<void()> body);
 
  private:
@@ -74,7 +74,7 @@ class Arguments {
   CLI::App& command_;
 };
 
-/// Throws InputError if writing `output` would change the file or folder `input`, or what is in it.
+/// Throws InputError if writing `output` would change the file or folder `input` or its contents.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
 /// The last component of a folder's path, also if the path ends in a slash or is a dot.

@@ -10,7 +10,7 @@
 
 namespace symscene::app {
 
-/// What the process that made a scene reports to the one that collects them.
+/// The report of a process that made a scene to the process that collects the scenes.
 struct SceneReport {
   std::size_t objects = 0;
   std::vector<std::string> warnings;

@@ -54,7 +54,7 @@ std::string receive_packet(int socket) {
 /// Ends the process if the packet cannot be sent; the other side sees the closed socket.
 void send_outcome(int socket, char mark, std::string text) {
   if (text.size() > longest_text) {
-    if (mark == mark_done) text = "what it had to tell is too long";
+    if (mark == mark_done) text = fmt::format("its message exceeds {} bytes", longest_text);
     mark = mark_failed;
     text.resize(std::min(text.size(), longest_text));
   }

@@ -8,7 +8,7 @@
 namespace symscene {
 
 /// Parses a Redwood (Open3D) camera file: JSON with width, height and intrinsic_matrix (by
-/// columns). Throws InputError if the text is no such camera.
+/// columns). Throws InputError if the text is not a valid camera file.
 CameraIntrinsics parse_intrinsics_json(std::string_view text, const std::string& name);
 
 /// Throws InputError unless focal lengths are positive, all numbers are finite and the size is that

@@ -158,7 +158,7 @@ void GltfDocument::require_known_extensions() const {
 std::string_view GltfDocument::view(const JsonCursor& accessor, std::size_t& stride) const {
   const JsonCursor view = root().at("bufferViews").at(accessor.at("bufferView").count());
   const std::size_t buffer = view.at("buffer").count();
-  if (buffer >= buffers_.size()) view.at("buffer").fail("a buffer that is there");
+  if (buffer >= buffers_.size()) view.at("buffer").fail("the index of a buffer");
   const std::string_view bytes = buffers_[buffer];
   const std::size_t offset = count_or(view, "byteOffset", 0);
   const std::size_t length = view.at("byteLength").count();

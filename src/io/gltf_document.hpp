@@ -26,7 +26,7 @@ struct GltfAccessor {
 /// A glTF 2.0 file: its JSON and its buffers.
 class GltfDocument {
  public:
-  /// Throws InputError if `bytes` are no such file or require an extension that affects the
+  /// Throws InputError if `bytes` are not a glTF file or require an extension that affects the
   /// geometry.
   GltfDocument(std::string_view bytes, std::string name, const ReadBeside& read_beside);
 

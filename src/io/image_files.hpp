@@ -14,7 +14,7 @@ namespace symscene {
 constexpr double default_rate = 30.0;
 
 /// The files of a folder whose names end in one of `endings` (".png"), in the order of
-/// natural_less(); none if it is no folder.
+/// natural_less(); empty if it is not a folder.
 std::vector<std::filesystem::path> files_ending(const std::filesystem::path& dir,
                                                 std::initializer_list<const char*> endings);
 

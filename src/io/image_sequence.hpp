@@ -11,7 +11,7 @@
 
 namespace symscene {
 
-/// The camera of a sequence, as far as it is known.
+/// The known parameters of the camera of a sequence.
 struct Calibration {
   std::optional<CameraIntrinsics> intrinsics;  ///< size 0×0: the size of the images
   std::optional<double> depth_scale;           ///< value of the depth images that is 1 m [1/m]

@@ -8,7 +8,7 @@ namespace symscene {
 /// A file mapped into memory: only the bytes that are accessed are read.
 class MappedFile {
  public:
-  /// Throws InputError if there is no such file or it cannot be read.
+  /// Throws InputError if the file does not exist or cannot be read.
   explicit MappedFile(const std::filesystem::path& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;

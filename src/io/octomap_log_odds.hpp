@@ -9,9 +9,9 @@
 namespace symscene {
 
 /// Parses the leaves of an OctoMap tree with log-odds (.ot), depth first. `name` is the name of the
-/// file in messages. Throws InputError if the bytes are no such file, end early, continue after the
-/// tree, nest deeper than 16, contain another number of nodes than the header declares, or a
-/// log-odds that is not finite.
+/// file in messages. Throws InputError if the bytes are not an OctoMap file, end early, continue
+/// after the tree or nest deeper than 16, if the number of nodes differs from that in the header,
+/// or if a log-odds value is not finite.
 LogOddsMap parse_log_odds(std::string_view bytes, const std::string& name);
 LogOddsMap read_log_odds(const std::filesystem::path& path);
 

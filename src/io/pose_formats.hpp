@@ -10,7 +10,7 @@ namespace symscene {
 
 /// Parses a 4×4 matrix, camera to world, by rows. Returns nothing if a number is not finite, as in
 /// frames where tracking was lost. Rounding errors of the rotation are removed.
-/// Throws InputError if the text is no such matrix.
+/// Throws InputError if the text is not a rigid 4×4 matrix.
 std::optional<Eigen::Isometry3d> parse_pose_matrix(std::string_view text, const std::string& name);
 
 /// Parses the poses of a Redwood .log file, each of three integers and a 4×4 matrix, in the order

@@ -26,7 +26,7 @@ struct RosCameraInfo {
   bool distorted = false;      ///< whether a number of D is not 0
 };
 
-// Throw InputError if the bytes are no such message; `name` is the name of the file.
+// Throw InputError if the bytes are not a message of this type; `name` is the name of the file.
 RosImage parse_ros_image(std::string_view bytes, const std::string& name);
 RosCameraInfo parse_ros_camera_info(std::string_view bytes, const std::string& name);
 

@@ -43,7 +43,7 @@ fs::path find_cloud(const fs::path& dir) {
 bool exists_or_warn(const fs::path& file, const char* consequence,
                     std::vector<std::string>& warnings) {
   if (fs::exists(file)) return true;
-  warnings.push_back(file.string() + " is not there: " + consequence);
+  warnings.push_back(file.string() + " is missing: " + consequence);
   return false;
 }
 

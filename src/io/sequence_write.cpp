@@ -28,7 +28,7 @@ bool is_frame_file(const std::filesystem::path& name) {
   return image && digits(name.stem().string());
 }
 
-/// The mesh of an object that the truth names.
+/// Whether `name` is the mesh of an object of the ground truth: meshes/NAME.ply.
 bool is_true_mesh(const std::filesystem::path& name) {
   return name.parent_path() == "meshes" && name.extension() == ".ply";
 }

@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-constexpr const char* truth_to_write = "truth to write";
+constexpr const char* truth_to_write = "ground truth to write";
 
 bool is_strict(const JsonCursor& symmetry) {
   const auto strict = symmetry.find("strict");
@@ -135,7 +135,7 @@ std::vector<TriangleMesh> read_truth_meshes(const std::filesystem::path& dir,
   for (const TrueObject& object : truth.objects) {
     const std::filesystem::path name = object.mesh;
     if (name.empty() || name != name.filename())
-      throw InputError(dir.string(), "truth that names each object's mesh", object.mesh);
+      throw InputError(dir.string(), "ground truth that names each object's mesh", object.mesh);
     meshes.push_back(read_mesh(dir / "meshes" / (object.mesh + ".ply")));
   }
   return meshes;

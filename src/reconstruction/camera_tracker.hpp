@@ -28,7 +28,7 @@ class CameraTracker {
   Located locate(const Measurement& measurement, const std::optional<Eigen::Isometry3d>& guess);
 
   /// The frame's pose is accepted and the frame is part of the model. `confirmed` if tracking has
-  /// converged against an earlier model: only then the motion model carries on.
+  /// converged against an earlier model: otherwise the motion model is reset.
   void accept(const Measurement& measurement, const TrackingResult& tracking, bool confirmed);
 
   /// The frame's pose is unknown: the motion model is reset.

@@ -20,7 +20,7 @@ Places places_of(std::span<const Eigen::Isometry3d> poses) {
   return places;
 }
 
-/// What is left between the places once one path has been moved onto the other (Umeyama 1991).
+/// Residual distances after rigid alignment (Umeyama 1991).
 Eigen::VectorXd distances_when_aligned(const Places& estimated, const Places& truth) {
   const Eigen::Matrix4d T = Eigen::umeyama(estimated, truth, false);
   return (((T.topLeftCorner<3, 3>() * estimated).colwise() + T.topRightCorner<3, 1>()) - truth)

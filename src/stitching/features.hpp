@@ -21,7 +21,7 @@ struct FrameFeatures {
 FrameFeatures find_features(const DepthFrame& frame, const CameraIntrinsics& camera,
                             const FeatureOptions& options, const MeasurementOptions& sensor);
 
-/// Pairs of features that are each other's nearest descriptor and pass the ratio test, by rising
+/// Pairs of features that are each other's nearest descriptor and pass the ratio test, by ascending
 /// `first`.
 std::vector<FeatureMatch> match_features(const FrameFeatures& first, const FrameFeatures& second,
                                          const FeatureOptions& options);

@@ -5,7 +5,7 @@
 
 namespace symscene {
 
-/// A frame as the pose of a pair takes it.
+/// Input frame of the pair-pose estimate.
 struct PairView {
   const FrameFeatures& features;
   const SurfaceImage& surface;  ///< against which the pose is checked

@@ -8,7 +8,7 @@ namespace symscene {
 namespace {
 
 constexpr int iterations = 10;
-constexpr double nearest_depth = 0.05;  ///< what is nearer is not seen [m]
+constexpr double nearest_depth = 0.05;  ///< nearer points are treated as outside the image [m]
 
 Eigen::Vector2d error(const CameraIntrinsics& camera, const Eigen::Vector3d& point,
                       const Eigen::Vector2d& pixel) {

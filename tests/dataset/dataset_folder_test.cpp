@@ -58,7 +58,7 @@ void write_views(const fs::path& dir, const SingleView& view) {
   write_text(dir / "other.label.png", format_png(grey));
 }
 
-/// A scene of four points with two objects, whose truth has the given text for their points.
+/// A scene of four points with two objects; the ground truth has the given text for their points.
 void write_small_scene(const fs::path& dir, const std::string& a, const std::string& b) {
   write_scene(dir, {io_test::random_cloud(4, 1), {}, Plane{Eigen::Vector3d::UnitZ(), 0.0}});
   const auto object = [](const std::string& name, const std::string& points) {
@@ -203,10 +203,11 @@ TEST(FoldersOfScenes, WithMissingOrContradictoryTruthAreRefused) {
   expect_in("truth.json: expected at least one object, found none", refused());
   write_small_scene(dir, "[0, 1]", "[2]");
   fs::remove(dir / "cloud.ply");
-  expect_in("cloud.ply: expected the cloud of a scene with truth, found no such file", refused());
+  expect_in("cloud.ply: expected the cloud of a scene with ground truth, found no such file",
+            refused());
   write_small_scene(dir, "[0, 1]", "[2]");
   fs::remove(dir / "truth.json");
-  expect_in("truth.json: expected the truth of the scene, found no such file", refused());
+  expect_in("truth.json: expected the ground truth of the scene, found no such file", refused());
   fs::remove_all(dir);
   expect_in("found a folder without scenes", refused());
   fs::remove_all(folder / "all");

@@ -38,8 +38,8 @@ TEST(Scene, WithoutOccupancyAndTableThereIsAWarningForEach) {
   const Scene scene = read_scene(folder / "scene");
   EXPECT_FALSE(scene.occupancy || scene.table);
   ASSERT_EQ(scene.warnings.size(), 2U);
-  EXPECT_NE(scene.warnings[0].find("occupancy.bt is not there"), std::string::npos);
-  EXPECT_NE(scene.warnings[1].find("table_plane.txt is not there"), std::string::npos);
+  EXPECT_NE(scene.warnings[0].find("occupancy.bt is missing"), std::string::npos);
+  EXPECT_NE(scene.warnings[1].find("table_plane.txt is missing"), std::string::npos);
 }
 
 TEST(Scene, TheCloudMayBeAPcdFile) {

@@ -245,8 +245,8 @@ ScalarVoxel fuse_scalar(const ScalarVoxel& old, const Eigen::Vector3d& center,
   if (std::abs(full + cut) < 1e-5) now.decided = false;
   if (std::abs(p.z() - depth - cut) < 1e-5) now.decided = false;
   if (full <= -cut || p.z() - depth >= cut) return now;
-  const double says = std::clamp((0.625 * cut + full) / (0.375 * cut), 0.0, 1.0);
-  const double weighed = static_cast<double>(packed & 255) * says;
+  const double surface_weight = std::clamp((0.625 * cut + full) / (0.375 * cut), 0.0, 1.0);
+  const double weighed = static_cast<double>(packed & 255) * surface_weight;
   // Rounding may go either way in float.
   if (std::abs(weighed - std::floor(weighed) - 0.5) < 0.1) now.decided = false;
   const int added = static_cast<int>(weighed + 0.5), sum = old.weight + added;

@@ -187,7 +187,7 @@ TEST(Settling, AFlatMeshIsNotUsedAndNamedInAWarning) {
   ASSERT_EQ(tabletop.objects.size(), 1U);
   EXPECT_EQ(tabletop.objects[0].object.name, "box");
   ASSERT_EQ(tabletop.warnings.size(), 1U);
-  EXPECT_EQ(tabletop.warnings[0], "sheet is no solid and is not used");
+  EXPECT_EQ(tabletop.warnings[0], "sheet is not a solid and is not used");
 }
 
 TEST(Settling, RefusesModelsOfWhichNoneCanBeUsed) {

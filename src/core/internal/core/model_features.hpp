@@ -21,7 +21,7 @@ std::array<double, (Features::count + ...)> values_of(const Features&... feature
   return values;
 }
 
-/// Their names in the same order: what a model must have been fitted to.
+/// Their names in the same order, as a model must list them.
 template <class... Features>
 std::vector<std::string> names_of() {
   std::vector<std::string> names;

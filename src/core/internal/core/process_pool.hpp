@@ -16,8 +16,8 @@ struct ItemOutcome {
 };
 
 /// Processes that work on numbered items in parallel, each item in its own process, so that a crash
-/// loses one item only. They see the memory as it was when the pool was made. The pool must be made
-/// before this process starts other threads; its processes end with this one.
+/// loses one item only. They see a copy of the memory from when the pool was made. The pool must be
+/// made before this process starts other threads; its processes end with this one.
 class ProcessPool {
  public:
   /// The work on one item. The text that it returns may have at most 60,000 bytes; the message of

@@ -12,7 +12,7 @@ namespace symscene {
 /// Whether no voxel of the grid was observed: the occupancy map is of another place or frame.
 bool is_unobserved(const OccupancyGrid& grid);
 
-/// Warnings, a sentence each, if the cloud, the table and the occupancy are likely in different
+/// Warnings (one sentence each) if the cloud, the table and the occupancy are likely in different
 /// frames: more than half of the points (N×3, world frame) lie below the table or in free space.
 std::vector<std::string> frame_warnings(const Points& points, const DistanceField& field,
                                         const std::optional<Plane>& table);

@@ -49,7 +49,7 @@ struct PoseFit {
 /// Compares depths only, without normals: a point of `moved` is an inlier if its depth in the fixed
 /// camera is within three deviations of the depth measured there. It is shown if it is an inlier or
 /// lies in front of that depth, in space that `fixed` has seen to be empty; points behind it are
-/// occluded and say nothing about the pose.
+/// occluded and do not affect the result.
 PoseFit depth_fit(const SurfaceImage& moved, const SurfaceImage& fixed,
                   const Eigen::Isometry3d& T_fixed_moved, const DepthNoise& noise);
 

@@ -36,7 +36,7 @@ class SurfaceRegions {
                  const NeighborLists& neighbors, const SurfacePartsOptions& options = {});
 
   /// The nodes of the tree of at least `min_size` points, as ascending indices: first the regions,
-  /// then what they were merged into, in order.
+  /// then the merged regions, in order.
   std::vector<PointIndices> parts() const;
 
   /// The weakness of the weakest border that joins two large parts of a set, in [0, 1]: 0 for a

@@ -21,7 +21,7 @@ struct Workspace {
   std::vector<WeightedEdge> edges;     ///< the surface graph of `cloud`
   NeighborLists neighbors;             ///< for region growing: within the diagonal of a voxel
   std::vector<PointIndices> segments;  ///< smooth segments, largest first
-  std::vector<std::string> warnings;   ///< a sentence each
+  std::vector<std::string> warnings;   ///< one sentence each
 
   ObservedSurface surface() const { return {cloud, edges, field}; }
 };

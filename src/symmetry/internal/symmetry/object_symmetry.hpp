@@ -30,7 +30,7 @@ struct PlaneCandidate {
 
 struct SymmetryCandidates {
   std::optional<AxisCandidate> axis;
-  std::vector<PlaneCandidate> planes;  ///< distinct, by rising residual
+  std::vector<PlaneCandidate> planes;  ///< distinct, by ascending residual
 };
 
 /// The axis of lowest residual within the bounds, of those under which the object was segmented and
@@ -44,7 +44,7 @@ std::optional<AxisCandidate> axis_candidate(const ObservedScene& scene, const Sc
 SymmetryCandidates symmetry_candidates(const ObservedScene& scene, const SceneObject& object,
                                        const SymmetrySearchOptions& options);
 
-/// The symmetries of an object, by rising residual.
+/// The symmetries of an object, by ascending residual.
 struct ListedSymmetries {
   std::vector<ScoredAxis> rotational;
   std::vector<ScoredPlane> reflectional;

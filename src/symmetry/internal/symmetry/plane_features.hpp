@@ -13,8 +13,8 @@
 
 namespace symscene {
 
-/// Where the images of an object's points under a plane lie. Shares are of the points that are not
-/// so near to the plane that they correspond to themselves; the rest of the images is unobserved.
+/// Locations of the images of an object's points under a plane. Shares leave out points so near to
+/// the plane that they correspond to themselves; the rest of the images is unobserved.
 struct ImageFeatures {
   double matched = 0.0;        ///< share of images on the surface
   double empty = 0.0;          ///< share in observed free space
@@ -54,7 +54,7 @@ struct PlaneFeatures {
   double upright = 0.0;       ///< |cosine| of the plane's normal and the table's; -1 without one
   double along_axis = 0.0;    ///< |cosine| of the plane's normal and the object's axis; -1 without
   double object_score = 0.0;  ///< of the object
-  // Compared with the other planes of the object, by rising residual:
+  // Compared with the other planes of the object, by ascending residual:
   double rank = 0.0;          ///< number of planes of lower residual
   double nearest = 0.0;       ///< least angle to one of these; a right angle without any [rad]
   double off_square = 0.0;    ///< least |cosine| with one of these; -1 without any
@@ -93,17 +93,17 @@ struct PlaneFeatures {
   static constexpr std::size_t count = 26;
 };
 
-/// What is known of an object beside its points when the features of a plane are computed.
+/// Inputs of the features of a plane besides the points of the object.
 struct PlaneContext {
   double object_score = 0.0;
   std::optional<RotationAxis> axis = std::nullopt;
-  std::span<const MatchedPlane> better = {};  ///< the object's planes of lower residual, by it
+  std::span<const MatchedPlane> better = {};  ///< planes of lower residual, sorted by residual
 };
 
 /// Computes the features of planes on the points of one object.
 class PlaneFeatureExtractor {
  public:
-  /// `points` has unit normals and is not empty. The arguments must outlive this, the table aside.
+  /// `points` has unit normals and is not empty. The arguments must outlive this, except the table.
   PlaneFeatureExtractor(const PointCloud& points, const DistanceField& field,
                         const std::optional<Plane>& table, const PlaneFeatureOptions& options);
 

@@ -33,7 +33,7 @@ struct CompletionOptions {
 /// (section 1.3), rotated about the axes in steps of the spacing, reflected by the planes and by
 /// their products. Images in observed free space and those near observed points are left out.
 /// Normals and colours are those of the originals. `observed` has unit normals and is in the frame
-/// of the symmetries and of `field`; symmetries come by rising residual. Throws InputError on
+/// of the symmetries and of `field`; symmetries come by ascending residual. Throws InputError on
 /// invalid options.
 PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredAxis>& axes,
                            const std::vector<ScoredPlane>& planes, const DistanceField& field,

@@ -21,7 +21,7 @@
 /// A visitor is called as visit(name, value, unit, range, help) for a field, value being double,
 /// int, bool, std::uint64_t or std::string (a path, whose range is any_value()), and as
 /// visit(name, group) for a nested options struct. `Self` is const or not, as the caller needs.
-/// `help` ends with the source: a section or equation of the thesis, or a paper.
+/// `help` ends with its source where there is one: a section or equation of the thesis, or a paper.
 namespace symscene {
 
 /// The values that an option may have: an interval, open at an end that is excluded.

@@ -20,7 +20,7 @@ struct Scene {
   std::optional<OccupancyMap>
       occupancy;               ///< without one, all space off the surface counts as never seen
   std::optional<Plane> table;  ///< unit normal that points up
-  std::vector<std::string> warnings = {};  ///< of its reader, a sentence each
+  std::vector<std::string> warnings = {};  ///< of its reader, one sentence each
 };
 
 /// A symmetry of an object and its residual, 0 for a perfect fit.
@@ -46,9 +46,9 @@ struct SceneObject {
 /// A hypothesis that was rejected or merged, and the bound that it failed.
 struct Rejection {
   std::string kind;          ///< "rotational", "reflectional" or "surface"
-  std::string reason;        ///< the score that failed: "symmetry", "occlusion", "smoothness", ...
-  double value = 0.0;        ///< measured value of that score
-  double bound = 0.0;        ///< bound on it
+  std::string reason;        ///< the bound that failed: "symmetry", "occlusion", "smoothness", ...
+  double value = 0.0;        ///< value compared with the bound
+  double bound = 0.0;        ///< the bound itself
   std::size_t size = 0;      ///< points of the hypothesis
   PointIndices points = {};  ///< into the result's cloud, if known; not written to files
 };
@@ -68,7 +68,7 @@ struct SegmentationResult {
   std::vector<Rejection> rejected;    ///< hypotheses that did not become objects
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
-  std::vector<std::string> warnings;  ///< what to doubt about the result, a sentence each
+  std::vector<std::string> warnings;  ///< limitations of the result, one sentence each
 };
 
 /// A ground-truth symmetry. `strict` is false for a weak symmetry, whose detection counts neither

@@ -19,7 +19,7 @@ struct TreeNode {
 };
 using Tree = std::vector<TreeNode>;
 
-/// What a model was fitted with, one line each; for people, not used in computations.
+/// Provenance of a model, one line each; not used in computations.
 struct ModelOrigin {
   std::string command;
   std::string date;
@@ -30,8 +30,8 @@ struct ModelOrigin {
 /// constant plus one leaf per tree. models/README.md documents the file format.
 class TreeModel {
  public:
-  /// Throws InputError naming `name` if there are no features, a feature's name repeats or is no
-  /// word, a number is not finite, or a tree is not a complete binary tree over these features.
+  /// Throws InputError naming `name` if there are no features, a feature's name repeats or is not
+  /// one word, a number is not finite, or a tree is not a complete binary tree over these features.
   TreeModel(std::string name, std::vector<std::string> features, float base,
             const std::vector<Tree>& trees, ModelOrigin origin = {});
 

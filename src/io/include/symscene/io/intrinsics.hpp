@@ -9,7 +9,7 @@
 namespace symscene {
 
 /// Parses intrinsics.txt: "width height fx fy cx cy" [px]. `name` is the name of the file in
-/// messages. Throws InputError if the text is no such camera.
+/// messages. Throws InputError if the text is not in this format.
 CameraIntrinsics parse_intrinsics(std::string_view text, const std::string& name);
 CameraIntrinsics read_intrinsics(const std::filesystem::path& path);
 

@@ -34,7 +34,7 @@ struct MeshFolder {
 
 /// All meshes in a folder; files that cannot be read are skipped with a warning, and of files that
 /// differ only in their extension one is used.
-/// Throws InputError if `dir` is no folder or holds no mesh that can be read.
+/// Throws InputError if `dir` is not a folder or has no readable mesh.
 MeshFolder read_mesh_folder(const std::filesystem::path& dir);
 
 /// Parses a mesh from bytes; references to other files are refused (glTF) or ignored (OBJ).

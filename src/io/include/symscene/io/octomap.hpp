@@ -9,8 +9,8 @@
 namespace symscene {
 
 /// Parses the leaves of an OctoMap binary tree (.bt), depth first. `name` is the name of the file
-/// in messages. Throws InputError if the bytes are no such file, end early, nest deeper than 16, or
-/// contain another number of nodes than the header declares.
+/// in messages. Throws InputError if the bytes are not an OctoMap file, end early, nest deeper than
+/// 16, or the number of nodes differs from that in the header.
 OccupancyMap parse_octomap(std::string_view bytes, const std::string& name);
 OccupancyMap read_octomap(const std::filesystem::path& path);
 

@@ -19,7 +19,7 @@ std::string format_objects_json(const SegmentationResult& result, bool with_timi
 
 /// Reads objects.json back; `cloud` and `completed` of the result are empty. Normals and directions
 /// are scaled to unit length. `name` is the name of the file in messages.
-/// Throws InputError if the text is no such file or an index is not below `cloud_size`.
+/// Throws InputError if the text is not a valid objects.json or an index is not below `cloud_size`.
 SegmentationResult parse_objects_json(std::string_view text, const std::string& name,
                                       Index cloud_size);
 
@@ -37,10 +37,10 @@ void write_result(const std::filesystem::path& dir, const SegmentationResult& re
                   const ResultExtras& extras = {});
 
 /// Reads a result folder; `completed` has one cloud, possibly empty, per object.
-/// Throws InputError if `dir` is no result folder or its files contradict each other.
+/// Throws InputError if `dir` is not a result folder or its files contradict each other.
 SegmentationResult read_result(const std::filesystem::path& dir);
 
-/// The surroundings of the objects; empty where the folder has no file of them.
+/// The surroundings of the objects; empty if the folder has no file of them.
 struct Surroundings {
   TriangleMesh surface;
   Trajectory trajectory;  ///< camera poses

@@ -10,8 +10,8 @@
 namespace symscene {
 
 /// Reads a scene folder: cloud.ply or cloud.pcd, and occupancy.bt and table_plane.txt if they
-/// exist; if not, Scene::warnings says so. Throws InputError if `dir` is no such folder or a file
-/// is not valid.
+/// exist; Scene::warnings names those that are missing. Throws InputError if `dir` is not a scene
+/// folder or a file is not valid.
 Scene read_scene(const std::filesystem::path& dir);
 
 /// Optional files of a scene folder.

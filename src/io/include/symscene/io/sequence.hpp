@@ -33,7 +33,7 @@ class DepthSequence {
   /// The pose of frame i in the world frame of the sequence, if it is known.
   virtual std::optional<Eigen::Isometry3d> pose(std::size_t i) const = 0;
 
-  /// What to doubt about the sequence, such as colour that was left out, a sentence each.
+  /// Limitations of the sequence, such as colour that was left out, one sentence each.
   virtual const std::vector<std::string>& warnings() const = 0;
 
   /// Throws InputError if an image is missing, truncated, or not of the camera's size.

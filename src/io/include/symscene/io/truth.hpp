@@ -13,8 +13,8 @@ namespace symscene {
 /// Parses the ground truth of a scene from truth.json (docs/formats.md). An object without points
 /// must name a mesh and its pose; its points are then empty and its name is that of the mesh.
 /// Normals and directions are scaled to unit length. `name` is the name of the file in messages.
-/// Throws InputError if the text is no such file, or `cloud_size` is given and an index is not
-/// below it.
+/// Throws InputError if the text is not a valid truth.json, or `cloud_size` is given and an index
+/// is not below it.
 SceneTruth parse_truth(std::string_view text, const std::string& name,
                        std::optional<Index> cloud_size = std::nullopt);
 SceneTruth read_truth(const std::filesystem::path& path,

@@ -43,7 +43,7 @@ using ConvexParts = std::vector<Points>;
 /// Ghorbel, "A simple and efficient approach for 3D mesh approximate convex decomposition", ICIP
 /// 2009, with a cost that needs no hulls: the depth of a part below planes that touch it. The parts
 /// are found on a thinned mesh and hold the vertices of the mesh itself.
-/// Throws InputError if an option is out of its range or the mesh is no solid.
+/// Throws InputError if an option is out of its range or the mesh is not a solid.
 ConvexParts convex_parts(const TriangleMesh& mesh, const ConvexPartsOptions& options = {});
 
 }  // namespace symscene

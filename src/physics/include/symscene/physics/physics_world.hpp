@@ -59,7 +59,7 @@ class PhysicsWorld {
   /// Whether the body takes part.
   bool is_there(std::size_t body) const;
 
-  /// Simulates so many seconds, rounded to whole time steps. Throws std::runtime_error if the
+  /// Simulates `seconds`, rounded to whole time steps. Throws std::runtime_error if the
   /// simulation diverges.
   void advance(double seconds);
 

@@ -64,7 +64,7 @@ class OccupancyVolume {
   OccupancyVolume(OccupancyVolume&&) noexcept;
   OccupancyVolume& operator=(OccupancyVolume&&) noexcept;
 
-  /// Adds a frame. Depths that are not positive or not finite are no measurements. Points outside
+  /// Adds a frame. Depths that are not positive and finite are ignored. Points outside
   /// OctoMap's 65,536 voxels per side are ignored. Throws InputError if the image is not of the
   /// camera's size, the intrinsics are not finite and positive, or the pose is not rigid.
   void integrate(const DepthFrame& frame, const CameraIntrinsics& camera,

@@ -9,7 +9,7 @@
 
 namespace symscene {
 
-/// What the features of an axis measure. The model of axis probabilities was fitted with these
+/// Parameters of the features of an axis. The model of axis probabilities was fitted with these
 /// values.
 struct AxisFeatureOptions {
   double ring_height = 0.005;
@@ -31,7 +31,7 @@ struct AxisFeatureOptions {
   void validate() const { check_fields(*this); }
 };
 
-/// What the features of a plane measure. The model of plane probabilities was fitted with these
+/// Parameters of the features of a plane. The model of plane probabilities was fitted with these
 /// values.
 struct PlaneFeatureOptions {
   int max_points = 300;

@@ -8,7 +8,7 @@
 
 namespace symscene {
 
-/// What was observed of the scene that an object is part of. The referents must outlive this.
+/// The observed surroundings of an object. The referents must outlive this.
 struct ObservedScene {
   const PointCloud& cloud;  ///< unit normals; the points of objects are indices into it
   const DistanceField& field;

@@ -11,10 +11,11 @@
 
 namespace symscene {
 
-/// How well a plane explains a set of points (section 3.5.3).
+/// Fit of a plane to a set of points (section 3.5.3). `symmetry_score` and `inlier_score` are
+/// scores: 1 is perfect. `occlusion_residual` is a residual: 0 is perfect.
 struct ReflectionalScores {
   double symmetry_score = 0.0;  ///< mean agreement of normals over correspondences (Eq. 3.9)
-  double inlier_score = 0.0;    ///< agreement summed over all points, by their number (Eq. 3.10)
+  double inlier_score = 0.0;    ///< sum of agreements divided by the number of points (Eq. 3.10)
   double occlusion_residual = 0.0;  ///< mean ramp of distances into free space (Eq. 4.7), in [0, 1]
 };
 

@@ -11,7 +11,8 @@
 
 namespace symscene {
 
-/// How well an axis explains a set of points (section 3.5.2).
+/// Fit of an axis to a set of points (section 3.5.2). `symmetry_residual` and `occlusion_residual`
+/// are residuals: 0 is perfect. `perpendicularity` and `coverage` are scores: higher is better.
 struct RotationalScores {
   double symmetry_residual = 0.0;   ///< mean ramp of the angle of Fig. 3.4 (Eq. 3.5), in [0, 1]
   double perpendicularity = 0.0;    ///< mean of 1 − angle(normal, axis)/90° (Eq. 3.6), in [0, 1]
@@ -41,7 +42,8 @@ struct RotationalDetectionOptions {
   static void visit_fields(Self& self, Visit&& visit) {
     visit("fit", self.fit);
     visit("rim_radius", self.rim_radius, "m", above(0.0),
-          "radius of the neighbourhood that tells rim points of a segment, which are not fitted");
+          "radius of the neighbourhood that identifies rim points of a segment, which are not "
+          "fitted");
     visit(
         "rim_offset", self.rim_offset, "", above(0.0),
         "a point is on the rim if the mean of its neighbours is at least this share of rim_radius "

@@ -5,7 +5,8 @@
 
 namespace symscene {
 
-/// The interval [min, max] that a score maps to [0, 1], clamped outside it (ramp()).
+/// The interval [min, max] of an angle or distance that maps to [0, 1], clamped outside it
+/// (ramp()): 0 up to `min`, 1 from `max` on.
 struct ScoreRange {
   double min = 0.0;
   double max = 1.0;
@@ -16,7 +17,7 @@ struct ScoreRange {
 };
 
 /// Throws InputError unless min_angle < max_angle and min_occlusion < max_occlusion, the intervals
-/// of the symmetry and occlusion scores that detection and segmentation share.
+/// of angles (symmetry) and distances (occlusion) that detection and segmentation use.
 template <class Options>
 void require_score_ranges(const Options& options) {
   require_option(options.min_angle >= 0.0 && options.min_angle < options.max_angle, "max_angle",

@@ -16,7 +16,7 @@ struct SupportPlane {
                              ///< from which the surface was seen
   double residual = 0.0;     ///< root mean square distance of the inliers [m]
   double area = 0.0;         ///< area that the inliers cover [m²]
-  double object_area = 0.0;  ///< the part of it below something [m²]
+  double object_area = 0.0;  ///< area of the table below objects [m²]
   double score = 0.0;        ///< geometric mean of both areas: a table is large and carries objects
   PointIndices inliers;      ///< into the cloud, ascending: one connected patch
   std::vector<Eigen::Vector3d> outline;  ///< corners of the convex hull of the patch, on the plane,
@@ -27,7 +27,7 @@ enum class SupportStatus : std::uint8_t { found, none, several };
 
 struct SupportPlanes {
   SupportStatus status = SupportStatus::none;
-  std::vector<SupportPlane> supports;  ///< by falling score; if several, with the alternatives
+  std::vector<SupportPlane> supports;  ///< by descending score; if several, with the alternatives
   std::vector<SupportPlane> others;    ///< walls and small planes
 };
 

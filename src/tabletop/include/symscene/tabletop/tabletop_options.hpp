@@ -57,7 +57,7 @@ struct SupportPlaneOptions {
   void validate() const;
 };
 
-/// How the points of objects are cut out above a table.
+/// Crop of the points above a table.
 struct TableCropOptions {
   double voxel_size = 0.005;
   double min_clearance = 0.005;
