@@ -106,13 +106,6 @@ ObjectFeatures patch() {
   return features;
 }
 
-TEST(ObjectScore, CombinesEstimateAndConfidence) {
-  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.0, 0.6), 0.2);
-  EXPECT_DOUBLE_EQ(combined_score(0.2, 0.6, 0.5), 0.44);  // 1 - 0.8 * 0.7
-  EXPECT_DOUBLE_EQ(combined_score(0.0, 1.0, 0.6), 0.6);
-  EXPECT_DOUBLE_EQ(combined_score(1.0, 0.3, 0.6), 1.0);
-}
-
 TEST(ObjectScore, RisesWithTheConfidenceOfTheCut) {
   for (const double estimate : {0.0, 0.1, 0.5, 0.9, 0.99}) {
     double last = -1.0;

@@ -53,7 +53,7 @@ TEST(SymmetryScore, ComesFromTheModelThatIsGiven) {
 
 TEST(SymmetryScore, ModelsRecordTheirOrigin) {
   for (const TreeModel* model : {&axis_model(), &plane_model()}) {
-    EXPECT_EQ(model->trees(), 80U);
+    EXPECT_GT(model->trees(), 0U);
     EXPECT_FALSE(model->origin().command.empty());
     EXPECT_FALSE(model->origin().data.empty());
   }
