@@ -145,10 +145,11 @@ struct Reconstruct {
     if (placed.frames.empty())
       throw InputError(path.string(), "a frame that can be fused", log.first_run());
     report_trajectory(*sequence, placed, session);
-    SceneOutput output{path, shared.output, table, any_up, options.scene};
-    const std::vector<ReportMember> written =
-        output.write(reconstruction, options.reconstruction.surface, *sequence, placed,
-                     describe_run("reconstruct", fields, log.json()), session, timer);
+    const SceneOutput output{path,   shared.output, table,
+                             any_up, options.scene, options.reconstruction.surface};
+    const std::vector<ReportMember> written = output.write(
+        {reconstruction, *sequence, placed, describe_run("reconstruct", fields, log.json())},
+        session, timer);
     std::vector<ReportMember> members{
         {"output", shared.output}, {"frames", sequence->size()}, {"fused", log.fused()}};
     members.push_back(ReportMember::raw("log", log.json()));

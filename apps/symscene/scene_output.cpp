@@ -74,34 +74,30 @@ PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames&
   return known;
 }
 
-std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstruction,
-                                             const SurfaceExtractionOptions& extraction,
-                                             const DepthSequence& sequence,
-                                             const PlacedFrames& placed,
-                                             const std::string& scene_json, Session& session,
+std::vector<ReportMember> SceneOutput::write(const ReconstructedSequence& made, Session& session,
                                              StageTimer& timer) const {
   const TriangleMesh surface =
-      timer.time("extract surface", [&] { return reconstruction.surface(extraction); });
+      timer.time("extract surface", [&] { return made.reconstruction.surface(extraction); });
   const BuiltScene built = timer.time("find table", [&] {
     return naming(input, [&] {
-      return build_scene(surface, reconstruction.occupancy(), table,
-                         any_up ? std::nullopt : upward(placed.trajectory), building);
+      return build_scene(surface, made.reconstruction.occupancy(), table,
+                         any_up ? std::nullopt : upward(made.placed.trajectory), building);
     });
   });
   report_table(input, built.table, session);
   if (built.scene.cloud.empty())
     throw InputError(input.string(), "objects on the table", "a bare table");
   timer.time("write", [&] {
-    const auto truth = scene_truth(input, sequence, placed, built.scene.cloud);
+    const auto truth = scene_truth(input, made.sequence, made.placed, built.scene.cloud);
     write_scene(absolute(output), built.scene,
-                {.scene_json = scene_json,
+                {.scene_json = made.scene_json,
                  .truth = truth ? &*truth : nullptr,
                  .mesh = &surface,
-                 .trajectory = &placed.trajectory,
+                 .trajectory = &made.placed.trajectory,
                  .log_odds = &built.log_odds});
   });
   const auto vertices = static_cast<std::uint64_t>(surface.vertices.rows());
-  const auto memory = static_cast<std::uint64_t>(reconstruction.bytes());
+  const auto memory = static_cast<std::uint64_t>(made.reconstruction.bytes());
   session.print_line(fmt::format("{}: {} points of objects, {} mesh vertices, model of {:.0f} MB",
                                  output.string(), built.scene.cloud.size(), vertices,
                                  1e-6 * static_cast<double>(memory)));

@@ -27,6 +27,14 @@ void require_folder(const std::filesystem::path& output);
 /// not a plane.
 std::optional<Plane> plane_option(const std::string& text);
 
+/// A reconstruction and what it was made from.
+struct ReconstructedSequence {
+  const Reconstruction& reconstruction;
+  const DepthSequence& sequence;
+  const PlacedFrames& placed;
+  std::string scene_json;  ///< describe_run() of the command
+};
+
 /// Makes a scene folder from a reconstruction; shared by reconstruct and stitch.
 struct SceneOutput {
   std::filesystem::path input;
@@ -34,14 +42,12 @@ struct SceneOutput {
   std::optional<Plane> table;  ///< if given
   bool any_up = false;         ///< accept a table of any orientation
   SceneBuildingOptions building;
+  SurfaceExtractionOptions extraction;
 
   /// Extracts the surface, finds the table, and writes the folder, with ground truth if the input
   /// has it. Returns members for the report. Throws InputError if no table or nothing on it is
   /// found.
-  std::vector<ReportMember> write(const Reconstruction& reconstruction,
-                                  const SurfaceExtractionOptions& extraction,
-                                  const DepthSequence& sequence, const PlacedFrames& placed,
-                                  const std::string& scene_json, Session& session,
+  std::vector<ReportMember> write(const ReconstructedSequence& made, Session& session,
                                   StageTimer& timer) const;
 };
 

@@ -183,10 +183,13 @@ struct Stitch {
     report_poses(*sequence, placed, session);
     session.on_begin()("fuse");
     const Reconstruction reconstruction = fuse(*sequence, read, stitched, timer);
-    const SceneOutput output{path, shared.output, table, any_up, options.scene};
-    const std::vector<ReportMember> written = output.write(
-        reconstruction, surface_of_few(options.surface, stitched.placed), *sequence, placed,
-        describe_run("stitch", fields, stitch_json(stitched, read.numbers)), session, timer);
+    const SceneOutput output{path,          shared.output,
+                             table,         any_up,
+                             options.scene, surface_of_few(options.surface, stitched.placed)};
+    const std::vector<ReportMember> written =
+        output.write({reconstruction, *sequence, placed,
+                      describe_run("stitch", fields, stitch_json(stitched, read.numbers))},
+                     session, timer);
     std::vector<ReportMember> members{
         {"output", shared.output}, {"frames", read.frames.size()}, {"placed", stitched.placed}};
     members.insert(members.end(), written.begin(), written.end());

@@ -85,17 +85,22 @@ std::vector<ProfilePoint> subdivided(std::span<const ProfilePoint> profile, doub
   return fine;
 }
 
-/// Connects two rings of vertices, either of which may be a single vertex on the axis.
-void add_band(MeshBuilder& mesh, Index lower, bool lower_is_point, Index upper, bool upper_is_point,
-              Index segments) {
+/// A ring of vertices around the axis, or a single vertex on it.
+struct VertexRing {
+  Index first = 0;  ///< vertex
+  bool is_point = false;
+};
+
+/// Triangles between two rings, at most one of which is a single vertex.
+void add_band(MeshBuilder& mesh, const VertexRing& lower, const VertexRing& upper, Index segments) {
   for (Index s = 0; s < segments; ++s) {
     const Index next = (s + 1) % segments;
-    if (lower_is_point) {
-      mesh.add_triangle(lower, upper + next, upper + s);
-    } else if (upper_is_point) {
-      mesh.add_triangle(lower + s, lower + next, upper);
+    if (lower.is_point) {
+      mesh.add_triangle(lower.first, upper.first + next, upper.first + s);
+    } else if (upper.is_point) {
+      mesh.add_triangle(lower.first + s, lower.first + next, upper.first);
     } else {
-      mesh.add_quad(lower + s, lower + next, upper + next, upper + s);
+      mesh.add_quad(lower.first + s, lower.first + next, upper.first + next, upper.first + s);
     }
   }
 }
@@ -112,18 +117,16 @@ TriangleMesh make_revolution(std::span<const ProfilePoint> profile, int segments
   const std::vector<ProfilePoint> fine = subdivided(profile, max_edge);
   const auto count = static_cast<Index>(segments);
   MeshBuilder mesh;
-  std::vector<Index> first;
+  std::vector<VertexRing> rings;
   for (const ProfilePoint& p : fine) {
-    first.push_back(mesh.vertex_count());
-    const int ring = p.radius == 0.0 ? 1 : segments;
-    for (int s = 0; s < ring; ++s) {
+    rings.push_back({mesh.vertex_count(), p.radius == 0.0});
+    const int vertices = rings.back().is_point ? 1 : segments;
+    for (int s = 0; s < vertices; ++s) {
       const double angle = 2.0 * std::numbers::pi * s / segments;
       mesh.add_vertex({p.radius * std::cos(angle), p.radius * std::sin(angle), p.height});
     }
   }
-  for (std::size_t i = 0; i + 1 < fine.size(); ++i) {
-    add_band(mesh, first[i], fine[i].radius == 0.0, first[i + 1], fine[i + 1].radius == 0.0, count);
-  }
+  for (std::size_t i = 0; i + 1 < rings.size(); ++i) add_band(mesh, rings[i], rings[i + 1], count);
   return mesh.take();
 }
 

@@ -149,14 +149,22 @@ class SurfaceExtractor {
         for (int axis = 0; axis < 3; ++axis) {
           const std::size_t bit = BlockVertices::bit(voxel, axis);
           if (!block.is_set(bit)) continue;
-          place_vertex(slot, field, voxel, axis, block.vertex(bit), mesh);
+          place_vertex({slot, voxel, axis}, field, block.vertex(bit), mesh);
         }
       }
     });
   }
 
-  void place_vertex(std::size_t slot, const PaddedField& field, int voxel, int axis, Index vertex,
+  /// The edge from a voxel's centre to that of the next voxel along an axis.
+  struct VoxelEdge {
+    std::size_t slot;  ///< of the voxel's block
+    int voxel;
+    int axis;
+  };
+
+  void place_vertex(const VoxelEdge& edge, const PaddedField& field, Index vertex,
                     TriangleMesh& mesh) const {
+    const auto [slot, voxel, axis] = edge;
     const int x = voxel & 7, y = (voxel >> 3) & 7, z = voxel >> 6;
     const int base = PaddedField::at(x, y, z);
     const int next = base + PaddedField::stride[axis];
