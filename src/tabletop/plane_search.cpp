@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -40,9 +41,11 @@ struct InlierTest {
 };
 
 SYMSCENE_MULTIVERSION
-int count_inliers(const float* x, const float* y, const float* z, const float* nx, const float* ny,
-                  const float* nz, std::size_t count, const InlierTest& test) {
+int count_inliers(const OrientedSample& sample, const InlierTest& test) {
   const InlierTest t = test;
+  const float *x = sample.x.data(), *y = sample.y.data(), *z = sample.z.data();
+  const float *nx = sample.nx.data(), *ny = sample.ny.data(), *nz = sample.nz.data();
+  const std::size_t count = sample.size();
   int inliers = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const float distance = t.a * x[i] + t.b * y[i] + t.c * z[i] + t.d;
@@ -88,9 +91,7 @@ class PlaneSearch {
   }
 
   int count(const Plane& plane, double distance) const {
-    return count_inliers(sample_.x.data(), sample_.y.data(), sample_.z.data(), sample_.nx.data(),
-                         sample_.ny.data(), sample_.nz.data(), sample_.size(),
-                         test(plane, distance));
+    return count_inliers(sample_, test(plane, distance));
   }
 
   bool is_inlier(std::size_t i, const Plane& plane, double distance) const {
