@@ -7,6 +7,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/json_cursor.hpp"
+#include "single_view_scene.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/image.hpp"
 #include "symscene/io/intrinsics.hpp"

@@ -1,4 +1,4 @@
-#include "symscene/dataset/single_view.hpp"
+#include "single_view_scene.hpp"
 
 #include <cmath>
 #include <map>

@@ -8,6 +8,7 @@
 
 #include "markup.hpp"
 #include "report_text.hpp"
+#include "sweep_settings.hpp"
 
 namespace symscene {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "symmetry_targets.hpp"
+
 namespace symscene {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sweep_settings.hpp"
 #include "symscene/evaluation/report.hpp"
 
 namespace symscene {

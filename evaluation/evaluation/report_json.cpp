@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report_text.hpp"
+#include "sweep_settings.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/evaluation/report.hpp"
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "sweep_settings.hpp"
+
 namespace symscene {
 namespace {
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sweep_settings.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "symmetry_targets.hpp"
+
 namespace symscene {
 namespace {
 

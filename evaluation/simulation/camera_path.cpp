@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "hand_shake.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

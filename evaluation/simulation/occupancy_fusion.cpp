@@ -1,9 +1,8 @@
-#include "symscene/simulation/occupancy_fusion.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "frame_fusion.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

@@ -13,6 +13,7 @@
 #include "paint.hpp"
 #include "shapes.hpp"
 #include "symscene/core/error.hpp"
+#include "tabletop_parts.hpp"
 
 namespace symscene {
 namespace {

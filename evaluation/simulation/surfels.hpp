@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "symscene/simulation/cloud_fusion.hpp"
+#include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {
 

@@ -8,6 +8,7 @@
 #include "shapes.hpp"
 #include "simulation/household_object.hpp"
 #include "symscene/core/error.hpp"
+#include "tabletop_parts.hpp"
 
 namespace symscene {
 namespace {

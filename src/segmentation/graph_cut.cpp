@@ -1,4 +1,4 @@
-#include "symscene/segmentation/graph_cut.hpp"
+#include "graph_cut.hpp"
 
 #include <algorithm>
 #include <limits>

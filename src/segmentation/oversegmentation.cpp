@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/parallel.hpp"
+#include "region_growing.hpp"
 
 namespace symscene {
 namespace {

@@ -5,8 +5,11 @@
 #include <variant>
 
 #include "core/parallel.hpp"
+#include "graph_cut.hpp"
+#include "labeling.hpp"
 #include "symmetry/plane_fit.hpp"
 #include "symmetry/point_scores.hpp"
+#include "symmetry/require_score_ranges.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

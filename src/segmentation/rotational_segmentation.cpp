@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "core/parallel.hpp"
+#include "graph_cut.hpp"
+#include "labeling.hpp"
 #include "symmetry/axis_fit.hpp"
 #include "symmetry/point_scores.hpp"
+#include "symmetry/require_score_ranges.hpp"
 #include "symmetry/rotational_scores.hpp"
 #include "symscene/core/error.hpp"
 

@@ -5,7 +5,7 @@
 #include <queue>
 #include <tuple>
 
-#include "symscene/segmentation/oversegmentation.hpp"
+#include "region_growing.hpp"
 
 namespace symscene {
 namespace {

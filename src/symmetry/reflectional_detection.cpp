@@ -7,6 +7,7 @@
 #include "core/parallel.hpp"
 #include "plane_placement.hpp"
 #include "symmetry/reflectional_scores.hpp"
+#include "symmetry/require_score_ranges.hpp"
 
 namespace symscene {
 namespace {
@@ -159,6 +160,11 @@ std::vector<ReflectionalCandidate> merge_equal_planes(std::vector<ReflectionalCa
 }
 
 }  // namespace
+
+void ReflectionalDetectionOptions::validate() const {
+  check_fields(*this);
+  require_score_ranges(*this);
+}
 
 ReflectionalDetection detect_reflectional(const PointCloud& cloud,
                                           const std::vector<PointIndices>& segments,

@@ -5,6 +5,7 @@
 
 #include "core/parallel.hpp"
 #include "symmetry/axis_fit.hpp"
+#include "symmetry/require_score_ranges.hpp"
 #include "symmetry/rotational_scores.hpp"
 #include "symscene/core/neighbors.hpp"
 
@@ -91,6 +92,11 @@ std::vector<RotationalCandidate> merge_equal_axes(std::vector<RotationalCandidat
 }
 
 }  // namespace
+
+void RotationalDetectionOptions::validate() const {
+  check_fields(*this);
+  require_score_ranges(*this);
+}
 
 RotationalDetection detect_rotational(const PointCloud& cloud,
                                       const std::vector<PointIndices>& segments,

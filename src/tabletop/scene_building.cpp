@@ -1,6 +1,7 @@
 #include "symscene/tabletop/scene_building.hpp"
 
 #include "symscene/core/error.hpp"
+#include "table_search.hpp"
 
 namespace symscene {
 namespace {

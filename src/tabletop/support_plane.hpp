@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "symscene/tabletop/table_scene.hpp"
 
 namespace symscene {

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "page_payload.hpp"
 #include "page_template.hpp"
 #include "payload.hpp"
 #include "symscene/core/error.hpp"

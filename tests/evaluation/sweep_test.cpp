@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evaluation/sweep_settings.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

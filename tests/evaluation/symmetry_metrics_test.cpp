@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "evaluation/symmetry_targets.hpp"
+
 namespace symscene {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "symscene/segmentation/graph_cut.hpp"
+#include "segmentation/graph_cut.hpp"
 
 #include <random>
 

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "segmentation/graph_cut.hpp"
+#include "segmentation/labeling.hpp"
+#include "segmentation/region_growing.hpp"
 #include "surfaces.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/segmentation/hypothesis.hpp"

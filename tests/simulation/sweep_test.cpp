@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "simulation/hand_shake.hpp"
 #include "simulation/shapes.hpp"
 #include "simulation/true_surface.hpp"
 #include "symscene/core/error.hpp"

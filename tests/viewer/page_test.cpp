@@ -7,6 +7,7 @@
 
 #include "symscene/core/error.hpp"
 #include "symscene/viewer/page_surface.hpp"
+#include "viewer/page_payload.hpp"
 
 namespace symscene {
 namespace {

@@ -62,9 +62,6 @@ struct Sweep {
   Sweep& operator+=(const Sweep& other);
 };
 
-/// The first setting with the greatest F; none without settings.
-std::optional<std::size_t> best_setting(const Sweep& sweep, Metric metric);
-
 struct CurvePoint {
   double recall = 0.0;
   double precision = 0.0;
@@ -73,9 +70,6 @@ struct CurvePoint {
 /// The upper envelope of precision over recall of the settings, by ascending recall and descending
 /// precision: no setting dominates a point of the curve.
 std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric);
-
-/// The setting of this number as text: "refl_symmetry=0.3 refl_occlusion=0.005".
-std::string setting_text(const Sweep& sweep, std::size_t setting);
 
 /// Every combination of the values of the parameters, the last parameter fastest.
 std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values);

@@ -35,10 +35,6 @@ SymmetryMatch match_axes(const SceneTruth& truth, std::span<const RotationAxis> 
 SymmetryMatch match_planes(const SceneTruth& truth, std::span<const ReflectionPlane> found,
                            const SymmetryTolerance& tolerance);
 
-/// The number of entries of each object in `truth_met`: its strict symmetries that are not implied.
-std::vector<std::size_t> axis_targets(const SceneTruth& truth);
-std::vector<std::size_t> plane_targets(const SceneTruth& truth);
-
 /// Whether the object has the symmetry within the tolerance, strict, weak or implied by a rotation.
 bool is_symmetry_of(const TrueObject& object, const RotationAxis& axis,
                     const SymmetryTolerance& tolerance = {});

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <span>
-
 #include "symscene/core/options.hpp"
-#include "symscene/core/oriented_box.hpp"
-#include "symscene/core/point_cloud.hpp"
-#include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {
 
@@ -31,19 +26,5 @@ struct CloudFusionOptions {
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
 };
-
-/// A fused cloud and, per point, the object that most of its measurements show.
-struct FusedCloud {
-  PointCloud cloud;
-  std::vector<Index> objects;  ///< per point, the number of the mesh
-};
-
-/// Fuses at most 64 frames with known poses into one oriented cloud of the surfaces inside
-/// `region`, in the world frame. Points are averaged per voxel, separately for surfaces that face
-/// different ways, and then moved along their normals onto the mean of their neighbourhood, so that
-/// the cloud is a single layer like one from a truncated signed distance function. Throws
-/// InputError if an option is out of range.
-FusedCloud fuse_cloud(std::span<const SensorFrame> frames, const CameraIntrinsics& camera,
-                      const OrientedBox& region, const CloudFusionOptions& options);
 
 }  // namespace symscene

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-
-#include "symscene/core/occupancy_map.hpp"
 #include "symscene/core/options.hpp"
 #include "symscene/simulation/cloud_fusion.hpp"
 
@@ -28,12 +25,5 @@ struct OccupancyFusionOptions {
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
 };
-
-/// The occupancy of the space in `region` from frames with known poses. Voxels are projected into
-/// every frame: they are free if enough frames look through them, occupied if enough frames measure
-/// a point in them, otherwise never seen. The grid is OctoMap's: voxel k covers [k, k + 1) times
-/// the resolution. World frame. Throws InputError if an option is out of range.
-OccupancyMap fuse_occupancy(std::span<const SensorFrame> frames, const CameraIntrinsics& camera,
-                            const OrientedBox& region, const OccupancyFusionOptions& options);
 
 }  // namespace symscene

@@ -68,13 +68,7 @@ struct Tabletop {
 /// range.
 Tabletop arrange_tabletop(const TabletopOptions& options);
 
-/// A table without objects, in the frame that `options` set: that of the world, or a random one.
-Tabletop empty_tabletop(const TabletopOptions& options);
-
 /// The mesh of a placed object. World frame.
 TriangleMesh world_mesh(const PlacedObject& placed);
-
-/// The ground truth of a placed object except for its mask. World frame.
-TrueObject true_object(const PlacedObject& placed);
 
 }  // namespace symscene

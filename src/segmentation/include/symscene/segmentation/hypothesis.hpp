@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -68,18 +67,5 @@ std::optional<Rejection> judge(const Hypothesis& hypothesis, const HypothesisBou
 
 /// Confidence in [0, 1]: the geometric mean of 1 − residual / bound over the three residuals.
 double confidence(const HypothesisResiduals& residuals, const HypothesisBounds& bounds);
-
-/// The summed weight of the edges between object and background, per object node (Eq. 4.13 as
-/// used); `edges` carry the λ of the cut.
-double smoothness(const std::vector<std::uint8_t>& is_object, std::span<const WeightedEdge> edges);
-
-/// For every node the number of its connected component over the edges between object nodes.
-/// Components count from 0 by their lowest node; background nodes have `no_component`.
-inline constexpr Index no_component = ~Index{0};
-std::vector<Index> connected_components(const std::vector<std::uint8_t>& is_object,
-                                        std::span<const WeightedEdge> edges);
-
-/// The nodes labelled object, ascending.
-PointIndices object_nodes(const std::vector<std::uint8_t>& is_object);
 
 }  // namespace symscene

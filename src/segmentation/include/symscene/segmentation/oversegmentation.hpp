@@ -33,13 +33,6 @@ struct OversegmentationOptions {
   void validate() const { check_fields(*this); }
 };
 
-/// Smooth segments by region growing from the flattest point, at one angle (section 3.5.1): a point
-/// adds its smooth neighbours only if enough of those not yet assigned are smooth, which stops
-/// leaks over rounded edges. Segments are disjoint and ascending, in the order in which they were
-/// grown. `cloud` has unit normals; `max_angle` in rad.
-std::vector<PointIndices> grow_regions(const PointCloud& cloud, const NeighborLists& neighbors,
-                                       double max_angle, const OversegmentationOptions& options);
-
 /// Smooth segments at both angles without duplicates, largest first. They may overlap.
 std::vector<PointIndices> oversegment(const PointCloud& cloud, const NeighborLists& neighbors,
                                       const OversegmentationOptions& options = {});

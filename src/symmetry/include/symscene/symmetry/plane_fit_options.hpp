@@ -33,7 +33,7 @@ struct CorrespondenceOptions {
 
 /// Options of the iterative fit of a reflection plane.
 struct PlaneFitOptions {
-  CorrespondenceOptions matching{0.008, radians(45.0), 0.01, true};
+  CorrespondenceOptions matching{.max_distance = 0.008};
   int max_iterations = 20;
   double angle_tolerance = radians(0.05);
   double distance_tolerance = 1e-4;

@@ -114,10 +114,8 @@ struct ReflectionalDetectionOptions {
     visit("max_support_distance", self.max_support_distance, "m", at_least(0.0),
           "equal planes of segments whose centroids are farther apart are two: objects in a row");
   }
-  void validate() const {
-    check_fields(*this);
-    require_score_ranges(*this);
-  }
+  /// Throws InputError if a field is out of its range or a score range is empty.
+  void validate() const;
 };
 
 /// A plane and the segment that proposed it.

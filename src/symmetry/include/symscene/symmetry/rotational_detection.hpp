@@ -69,10 +69,8 @@ struct RotationalDetectionOptions {
     visit("same_distance", self.same_distance, "m", at_least(0.0),
           "axes closer than this, at their segment, and same_angle are one (Eq. 3.12)");
   }
-  void validate() const {
-    check_fields(*this);
-    require_score_ranges(*this);
-  }
+  /// Throws InputError if a field is out of its range or a score range is empty.
+  void validate() const;
 };
 
 /// An axis and the segment that proposed it.

@@ -27,7 +27,4 @@ struct PageOptions {
 /// the surface.
 std::string render_page(const SegmentationResult& result, const PageOptions& options = {});
 
-/// The page's data as JSON; arrays are little endian in base64 (viewer/README.md).
-std::string page_payload(const SegmentationResult& result, const PageOptions& options = {});
-
 }  // namespace symscene

@@ -1,4 +1,4 @@
-#include "symscene/tabletop/table_scene.hpp"
+#include "table_search.hpp"
 
 #include "support_plane.hpp"
 #include "symscene/core/error.hpp"

@@ -1,4 +1,4 @@
-#include "symscene/tabletop/table_scene.hpp"
+#include "tabletop/table_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include "core/random.hpp"
 #include "core/surface_sampling.hpp"
 #include "core/voxel_sampling.hpp"
+#include "simulation/frame_fusion.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/cloud.hpp"

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "symscene/core/scene.hpp"
+
+namespace symscene {
+
+/// The number of entries of each object in `truth_met`: its strict symmetries that are not implied.
+std::vector<std::size_t> axis_targets(const SceneTruth& truth);
+std::vector<std::size_t> plane_targets(const SceneTruth& truth);
+
+}  // namespace symscene
