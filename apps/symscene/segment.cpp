@@ -63,8 +63,10 @@ struct Segment {
     Session session("segment", shared);
     session.on_begin()("read");
     const Scene input = read_scene(scene);
+    // Those of the reader first: they explain why segmentation may fail. The result repeats them.
+    session.warn(input.warnings);
     const SegmentationResult result = naming(scene, [&] { return segment(input, session); });
-    session.warn(result.warnings);
+    session.warn(std::span(result.warnings).subspan(input.warnings.size()));
     session.on_begin()("write");
     write_outputs(result, scene_surroundings(scene, result, session));
     session.print_line(format_objects(result));

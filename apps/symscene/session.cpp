@@ -56,7 +56,7 @@ void Session::warn(const std::string& line) {
   progress_.print_line(fmt::format("symscene {}: warning: {}", command_, line));
 }
 
-void Session::warn(const std::vector<std::string>& lines) {
+void Session::warn(std::span<const std::string> lines) {
   for (const std::string& line : lines) warn(line);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,7 @@ class Session {
   void print_line(const std::string& line);
   /// Prints warnings on standard error, with --quiet too.
   void warn(const std::string& line);
-  void warn(const std::vector<std::string>& lines);
+  void warn(std::span<const std::string> lines);
   /// Ends the run: with -v prints the table of stage times, with --json a line with these members.
   void finish(const std::vector<ReportMember>& members, const std::vector<StageTime>& times);
 

@@ -235,16 +235,18 @@ struct Job {
 
 /// The pipeline with the given options: its sweeps, the outcome of every object and the times.
 void evaluate_given(const Job& job, StageTimer& timer, SceneEvaluation& evaluation) {
-  const auto& [scene, truth, options, on_begin] = job;
+  const Scene& scene = job.scene;
+  const SceneTruth& truth = job.truth;
+  const EvaluationOptions& options = job.options;
+  const StageTimer::OnBegin& on_begin = job.on_begin;
   const SceneProposals proposals = proposals_of(scene, options.pipeline, on_begin);
   const SegmentationResult result =
       timer.time("choice", [&] { return choose_objects(proposals, options.pipeline); });
   evaluation.timings = proposals.timings;
   evaluation.timings.push_back(timer.stages().back());
   evaluation.returned = result.objects.size();
-  evaluation.warnings = scene.warnings;
-  evaluation.warnings.insert(evaluation.warnings.end(), result.warnings.begin(),
-                             result.warnings.end());
+  // A result's warnings begin with the scene's, but an empty scene has no result of its own.
+  evaluation.warnings = scene.cloud.empty() ? scene.warnings : result.warnings;
   if (on_begin) on_begin("sweep");
   const CountingContext context(scene, truth, proposals.cloud, options);
   Sweep scored = score_sweep(proposals, context, options.pipeline);

@@ -18,8 +18,13 @@ ProposalOptions PipelineOptions::proposal_options() const {
 }
 
 SymmetrySearchOptions PipelineOptions::symmetry_search_options() const {
-  return {rotational_stream, rotational_detection, reflectional_detection,
-          object_symmetry,   models.axis,          models.plane};
+  SymmetrySearchOptions search{rotational_stream, rotational_detection, reflectional_detection,
+                               object_symmetry,   models.axis,          models.plane};
+  // On a whole object, points near a plane count as they do in the features of the plane.
+  ReflectionalDetectionOptions& planes = search.reflectional_detection;
+  for (CorrespondenceOptions* matching : {&planes.fit.matching, &planes.scoring})
+    matching->min_plane_distance = object_symmetry.plane_features.min_plane_distance;
+  return search;
 }
 
 }  // namespace symscene

@@ -16,8 +16,9 @@ void TsdfOptions::validate() const {
   require_option(truncation >= 2 * voxel_size, "truncation", "at least two voxels", truncation);
   require_option(max_truncation >= truncation, "max_truncation", "at least truncation",
                  max_truncation);
-  require_option(full_weight_behind < zero_weight_behind, "full_weight_behind",
-                 "less than zero_weight_behind", full_weight_behind);
+  // Their difference is a divisor in single precision.
+  require_option(zero_weight_behind - full_weight_behind >= 0.01, "full_weight_behind",
+                 "0.01 or more below zero_weight_behind", full_weight_behind);
 }
 
 SurfaceExtractionOptions surface_of_few(const SurfaceExtractionOptions& options,

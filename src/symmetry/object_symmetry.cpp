@@ -51,8 +51,6 @@ SymmetrySearchOptions with_candidate_bounds(SymmetrySearchOptions options) {
   planes.min_symmetry_score = bounds.min_plane_symmetry;
   planes.min_inlier_score = bounds.min_plane_inlier;
   planes.max_occlusion_residual = bounds.max_plane_occlusion;
-  for (CorrespondenceOptions* matching : {&planes.fit.matching, &planes.scoring})
-    matching->min_plane_distance = bounds.plane_features.min_plane_distance;
   return options;
 }
 

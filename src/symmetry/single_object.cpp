@@ -68,6 +68,8 @@ SingleObjectOptions::SingleObjectOptions() {
   ReflectionalDetectionOptions& planes = search.reflectional_detection;
   planes.placement.azimuth_steps = 8;
   planes.max_points = 1500;
+  for (CorrespondenceOptions* matching : {&planes.fit.matching, &planes.scoring})
+    matching->min_plane_distance = 0.003;
   // Free space does not refute candidates here: more of the surface must support them.
   ObjectSymmetryOptions& bounds = search.object_symmetry;
   bounds.max_axis_residual = 0.06;

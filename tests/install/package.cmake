@@ -1,4 +1,4 @@
-# Packs the build for Debian, unpacks the package and runs the command that is in it.
+# Packs the build for Debian, unpacks the package, runs its command and builds a project with its libraries.
 set(work ${build}/package-test)
 file(REMOVE_RECURSE ${work})
 file(MAKE_DIRECTORY ${work})
@@ -21,3 +21,9 @@ endforeach()
 if(NOT EXISTS ${work}/page.html)
   message(FATAL_ERROR "The command of the package wrote no page")
 endif()
+
+# A project that links the libraries of the package.
+run(${CMAKE_COMMAND} -S ${source} -B ${work}/consumer -G ${generator}
+  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_PREFIX_PATH=${work}/root/usr -D CMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build ${work}/consumer)
+run(${work}/consumer/consumer)

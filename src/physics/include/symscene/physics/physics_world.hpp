@@ -24,7 +24,7 @@ struct PhysicsOptions {
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("time_step", self.time_step, "s", above_up_to(0.0, 0.01), "step of the integration");
+    visit("time_step", self.time_step, "s", between(1e-5, 0.01), "step of the integration");
     visit("density", self.density, "kg/m^3", above(0.0), "density of the bodies");
     visit("sliding_friction", self.sliding_friction, "", above(0.0),
           "coefficient of friction against sliding");

@@ -19,7 +19,7 @@ struct AxisFeatureOptions {
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("ring_height", self.ring_height, "m", above(0.0),
+    visit("ring_height", self.ring_height, "m", between(1e-4, 1.0),
           "height of the rings about the axis in which radii are compared (feature residual)");
     visit("max_side_cosine", self.max_side_cosine, "", between(0.0, 1.0),
           "points whose normals are nearer to the axis are flat ends, left out of residual");

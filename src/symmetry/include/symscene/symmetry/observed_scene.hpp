@@ -12,7 +12,7 @@ namespace symscene {
 struct ObservedScene {
   const PointCloud& cloud;  ///< unit normals; the points of objects are indices into it
   const DistanceField& field;
-  const std::optional<Plane>& table;
+  std::optional<Plane> table;
 };
 
 }  // namespace symscene

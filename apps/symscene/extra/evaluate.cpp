@@ -73,6 +73,12 @@ struct Evaluate {
                              [&] { read_score_models(options.pipeline.models); });
   }
 
+  static void warn_of(const DatasetEntry& entry, std::span<const std::string> warnings,
+                      Session& session) {
+    for (const std::string& warning : warnings)
+      session.warn(fmt::format("scene {}: {}", entry.name, warning));
+  }
+
   Evaluation evaluate(const std::vector<DatasetEntry>& entries, Session& session) const {
     Evaluation evaluation;
     for (std::size_t k = 0; k < entries.size(); ++k) {
@@ -83,11 +89,13 @@ struct Evaluate {
       };
       on_begin("read");
       const LoadedEntry known = load_entry(entry);
+      // Before the scene is evaluated: they explain why that may fail. The evaluation repeats them.
+      warn_of(entry, known.scene.warnings, session);
       SceneEvaluation scene = naming(dataset / entry.name, [&] {
         return evaluate_scene(known.scene, known.truth, options, on_begin);
       });
-      for (const std::string& warning : scene.warnings)
-        session.warn(fmt::format("scene {}: {}", entry.name, warning));
+      const std::span<const std::string> all = scene.warnings;
+      warn_of(entry, all.subspan(known.scene.warnings.size()), session);
       scene.name = entry.name;
       scene.subset = known.subset;
       scene.unseen = known.objects - std::min(known.objects, known.truth.objects.size());
