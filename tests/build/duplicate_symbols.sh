@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# duplicate_symbols.sh LIBRARY...: lists functions and variables that two objects of static libraries define. A linker
-# passes over them in silence as long as it needs only one of the objects. Exits with 1 if there are any.
+# duplicate_symbols.sh LIBRARY_OR_OBJECT...: lists functions and variables that two objects define. A linker does not
+# report them while it takes only one of the objects from a static library. Exits with 1 if there are any.
 set -euo pipefail
-nm --defined-only --extern-only --format=posix "$@" |
+inputs=()
+for file; do [[ $file == *.gch ]] || inputs+=("$file"); done # a precompiled header is not an object
+nm --defined-only --extern-only --format=posix "${inputs[@]}" |
   awk '$2 ~ /^[TDBR]$/ && seen[$1]++ { print $1; found = 1 } END { exit found }' | c++filt
