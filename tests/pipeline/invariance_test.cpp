@@ -156,25 +156,6 @@ TEST(Invariance, ObjectsMoveWithTheScene) {
   }
 }
 
-TEST(Invariance, ObjectsOfASimulatedScanMoveWithItWithoutOccupancy) {
-  SimulationOptions options;
-  options.tabletop.objects = 6;
-  options.tabletop.seed = 44;
-  Scene scene = simulate_tabletop(options).scene;
-  scene.occupancy.reset();
-  const std::vector<PointIndices> masks = dense_masks(scene, segment_scene(scene));
-  ASSERT_EQ(masks.size(), 6U);
-  std::mt19937 generator(5);
-  for (int motion = 0; motion < 2; ++motion) {
-    const Eigen::Isometry3d T_frame_world = testing::random_motion(generator);
-    Scene moved = scene;
-    moved.cloud = testing::moved(scene.cloud, T_frame_world);
-    const Eigen::Vector3d up = T_frame_world.linear() * scene.table->normal;
-    moved.table = Plane{up, scene.table->offset - up.dot(T_frame_world.translation())};
-    expect_same_objects(masks, dense_masks(moved, segment_scene(moved)), motion);
-  }
-}
-
 TEST(Invariance, TheOrderOfThePointsDoesNotMatter) {
   Scene scene = scene_in_frame(Eigen::Isometry3d::Identity());
   const std::string text = format_objects_json(segment_scene(scene), false);
