@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/random.hpp"
+#include "random_features.hpp"
 
 namespace symscene {
 namespace {
@@ -119,15 +119,6 @@ TEST(ObjectScore, RisesWithTheConfidenceOfTheCut) {
   }
 }
 
-/// Sets every feature to a value of any magnitude from 1e-3 to 10.
-template <class Features>
-void randomize(Random& random, Features& features) {
-  Features::visit_fields(features, [&](const char*, double& value) {
-    const double scale = std::pow(10.0, random.uniform(-3.0, 1.0));
-    value = scale * random.uniform();
-  });
-}
-
 // Probabilities from the tables of version 0.1.0, before they became the files in models/.
 constexpr std::array alone_reference{
     0.0022366827679458938, 0.014369207833343245, 0.022741626573081718,  0.0057943576676798845,
@@ -146,15 +137,13 @@ constexpr std::array among_others_reference{
 
 TEST(ObjectScore, OfTheEmbeddedModelsIsThatOfTheFormerTables) {
   Random alone(29), among_others(29);
-  ObjectFeatures features;
   for (const double expected : alone_reference) {
-    randomize(alone, features);
+    const auto features = testing::random_features<ObjectFeatures>(alone);
     EXPECT_DOUBLE_EQ(estimated_probability(features), expected);
   }
-  ProposalContext context;
   for (const double expected : among_others_reference) {
-    randomize(among_others, features);
-    randomize(among_others, context);
+    const auto features = testing::random_features<ObjectFeatures>(among_others);
+    const auto context = testing::random_features<ProposalContext>(among_others);
     EXPECT_DOUBLE_EQ(estimated_probability(features, context), expected);
   }
 }

@@ -5,21 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/random.hpp"
+#include "random_features.hpp"
 
 namespace symscene {
 namespace {
-
-/// Features of any magnitude from 1e-3 to 10.
-template <class Features>
-Features random_features(Random& random) {
-  Features features;
-  Features::visit_fields(features, [&](const char*, double& value) {
-    const double scale = std::pow(10.0, random.uniform(-3.0, 1.0));
-    value = scale * random.uniform();
-  });
-  return features;
-}
 
 // Probabilities from the tables of version 0.1.0, before they became the files in models/.
 constexpr std::array axis_reference{
@@ -40,9 +29,9 @@ constexpr std::array plane_reference{
 TEST(SymmetryScore, OfTheEmbeddedModelsIsThatOfTheFormerTables) {
   Random axes(29), planes(29);
   for (const double expected : axis_reference)
-    EXPECT_DOUBLE_EQ(axis_probability(random_features<AxisFeatures>(axes)), expected);
+    EXPECT_DOUBLE_EQ(axis_probability(testing::random_features<AxisFeatures>(axes)), expected);
   for (const double expected : plane_reference)
-    EXPECT_DOUBLE_EQ(plane_probability(random_features<PlaneFeatures>(planes)), expected);
+    EXPECT_DOUBLE_EQ(plane_probability(testing::random_features<PlaneFeatures>(planes)), expected);
 }
 
 TEST(SymmetryScore, ComesFromTheModelThatIsGiven) {
