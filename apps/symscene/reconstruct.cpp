@@ -63,8 +63,7 @@ struct Reconstruct {
   SequenceOptions source;
   std::filesystem::path path;
   std::string poses;
-  std::string plane;
-  bool any_up = false;
+  TableArguments table_arguments;
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
@@ -130,7 +129,7 @@ struct Reconstruct {
 
   void run() {
     const OptionFields fields = configure();
-    const std::optional<Plane> table = plane_option(plane);
+    const std::optional<Plane> table = table_arguments.table();
     require_not_input(shared.output, path);
     require_folder(shared.output);
     Session session("reconstruct", shared);
@@ -145,8 +144,9 @@ struct Reconstruct {
     if (placed.frames.empty())
       throw InputError(path.string(), "a frame that can be fused", log.first_run());
     report_trajectory(*sequence, placed, session);
-    const SceneOutput output{path,   shared.output, table,
-                             any_up, options.scene, options.reconstruction.surface};
+    const SceneOutput output{path,          shared.output,
+                             table,         table_arguments.any_up,
+                             options.scene, options.reconstruction.surface};
     const std::vector<ReportMember> written = output.write(
         {reconstruction, *sequence, placed, describe_run("reconstruct", fields, log.json())},
         session, timer);
@@ -172,9 +172,7 @@ void add_reconstruct(CommandLine& line) {
   arguments.sequence_options(state->source);
   arguments.choice("--poses", state->poses, {"exact", "start"},
                    "use the sequence's poses as they are, or as initial poses of tracking");
-  arguments.text("--plane", state->plane, "the table plane a,b,c,d with ax + by + cz + d = 0");
-  arguments.flag("--any-up", state->any_up,
-                 "the camera was not held upright: accept a table of any orientation");
+  state->table_arguments.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

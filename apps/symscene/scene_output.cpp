@@ -56,9 +56,15 @@ void require_folder(const std::filesystem::path& output) {
     throw InputError(output.string(), "a folder to write", "a file");
 }
 
-std::optional<Plane> plane_option(const std::string& text) {
-  if (text.empty()) return {};
-  std::string words = text;
+void TableArguments::add_to(Arguments& arguments, const char* plane_help) {
+  arguments.text("--plane", plane, plane_help);
+  arguments.flag("--any-up", any_up,
+                 "the camera was not held upright: accept a table of any orientation");
+}
+
+std::optional<Plane> TableArguments::table() const {
+  if (plane.empty()) return {};
+  std::string words = plane;
   std::replace(words.begin(), words.end(), ',', ' ');
   return parse_table_plane(words, "--plane");
 }

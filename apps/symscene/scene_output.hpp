@@ -1,5 +1,6 @@
 #pragma once
 
+#include "arguments.hpp"
 #include "session.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
@@ -23,9 +24,17 @@ PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames&
 /// Throws InputError if a file is in the place of the scene folder, before the work begins.
 void require_folder(const std::filesystem::path& output);
 
-/// Parses the table plane a,b,c,d of --plane; none if the text is empty. Throws InputError if it is
-/// not a plane.
-std::optional<Plane> plane_option(const std::string& text);
+/// Where the table of a reconstruction is, as far as the command line tells.
+struct TableArguments {
+  std::string plane;    ///< a,b,c,d of --plane; empty if it is not given
+  bool any_up = false;  ///< accept a table of any orientation
+
+  /// Adds --plane, with this help, and --any-up.
+  void add_to(Arguments& arguments, const char* plane_help);
+
+  /// Throws InputError if the text of --plane is not a plane.
+  std::optional<Plane> table() const;
+};
 
 /// A reconstruction and what it was made from.
 struct ReconstructedSequence {

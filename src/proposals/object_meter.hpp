@@ -21,7 +21,7 @@ struct MeasuredScene {
   const std::vector<WeightedEdge>& edges;  ///< surface graph of the cloud
   const DistanceField& field;
   const SurfaceRegions& regions;
-  const std::optional<Plane>& table;
+  std::optional<Plane> table;
 };
 
 /// Computes the features of proposals of one scene.

@@ -61,9 +61,8 @@ struct Stitch {
   StitchOptions options;
   SequenceOptions source;
   std::filesystem::path path;
-  std::string plane;
+  TableArguments table_arguments;
   std::optional<int> every;
-  bool any_up = false;
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
@@ -164,7 +163,7 @@ struct Stitch {
 
   void run() {
     const OptionFields fields = configure();
-    const std::optional<Plane> table = plane_option(plane);
+    const std::optional<Plane> table = table_arguments.table();
     require_matcher();
     require_not_input(shared.output, path);
     require_folder(shared.output);
@@ -184,7 +183,7 @@ struct Stitch {
     session.on_begin()("fuse");
     const Reconstruction reconstruction = fuse(*sequence, read, stitched, timer);
     const SceneOutput output{path,          shared.output,
-                             table,         any_up,
+                             table,         table_arguments.any_up,
                              options.scene, surface_of_few(options.surface, stitched.placed)};
     const std::vector<ReportMember> written =
         output.write({reconstruction, *sequence, placed,
@@ -211,10 +210,8 @@ void add_stitch(CommandLine& line) {
   arguments.required_output(state->shared, "scene folder to write");
   arguments.sequence_options(state->source);
   arguments.count("--every", state->every, "use every N-th frame with colour");
-  arguments.text("--plane", state->plane,
-                 "the table plane a,b,c,d with ax + by + cz + d = 0, in the first camera's frame");
-  arguments.flag("--any-up", state->any_up,
-                 "the camera was not held upright: accept a table of any orientation");
+  state->table_arguments.add_to(
+      arguments, "the table plane a,b,c,d with ax + by + cz + d = 0, in the first camera's frame");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });
