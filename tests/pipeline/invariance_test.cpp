@@ -7,7 +7,6 @@
 #include "surfaces.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/pipeline/pipeline.hpp"
-#include "symscene/simulation/simulation.hpp"
 
 namespace symscene {
 namespace {
@@ -131,10 +130,7 @@ double best_overlap(const PointIndices& mask, const std::vector<PointIndices>& o
 
 /// The voxels of sampling and occupancy do not move with the scene, so that points on the border of
 /// an object may change sides: an object counts as the same from this IoU on. Over 20 motions the
-/// solids of this file overlap by 1.0, the objects of the simulated table below over 6 motions by
-/// 0.95 or more. This does not hold for every scene: where two sets of points are about equally
-/// likely objects, the motion decides which is chosen. Without occupancy, 28 of 108 objects on the
-/// simulated tables with seeds 45 and 46 (6 objects, 6 motions each) overlap by less than 0.9.
+/// solids of this file overlap by 1.0. It does not hold for every scene: see docs/accuracy.md.
 constexpr double same_object = 0.9;
 
 void expect_same_objects(const std::vector<PointIndices>& masks,
