@@ -14,6 +14,12 @@ TrackingOptions when_lost(TrackingOptions options) {
   return options;
 }
 
+std::vector<float> depths_of(const SurfaceImage& image) {
+  std::vector<float> depth(image.pixels.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = image.pixels[i].depth;
+  return depth;
+}
+
 }  // namespace
 
 CameraTracker::Located CameraTracker::locate(const Measurement& measurement,
@@ -42,6 +48,7 @@ void CameraTracker::accept(const Measurement& measurement, const TrackingResult&
   }
   keyframes_.add(measurement, pose);
   T_world_last_ = pose;
+  last_depth_ = depths_of(measurement.pyramid.front());
   view_.reset();
   lost_ = false;
 }
@@ -65,10 +72,25 @@ bool CameraTracker::agrees(const TrackingResult& result) const {
 /// normals would add constraints that hold the camera back.
 ModelView CameraTracker::predict(const CameraIntrinsics& camera,
                                  const Eigen::Isometry3d& T_world_camera) {
+  return smoothed_view(camera, T_world_camera, {});
+}
+
+/// The model as seen from the last pose, completed with the frame that was fused there: few looks
+/// leave corners of cells that no ray can cross.
+ModelView CameraTracker::predict_at_last(const CameraIntrinsics& camera) {
+  return smoothed_view(camera, T_world_last_, last_depth_);
+}
+
+/// The model as seen from a pose, with the depths of `otherwise` where it shows none.
+ModelView CameraTracker::smoothed_view(const CameraIntrinsics& camera,
+                                       const Eigen::Isometry3d& T_world_camera,
+                                       std::span<const float> otherwise) {
   return clock_->time(StageClock::predict_view, [&] {
     ModelView view = cast_model_view(*volume_, camera, T_world_camera);
-    std::vector<float> depth(view.image.pixels.size());
-    for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = view.image.pixels[i].depth;
+    std::vector<float> depth = depths_of(view.image);
+    for (std::size_t i = 0; i < otherwise.size(); ++i) {
+      if (depth[i] == 0.0F) depth[i] = otherwise[i];
+    }
     view.image = find_surface(std::move(depth), camera, sensor_);
     return view;
   });
@@ -89,7 +111,7 @@ TrackingResult CameraTracker::follow(const Measurement& measurement,
   const CameraIntrinsics& camera = measurement.pyramid.front().camera;
   const TrackingOptions options = lost_ ? when_lost(options_) : options_;
   if (guess) return track(measurement, predict(camera, *guess), *guess, options);
-  if (!view_) view_ = predict(camera, T_world_last_);
+  if (!view_) view_ = predict_at_last(camera);
   const TrackingResult result = track(measurement, *view_, T_world_last_ * T_last_next_, options);
   if (result.status != TrackingStatus::lost) return result;
   const TrackingResult again = track(measurement, *view_, T_world_last_, options);
@@ -98,22 +120,29 @@ TrackingResult CameraTracker::follow(const Measurement& measurement,
 
 /// The best pose around the last one and around similar keyframes.
 TrackingResult CameraTracker::search(const Measurement& measurement) {
+  const CameraIntrinsics& camera = measurement.pyramid.front().camera;
+  if (!view_) view_ = predict_at_last(camera);
+  TrackingResult best = best_around(measurement, *view_);
+  for (const Eigen::Isometry3d& place : keyframes_.most_similar(
+           measurement, static_cast<std::size_t>(options_.relocalize_keyframes))) {
+    TrackingResult found = best_around(measurement, predict(camera, place));
+    if (found.agreement > best.agreement) best = std::move(found);
+  }
+  return best;
+}
+
+/// The pose around a view's at which a measurement agrees with it most.
+TrackingResult CameraTracker::best_around(const Measurement& measurement, const ModelView& view) {
   TrackingOptions options = when_lost(options_);
   options.max_translation = options.max_rotation = std::numeric_limits<double>::infinity();
+  const std::vector<Eigen::Isometry3d> starts = clock_->time(StageClock::track, [&] {
+    return likely_poses(measurement, view, view.T_world_camera, options, sensor_);
+  });
   TrackingResult best;
-  std::vector<Eigen::Isometry3d> places =
-      keyframes_.most_similar(measurement, static_cast<std::size_t>(options_.relocalize_keyframes));
-  places.insert(places.begin(), T_world_last_);
-  for (const Eigen::Isometry3d& place : places) {
-    const ModelView view = predict(measurement.pyramid.front().camera, place);
-    const std::vector<Eigen::Isometry3d> starts = clock_->time(StageClock::track, [&] {
-      return likely_poses(measurement, view, place, options, sensor_);
-    });
-    for (const Eigen::Isometry3d& start : starts) {
-      TrackingResult result = track(measurement, view, start, options);
-      if (result.status != TrackingStatus::converged) continue;
-      if (result.agreement > best.agreement) best = std::move(result);
-    }
+  for (const Eigen::Isometry3d& start : starts) {
+    TrackingResult result = track(measurement, view, start, options);
+    if (result.status != TrackingStatus::converged) continue;
+    if (result.agreement > best.agreement) best = std::move(result);
   }
   return best;
 }

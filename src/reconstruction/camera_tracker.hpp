@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "camera_tracking.hpp"
 #include "keyframes.hpp"
@@ -39,7 +40,11 @@ class CameraTracker {
                         const std::optional<Eigen::Isometry3d>& guess);
   TrackingResult search(const Measurement& measurement);
   bool agrees(const TrackingResult& result) const;
+  TrackingResult best_around(const Measurement& measurement, const ModelView& view);
   ModelView predict(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera);
+  ModelView predict_at_last(const CameraIntrinsics& camera);
+  ModelView smoothed_view(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera,
+                          std::span<const float> otherwise);
   TrackingResult track(const Measurement& measurement, const ModelView& view,
                        const Eigen::Isometry3d& T_world_guess, const TrackingOptions& options);
 
@@ -49,6 +54,7 @@ class CameraTracker {
   MeasurementOptions sensor_;
   Keyframes keyframes_;
   Eigen::Isometry3d T_world_last_ = Eigen::Isometry3d::Identity();
+  std::vector<float> last_depth_;  ///< of the frame at T_world_last_ [m]
   std::optional<ModelView> view_;  ///< of the model from T_world_last_, once it is needed
   Eigen::Isometry3d T_last_next_ = Eigen::Isometry3d::Identity();  ///< constant-velocity model
   double disagreement_ = options_.initial_disagreement;  ///< running mean of 1 − agreement

@@ -1,6 +1,7 @@
 #include "depth_level.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/dispatch.hpp"
 #include "core/parallel.hpp"
@@ -75,6 +76,29 @@ void smooth_row(const float* const* rows, std::size_t width, float noise, float*
   }
 }
 
+/// The mean of two depths of one surface; 0 if they are not both measured and of one surface.
+inline float between(float a, float b, float step) {
+  const float mean = 0.5F * (a + b);
+  const float bound = step * mean * (mean > 1.0F ? mean : 1.0F);
+  return std::min(a, b) > 0.0F && std::abs(a - b) <= bound ? mean : 0.0F;
+}
+
+/// Fills the holes of one row between neighbours on opposite sides, or opposite corners.
+SYMSCENE_MULTIVERSION
+void bridge_row(const float* above, const float* here, const float* below, std::size_t width,
+                float step, float* __restrict out) {
+  for (std::size_t u = 1; u + 1 < width; ++u) {
+    const float across = between(here[u - 1], here[u + 1], step);
+    const float down = between(above[u], below[u], step);
+    const float falling = between(above[u - 1], below[u + 1], step);
+    const float rising = between(below[u - 1], above[u + 1], step);
+    const float diagonal = falling > 0.0F ? falling : rising;
+    const float side = across > 0.0F ? across : down;
+    const float filled = side > 0.0F ? side : diagonal;
+    out[u] = here[u] > 0.0F ? here[u] : filled;
+  }
+}
+
 }  // namespace
 
 DepthLevel keep_in_range(const std::vector<float>& depth, const CameraIntrinsics& camera,
@@ -97,6 +121,19 @@ DepthLevel halve(const DepthLevel& fine, float step) {
         }
       });
   return coarse;
+}
+
+DepthLevel bridge_holes(const DepthLevel& raw, float step) {
+  DepthLevel bridged = raw;
+  const std::size_t width = raw.camera.width, height = raw.camera.height;
+  if (height < 3) return bridged;
+  parallel_for_blocks(height - 2, image_rows_per_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin + 1; v < end + 1; ++v) {
+      const float* const here = raw.depth.data() + v * width;
+      bridge_row(here - width, here, here + width, width, step, bridged.depth.data() + v * width);
+    }
+  });
+  return bridged;
 }
 
 DepthLevel smooth(const DepthLevel& raw, float noise) {

@@ -22,6 +22,11 @@ DepthLevel keep_in_range(const std::vector<float>& depth, const CameraIntrinsics
 /// their depth, of the nearest of them; 0 if these are fewer than two.
 DepthLevel halve(const DepthLevel& fine, float step);
 
+/// Holes of one pixel get the mean of two neighbours on opposite sides, or else at opposite
+/// corners, that differ by at most `step` at 1 m [m]: one surface, of which a sensor or the
+/// registration to another camera has left out single pixels or a grid of lines.
+DepthLevel bridge_holes(const DepthLevel& raw, float step);
+
 /// A bilateral filter over 5×5 pixels: weights fall to zero at a difference of `noise` times the
 /// squared depth. [1/m]
 DepthLevel smooth(const DepthLevel& raw, float noise);

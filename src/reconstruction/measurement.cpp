@@ -78,7 +78,7 @@ std::vector<std::uint32_t> pack(const DepthLevel& raw, const SurfaceImage& surfa
 std::vector<SurfaceImage> surface_pyramid(DepthLevel level, const MeasurementOptions& options) {
   const auto step = static_cast<float>(options.edge_step);
   std::vector<SurfaceImage> pyramid;
-  level = smooth(level, smoothing_noise(options));
+  level = smooth(bridge_holes(level, step), smoothing_noise(options));
   pyramid.push_back(with_normals(level, normal_reach, step));
   while (pyramid.size() < max_levels && level.camera.width >= min_side &&
          level.camera.height >= min_side) {

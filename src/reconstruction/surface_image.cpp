@@ -80,8 +80,10 @@ SurfaceImage with_normals(const DepthLevel& level, std::size_t reach, float step
 
 SurfaceImage find_surface(std::vector<float> depth, const CameraIntrinsics& camera,
                           const MeasurementOptions& options) {
-  const DepthLevel level = smooth({camera, std::move(depth)}, smoothing_noise(options));
-  return with_normals(level, normal_reach, static_cast<float>(options.edge_step));
+  const auto step = static_cast<float>(options.edge_step);
+  const DepthLevel level =
+      smooth(bridge_holes({camera, std::move(depth)}, step), smoothing_noise(options));
+  return with_normals(level, normal_reach, step);
 }
 
 }  // namespace symscene

@@ -73,6 +73,44 @@ TEST(Measurement, PlacesEveryLevelsPixelsOnTheSurface) {
   }
 }
 
+/// The frame with a hole at every third pixel along rows and columns.
+DepthFrame with_grid_of_holes(DepthFrame frame, const CameraIntrinsics& camera) {
+  for (Index v = 0; v < camera.height; ++v) {
+    for (Index u = 0; u < camera.width; ++u) {
+      if (u % 3 == 1 || v % 3 == 1) frame.depth[std::size_t{v} * camera.width + u] = 0.0F;
+    }
+  }
+  return frame;
+}
+
+TEST(Measurement, OfAGridOfHolesHasNormalsWhereTheWholeImageHas) {
+  const CameraIntrinsics camera{320, 240, 280.0, 282.0, 159.1, 120.1};
+  const DepthFrame whole = render(tabletop(), camera, around_table(0));
+  const DepthFrame holed = with_grid_of_holes(whole, camera);
+  const Measurement all = prepare_measurement(whole, camera, {});
+  const Measurement some = prepare_measurement(holed, camera, {});
+  EXPECT_GT(some.measured, 8 * all.measured / 10);
+  std::size_t measured = 0, fused = 0;
+  for (std::size_t i = 0; i < camera.pixels(); ++i) {
+    EXPECT_TRUE(holed.depth[i] > 0.0F || some.packed[i] == 0) << "a hole is not fused";
+    measured += holed.depth[i] > 0.0F && all.packed[i] != 0 ? 1 : 0;
+    fused += some.packed[i] != 0 ? 1 : 0;
+  }
+  EXPECT_GT(fused, 8 * measured / 10);
+}
+
+TEST(Measurement, BridgesNoHoleBetweenTwoSurfaces) {
+  const CameraIntrinsics camera = small_camera();
+  DepthFrame frame = flat_frame(camera, 1.0F);
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (i % 160 >= 80) frame.depth[i] = i % 160 == 80 ? 0.0F : 0.8F;
+  }
+  const Measurement measurement = prepare_measurement(frame, camera, {});
+  for (std::size_t v = 0; v < 120; ++v) {
+    EXPECT_EQ(measurement.pyramid[0].pixels[v * 160 + 80].depth, 0.0F);
+  }
+}
+
 TEST(Measurement, GivesNoWeightToEdges) {
   DepthFrame frame = flat_frame(small_camera(), 1.0F);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {

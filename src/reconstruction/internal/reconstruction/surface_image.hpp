@@ -23,7 +23,8 @@ struct SurfaceImage {
   std::vector<SurfacePixel> pixels;
 };
 
-/// Smooths a depth image (0 where nothing was measured) over 5×5 pixels whose depths lie within
+/// Bridges holes of one pixel in a depth image (0 where nothing was measured), smooths it over 5×5
+/// pixels whose depths lie within
 /// `smoothing_sigmas` deviations of each other, and estimates normals from the differences of
 /// neighbouring pixels.
 SurfaceImage find_surface(std::vector<float> depth, const CameraIntrinsics& camera,
