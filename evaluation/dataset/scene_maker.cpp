@@ -114,14 +114,15 @@ std::string flaw(const SweptScene& made, const DatasetOptions& options) {
   return "";
 }
 
-SweepOptions sweep_of(const DatasetOptions& options, std::uint64_t seed) {
-  SweepOptions sweep;
-  sweep.tabletop.seed = seed;
-  sweep.camera = options.camera;
-  sweep.shake = options.shake;
-  sweep.sensor = options.sensor;
-  sweep.frame_rate = options.frame_rate;
-  return sweep;
+ScenePlan plan_of(const DatasetOptions& options, std::uint64_t seed) {
+  ScenePlan plan;
+  plan.sweep.tabletop.seed = seed;
+  plan.sweep.camera = options.camera;
+  plan.sweep.shake = options.shake;
+  plan.sweep.sensor = options.sensor;
+  plan.sweep.frame_rate = options.frame_rate;
+  plan.making = options.making;
+  return vary_scene(options.variation, std::move(plan), seed);
 }
 
 bool is_dropped(const DatasetOptions& options, std::span<const ObjectModel> models,
@@ -137,11 +138,14 @@ bool is_dropped(const DatasetOptions& options, std::span<const ObjectModel> mode
 void try_seed(const DatasetOptions& options, std::span<const ObjectModel> models, MadeScene& made) {
   SceneFacts& facts = made.facts;
   StageTimer timer;
-  const Tabletop table = timer.time("place objects", [&] {
+  Tabletop table = timer.time("place objects", [&] {
     return place_objects(options, models, static_cast<int>(facts.objects_asked), facts.seed,
                          facts.dropped);
   });
-  SweptScene swept = reconstruct_sweep(table, sweep_of(options, facts.seed), options.making);
+  ScenePlan plan = plan_of(options, facts.seed);
+  fit_to_objects(options.variation, table, plan);
+  SweptScene swept = reconstruct_sweep(table, plan.sweep, plan.making);
+  if (!plan.with_occupancy) swept.scene.occupancy.reset();
   facts.objects_placed = table.objects.size();
   facts.objects_seen = swept.truth.objects.size();
   facts.frames = swept.frames;
@@ -152,6 +156,7 @@ void try_seed(const DatasetOptions& options, std::span<const ObjectModel> models
   for (const std::vector<std::string>& warnings : {table.warnings, swept.scene.warnings})
     made.warnings.insert(made.warnings.end(), warnings.begin(), warnings.end());
   if (!facts.good) facts.failed.push_back({facts.seed, reason});
+  if (options.variation.enabled) facts.plan = std::move(plan);
   made.scene = std::move(swept.scene);
   made.truth = std::move(swept.truth);
   for (const std::vector<StageTime>& times : {timer.stages(), swept.stages})

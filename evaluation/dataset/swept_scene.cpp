@@ -1,9 +1,16 @@
 #include "symscene/dataset/swept_scene.hpp"
 
 #include <chrono>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
+
+constexpr const char* exact_poses = "exact";
 
 /// The poses of the frames that were fused.
 struct FusedPoses {
@@ -18,16 +25,20 @@ std::vector<TriangleMesh> meshes_of(const Tabletop& tabletop) {
   return meshes;
 }
 
-FusedPoses track(const Tabletop& tabletop, const SweepOptions& sweep,
-                 Reconstruction& reconstruction, SweptScene& result, StageTimer& timer) {
+FusedPoses add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool exact,
+                      Reconstruction& reconstruction, SweptScene& result, StageTimer& timer) {
   using Clock = std::chrono::steady_clock;
   FusedPoses poses;
+  std::optional<Eigen::Isometry3d> T_world_first;
   std::chrono::duration<double> tracking{0.0};
   const Clock::time_point start = Clock::now();
   capture_sweep(tabletop, sweep, [&](const DepthFrame& frame, const Eigen::Isometry3d& pose) {
     const Clock::time_point begin = Clock::now();
     ++result.frames;
-    const FrameReport report = reconstruction.add(frame);
+    if (!T_world_first) T_world_first = pose;
+    std::optional<Eigen::Isometry3d> known;
+    if (exact) known = T_world_first->inverse() * pose;
+    const FrameReport report = reconstruction.add(frame, known);
     tracking += Clock::now() - begin;
     if (!report.fused) return;
     poses.tracked.push_back({frame.time, report.tracking.T_world_camera});
@@ -40,7 +51,19 @@ FusedPoses track(const Tabletop& tabletop, const SweepOptions& sweep,
   return poses;
 }
 
+/// Frames with exact poses are few: each counts more.
+SurfaceExtractionOptions surface_of(const SweptSceneOptions& options, std::size_t frames) {
+  const SurfaceExtractionOptions& surface = options.reconstruction.surface;
+  return options.poses == exact_poses ? surface_of_few(surface, frames) : surface;
+}
+
 }  // namespace
+
+void SweptSceneOptions::validate() const {
+  check_fields(*this);
+  if (poses != exact_poses && poses != "tracked")
+    throw InputError("poses", "tracked or exact", fmt::format("\"{}\"", poses));
+}
 
 SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
                              const SweptSceneOptions& options) {
@@ -48,11 +71,13 @@ SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep
   SweptScene result;
   StageTimer timer;
   Reconstruction reconstruction(sweep.camera.intrinsics(), options.reconstruction);
-  const FusedPoses poses = track(tabletop, sweep, reconstruction, result, timer);
+  const FusedPoses poses =
+      add_frames(tabletop, sweep, options.poses == exact_poses, reconstruction, result, timer);
   result.fused = poses.estimated.size();
   result.trajectory = trajectory_error(poses.estimated, poses.truth);
   result.T_scene_world = align_poses(poses.estimated, poses.truth);
-  result.surface = timer.time("surface", [&] { return reconstruction.surface(); });
+  result.surface = timer.time(
+      "surface", [&] { return reconstruction.surface(surface_of(options, result.fused)); });
   if (result.surface.vertices.rows() != 0) {
     timer.time("scene", [&] {
       result.scene = build_scene(result.surface, reconstruction.occupancy(), {},

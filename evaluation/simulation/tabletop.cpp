@@ -205,6 +205,7 @@ Plane Tabletop::plane() const {
 
 Tabletop empty_tabletop(const TabletopOptions& options) {
   Tabletop tabletop;
+  tabletop.table = options.table;
   if (options.random_frame) {
     Random random(options.seed, 1);
     tabletop.T_world_table = random_frame(random);

@@ -130,7 +130,7 @@ TEST(SceneMaker, DropsNoModelTwiceWhileThereAreOthers) {
 TEST(SceneMaker, RefusesOptionsOutOfRange) {
   for (const auto& spoil : std::vector<std::function<void(DatasetOptions&)>>{
            [](auto& o) { o.scenes = 0; }, [](auto& o) { o.min_objects = 0; },
-           [](auto& o) { o.min_objects = 3; }, [](auto& o) { o.max_objects = 16; },
+           [](auto& o) { o.min_objects = 3; }, [](auto& o) { o.max_objects = 21; },
            [](auto& o) { o.arranged_every = -1; }, [](auto& o) { o.scanned = 1.5; },
            [](auto& o) { o.max_spread = 0.001; }, [](auto& o) { o.min_scale = 0.0; },
            [](auto& o) { o.max_scale = 0.5; }, [](auto& o) { o.attempts = 0; },

@@ -106,7 +106,7 @@ TEST(Tabletop, RandomFrameMovesTheWorldButNotTheArrangement) {
 }
 
 TEST(Tabletop, RefusesMoreObjectsThanFit) {
-  EXPECT_THROW(arrange_tabletop(options_for(1, 16)), InputError);
+  EXPECT_THROW(arrange_tabletop(options_for(1, 21)), InputError);
   EXPECT_THROW(arrange_tabletop(options_for(1, 0)), InputError);
 }
 

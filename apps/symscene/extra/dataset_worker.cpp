@@ -16,24 +16,47 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What was drawn for the scene.
+Json plan_description(const ScenePlan& plan) {
+  const SensorNoiseOptions& sensor = plan.sweep.sensor;
+  const CameraArcOptions& camera = plan.sweep.camera;
+  const TableOptions& table = plan.sweep.tabletop.table;
+  return {{"sensor", sensor.model},
+          {"noise", plan.noise},
+          {"missing_lines", sensor.missing_lines},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"focal_length", camera.focal_length},
+          {"frames", camera.frames},
+          {"poses", plan.making.poses},
+          {"arc", camera.arc},
+          {"distance", camera.radius},
+          {"elevation", {camera.min_elevation, camera.max_elevation}},
+          {"table", {table.length, table.width}},
+          {"table_height", table.height},
+          {"wall_distance", table.wall_distance},
+          {"occupancy", plan.with_occupancy}};
+}
+
 /// scene.json: nothing that differs when the scene is made again.
 std::string scene_description(const SceneFacts& facts) {
   Json failed = Json::array();
   for (const FailedAttempt& attempt : facts.failed)
     failed.push_back({{"seed", attempt.seed}, {"reason", attempt.reason}});
-  const Json description = {{"version", 1},
-                            {"symscene", SYMSCENE_VERSION},
-                            {"command", "dataset"},
-                            {"index", facts.index},
-                            {"split", to_string(facts.split)},
-                            {"seed", facts.seed},
-                            {"placement", facts.dropped ? "dropped" : "arranged"},
-                            {"objects_asked", facts.objects_asked},
-                            {"objects_placed", facts.objects_placed},
-                            {"objects_seen", facts.objects_seen},
-                            {"frames", {{"count", facts.frames}, {"fused", facts.fused}}},
-                            {"path_error", facts.path_error},
-                            {"failed_seeds", failed}};
+  Json description = {{"version", 1},
+                      {"symscene", SYMSCENE_VERSION},
+                      {"command", "dataset"},
+                      {"index", facts.index},
+                      {"split", to_string(facts.split)},
+                      {"seed", facts.seed},
+                      {"placement", facts.dropped ? "dropped" : "arranged"},
+                      {"objects_asked", facts.objects_asked},
+                      {"objects_placed", facts.objects_placed},
+                      {"objects_seen", facts.objects_seen},
+                      {"frames", {{"count", facts.frames}, {"fused", facts.fused}}},
+                      {"path_error", facts.path_error},
+                      {"failed_seeds", failed}};
+  if (facts.plan) description["drawn"] = plan_description(*facts.plan);
   return description.dump(2) + "\n";
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "symscene/dataset/scene_variation.hpp"
 #include "symscene/dataset/split.hpp"
 #include "symscene/dataset/swept_scene.hpp"
 
@@ -32,14 +34,15 @@ struct DatasetOptions {
   SensorNoiseOptions sensor;
   double frame_rate = 30.0;
   SweptSceneOptions making;
+  SceneVariationOptions variation;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("scenes", self.scenes, "", between(1, 10000),
           "number of scenes, by default that of the Cluttered Tabletop Dataset");
     visit("seed", self.seed, "", any_value(), "seed of all scenes");
-    visit("min_objects", self.min_objects, "", between(1, 15), "fewest objects of a scene");
-    visit("max_objects", self.max_objects, "", between(1, 15), "most objects of a scene");
+    visit("min_objects", self.min_objects, "", between(1, 20), "fewest objects of a scene");
+    visit("max_objects", self.max_objects, "", between(1, 20), "most objects of a scene");
     visit("arranged_every", self.arranged_every, "", at_least(0),
           "interval of scenes whose objects are arranged, not dropped; 0 for never");
     visit("scanned", self.scanned, "", between(0.0, 1.0),
@@ -71,6 +74,7 @@ struct DatasetOptions {
     visit("sensor", self.sensor);
     visit("frame_rate", self.frame_rate, "1/s", above(0.0), "frames per second");
     visit("making", self.making);
+    visit("variation", self.variation);
   }
   /// Throws InputError if a value is out of its range or a maximum is below its minimum.
   void validate() const;
@@ -96,6 +100,7 @@ struct SceneFacts {
   double path_error = 0.0;            ///< of the poses of fused frames, root mean square [m]
   std::vector<FailedAttempt> failed;  ///< seeds tried before this one, or all
   bool good = false;                  ///< whether the scene is accurate enough
+  std::optional<ScenePlan> plan;      ///< what was drawn, where scenes vary
 };
 
 /// A scene of a dataset: that of the first accurate attempt, otherwise of the last one.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "symscene/reconstruction/reconstruction.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/simulation/sweep.hpp"
@@ -13,15 +15,18 @@ struct SweptSceneOptions {
   ReconstructionOptions reconstruction;
   SceneBuildingOptions scene;
   TruthTransferOptions truth;
+  std::string poses = "tracked";
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("reconstruction", self.reconstruction);
     visit("scene", self.scene);
     visit("truth", self.truth);
+    visit("poses", self.poses, "", any_value(),
+          "poses of the frames: tracked or exact, for frames that are too far apart to be tracked");
   }
-  /// Throws InputError if a value is out of its range.
-  void validate() const { check_fields(*this); }
+  /// Throws InputError if a value is out of its range or poses are neither tracked nor exact.
+  void validate() const;
 };
 
 /// The scene reconstructed from a simulated sweep by tracking, its ground truth, and the error of
@@ -37,9 +42,9 @@ struct SweptScene {
   std::vector<StageTime> stages;  ///< wall time
 };
 
-/// Renders a sweep over a tabletop, reconstructs it with tracked poses, finds the table and
-/// transfers the ground truth to the reconstruction. If no frame is fused or no table is found, the
-/// scene and its ground truth are empty. The result is the same for any number of threads.
+/// Renders a sweep over a tabletop, reconstructs it with tracked or exact poses, finds the table
+/// and transfers the ground truth to the reconstruction. If no frame is fused or no table is found,
+/// the scene and its ground truth are empty. The result is the same for any number of threads.
 /// Throws InputError if an option is out of its range.
 SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
                              const SweptSceneOptions& options = {});

@@ -11,6 +11,26 @@
 
 namespace symscene {
 
+/// The table and the room around it.
+struct TableOptions {
+  double length = 2.4;
+  double width = 2.4;
+  double height = 0.0;
+  double wall_distance = 0.0;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("length", self.length, "m", above(0.0),
+          "extent of the table along the view of the camera in the middle of its arc");
+    visit("width", self.width, "m", above(0.0), "extent of the table across that view");
+    visit("height", self.height, "m", between(0.0, 3.0), "height above a floor; 0 for no floor");
+    visit("wall_distance", self.wall_distance, "m", at_least(0.0),
+          "distance of a wall behind the middle of the table; 0 for no wall");
+  }
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
+};
+
 /// How objects are arranged on the table.
 struct TabletopOptions {
   static constexpr double contact_gap = 0.0005;  ///< between objects that touch [m]
@@ -23,10 +43,11 @@ struct TabletopOptions {
   double max_stack = 0.35;
   bool random_frame = false;
   std::uint64_t seed = 1;
+  TableOptions table = {};
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("objects", self.objects, "", between(1, 15), "objects on the table");
+    visit("objects", self.objects, "", between(1, 20), "objects on the table");
     visit("stacked", self.stacked, "", between(0.0, 1.0),
           "share of the objects that are tried on top of or inside another");
     visit("touching", self.touching, "", between(0.0, 1.0),
@@ -39,6 +60,7 @@ struct TabletopOptions {
     visit("random_frame", self.random_frame, "", any_value(),
           "rotate and shift the world at random, as in a real scan");
     visit("seed", self.seed, "", any_value(), "seed of the objects and their places");
+    visit("table", self.table);
   }
   /// Throws InputError if a value is out of its range or max_gap is below min_gap.
   void validate() const;
@@ -56,6 +78,7 @@ struct PlacedObject {
 /// A table with objects on it that are known exactly.
 struct Tabletop {
   Eigen::Isometry3d T_world_table = Eigen::Isometry3d::Identity();  ///< z = 0 is the table, z up
+  TableOptions table;
   std::vector<PlacedObject> objects;
   std::vector<std::string> warnings;  ///< models that were not used or found no place
 
