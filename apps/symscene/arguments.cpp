@@ -11,6 +11,7 @@
 
 #include "print.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/io/intrinsics.hpp"
 
 namespace symscene::app {
 namespace fs = std::filesystem;
@@ -23,8 +24,9 @@ std::string check_whole(const std::string& text) {
   return whole ? "" : "expected a whole number from 0, found " + text;
 }
 
-/// The four numbers of "fx,fy,cx,cy", or nothing.
+/// The four numbers of "fx,fy,cx,cy", or the camera of a file; nothing if it is neither.
 std::optional<CameraIntrinsics> parse_intrinsics_option(const std::string& text) {
+  if (fs::is_regular_file(text)) return read_intrinsics(text);
   std::array<double, 4> numbers{};
   const char* rest = text.data();
   const char* const end = rest + text.size();
@@ -47,8 +49,12 @@ std::string check_positive(const std::string& text) {
 }
 
 std::string check_intrinsics(const std::string& text) {
-  if (parse_intrinsics_option(text)) return "";
-  return "expected fx,fy,cx,cy in pixels, found " + text;
+  try {
+    if (parse_intrinsics_option(text)) return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "expected fx,fy,cx,cy in pixels or a file like intrinsics.txt, found " + text;
 }
 
 }  // namespace
@@ -106,8 +112,9 @@ void Arguments::sequence_options(SequenceOptions& options) {
           [&options](const std::string& text) {
             options.intrinsics = parse_intrinsics_option(text);
           },
-          "focal lengths and principal point of the camera [px]; replaces that of the sequence")
-      ->type_name("FX,FY,CX,CY")
+          "focal lengths and principal point of the camera [px], or a file like intrinsics.txt; "
+          "replaces that of the sequence")
+      ->type_name("FX,FY,CX,CY|FILE")
       ->check(check_intrinsics);
   command_
       .add_option("--depth-scale", options.depth_scale,

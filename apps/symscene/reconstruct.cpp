@@ -9,8 +9,8 @@
 #include "scene_output.hpp"
 #include "session.hpp"
 #include "symscene/io/sequence.hpp"
-#include "symscene/io/table_plane.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
+#include "symscene/tabletop/view_scene.hpp"
 
 namespace symscene::app {
 namespace {
@@ -18,15 +18,18 @@ namespace {
 /// The options of all stages, in the groups of a configuration file.
 struct ReconstructOptions {
   ReconstructionOptions reconstruction;
+  ViewPointOptions view;
   SceneBuildingOptions scene;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     ReconstructionOptions::visit_fields(self.reconstruction, visit);
+    visit("view", self.view);
     visit("scene", self.scene);
   }
   void validate() const {
     reconstruction.validate();
+    view.validate();
     scene.validate();
   }
 };
@@ -127,9 +130,52 @@ struct Reconstruct {
         degrees(error.relative_angle), error.interval, 1e3 * error.drift));
   }
 
+  SceneOutput output() const { return {path, shared.output, table_arguments, options.scene}; }
+
+  /// A sequence of one frame: the frame's own pixels are the surface.
+  void run_on_view(const DepthSequence& sequence, const OptionFields& fields, Session& session,
+                   StageTimer& timer) const {
+    const DepthFrame frame = timer.time("read", [&] { return sequence.read(0); });
+    const Eigen::Isometry3d pose = given_pose(sequence, 0).value_or(Eigen::Isometry3d::Identity());
+    const PlacedFrames placed{{{frame.time, pose}}, {0}};
+    const ViewScene view = naming(path, [&] {
+      return view_scene({frame, sequence.camera(), pose},
+                        table_arguments.known(prior_of(placed.trajectory)),
+                        {options.view, options.reconstruction.occupancy, options.scene});
+    });
+    for (const StageTime& time : view.stages) timer.add(time.stage, time.seconds);
+    const TriangleMesh surface =
+        timer.time("extract surface", [&] { return view_mesh(view.points, options.view); });
+    std::vector<ReportMember> members{{"output", shared.output}, {"frames", 1}, {"fused", 1}};
+    const std::vector<ReportMember> written =
+        output().write(view.built, surface, {sequence, placed, describe_run("reconstruct", fields)},
+                       session, timer);
+    members.insert(members.end(), written.begin(), written.end());
+    session.finish(members, timer.stages());
+  }
+
+  void run_on_frames(const DepthSequence& sequence, const OptionFields& fields, Session& session,
+                     StageTimer& timer) const {
+    Reconstruction reconstruction(sequence.camera(), options.reconstruction);
+    FrameLog log;
+    const PlacedFrames placed = add_frames(sequence, reconstruction, log, session, timer);
+    for (const std::string& line : log.lines()) session.print_line(line);
+    if (placed.frames.empty())
+      throw InputError(path.string(), "a frame that can be fused", log.first_run());
+    report_trajectory(sequence, placed, session);
+    const std::vector<ReportMember> written = output().write(
+        reconstruction, options.reconstruction.surface,
+        {sequence, placed, describe_run("reconstruct", fields, log.json())}, session, timer);
+    std::vector<ReportMember> members{
+        {"output", shared.output}, {"frames", sequence.size()}, {"fused", log.fused()}};
+    members.push_back(ReportMember::raw("log", log.json()));
+    members.insert(members.end(), written.begin(), written.end());
+    session.finish(members, timer.stages());
+  }
+
   void run() {
     const OptionFields fields = configure();
-    const std::optional<Plane> table = table_arguments.table();
+    table_arguments.table();  // before the work
     require_not_input(shared.output, path);
     require_folder(shared.output);
     Session session("reconstruct", shared);
@@ -137,24 +183,11 @@ struct Reconstruct {
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
     session.warn(sequence->warnings());
     require_poses(*sequence);
-    Reconstruction reconstruction(sequence->camera(), options.reconstruction);
-    FrameLog log;
-    const PlacedFrames placed = add_frames(*sequence, reconstruction, log, session, timer);
-    for (const std::string& line : log.lines()) session.print_line(line);
-    if (placed.frames.empty())
-      throw InputError(path.string(), "a frame that can be fused", log.first_run());
-    report_trajectory(*sequence, placed, session);
-    const SceneOutput output{path,          shared.output,
-                             table,         table_arguments.any_up,
-                             options.scene, options.reconstruction.surface};
-    const std::vector<ReportMember> written = output.write(
-        {reconstruction, *sequence, placed, describe_run("reconstruct", fields, log.json())},
-        session, timer);
-    std::vector<ReportMember> members{
-        {"output", shared.output}, {"frames", sequence->size()}, {"fused", log.fused()}};
-    members.push_back(ReportMember::raw("log", log.json()));
-    members.insert(members.end(), written.begin(), written.end());
-    session.finish(members, timer.stages());
+    if (sequence->size() == 1) {
+      run_on_view(*sequence, fields, session, timer);
+    } else {
+      run_on_frames(*sequence, fields, session, timer);
+    }
   }
 };
 

@@ -18,26 +18,6 @@ std::string plane_numbers(const Plane& plane) {
                      plane.normal.z(), plane.offset);
 }
 
-void report_table(const std::filesystem::path& input, const TableScene& table, Session& session) {
-  if (table.planes.supports.empty()) {
-    std::vector<std::string> found;
-    for (const SupportPlane& other : table.planes.others) {
-      found.push_back(fmt::format("{} ({:.2f} m^2)", plane_numbers(other.plane), other.area));
-    }
-    throw InputError(
-        input.string(), "a table with objects on it (or --plane a,b,c,d)",
-        found.empty() ? "no plane" : fmt::format("only the planes {}", fmt::join(found, "; ")));
-  }
-  const auto& supports = table.planes.supports;
-  session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
-                                 plane_numbers(supports.front().plane), supports.front().area,
-                                 1e3 * supports.front().residual));
-  for (std::size_t k = 1; k < supports.size(); ++k) {
-    session.warn(fmt::format("another plane also has objects on it: --plane {} ({:.2f} m^2)",
-                             plane_numbers(supports[k].plane), supports[k].area));
-  }
-}
-
 /// The ground truth of a simulated sequence, transferred to the frame and points of the scene.
 std::optional<SceneTruth> scene_truth(const std::filesystem::path& input,
                                       const DepthSequence& sequence, const PlacedFrames& placed,
@@ -60,13 +40,48 @@ void TableArguments::add_to(Arguments& arguments, const char* plane_help) {
   arguments.text("--plane", plane, plane_help);
   arguments.flag("--any-up", any_up,
                  "the camera was not held upright: accept a table of any orientation");
+  arguments.flag("--no-table", none,
+                 "there is no table (a bin, a shelf, things in a hand): take all that is seen");
 }
 
 std::optional<Plane> TableArguments::table() const {
   if (plane.empty()) return {};
+  if (none) throw InputError("--plane", "no --no-table beside it", "both");
   std::string words = plane;
   std::replace(words.begin(), words.end(), ',', ' ');
   return parse_table_plane(words, "--plane");
+}
+
+TablePrior TableArguments::known(TablePrior from_cameras) const {
+  from_cameras.plane = table();
+  from_cameras.absent = none;
+  if (any_up) from_cameras.up.reset();
+  return from_cameras;
+}
+
+void report_table(const TableScene& table, Session& session) {
+  const auto& supports = table.planes.supports;
+  if (supports.empty()) {
+    std::vector<std::string> found;
+    for (const SupportPlane& other : table.planes.others) {
+      found.push_back(fmt::format("{} ({:.2f} m^2)", plane_numbers(other.plane), other.area));
+    }
+    session.warn(fmt::format(
+        "no table with objects on it is found, so that all that is seen is taken; {}",
+        found.empty()
+            ? "there is no plane"
+            : fmt::format("--plane can name one of the planes {}", fmt::join(found, "; "))));
+    return;
+  }
+  session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
+                                 plane_numbers(supports.front().plane), supports.front().area,
+                                 1e3 * supports.front().residual));
+  for (std::size_t k = 1; table.planes.status == SupportStatus::several && k < supports.size();
+       ++k) {
+    session.warn(fmt::format("another plane also has objects on it: --plane {} ({:.2f} m^2)",
+                             plane_numbers(supports[k].plane), supports[k].area));
+  }
+  if (table.objects.cloud.empty()) session.warn("the table is bare: nothing stands on it");
 }
 
 PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames& placed) {
@@ -80,34 +95,44 @@ PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames&
   return known;
 }
 
-std::vector<ReportMember> SceneOutput::write(const ReconstructedSequence& made, Session& session,
+std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstruction,
+                                             const SurfaceExtractionOptions& extraction,
+                                             const SceneSource& source, Session& session,
                                              StageTimer& timer) const {
   const TriangleMesh surface =
-      timer.time("extract surface", [&] { return made.reconstruction.surface(extraction); });
+      timer.time("extract surface", [&] { return reconstruction.surface(extraction); });
   const BuiltScene built = timer.time("find table", [&] {
     return naming(input, [&] {
-      return build_scene(surface, made.reconstruction.occupancy(), table,
-                         any_up ? std::nullopt : upward(made.placed.trajectory), building);
+      return build_scene({surface.vertices, surface.normals, surface.colors},
+                         reconstruction.occupancy(),
+                         table.known(prior_of(source.placed.trajectory)), building);
     });
   });
-  report_table(input, built.table, session);
-  if (built.scene.cloud.empty())
-    throw InputError(input.string(), "objects on the table", "a bare table");
+  std::vector<ReportMember> members = write(built, surface, source, session, timer);
+  const auto memory = static_cast<std::uint64_t>(reconstruction.bytes());
+  session.print_line(fmt::format("model of {:.0f} MB", 1e-6 * static_cast<double>(memory)));
+  members.emplace_back("model_bytes", memory);
+  return members;
+}
+
+std::vector<ReportMember> SceneOutput::write(const BuiltScene& built, const TriangleMesh& surface,
+                                             const SceneSource& source, Session& session,
+                                             StageTimer& timer) const {
+  if (!table.none) report_table(built.table, session);
   timer.time("write", [&] {
-    const auto truth = scene_truth(input, made.sequence, made.placed, built.scene.cloud);
+    const auto truth = scene_truth(input, source.sequence, source.placed, built.scene.cloud);
     write_scene(absolute(output), built.scene,
-                {.scene_json = made.scene_json,
+                {.scene_json = source.scene_json,
                  .truth = truth ? &*truth : nullptr,
                  .mesh = &surface,
-                 .trajectory = &made.placed.trajectory,
+                 .trajectory = &source.placed.trajectory,
+                 .camera = &source.sequence.camera(),
                  .log_odds = &built.log_odds});
   });
   const auto vertices = static_cast<std::uint64_t>(surface.vertices.rows());
-  const auto memory = static_cast<std::uint64_t>(made.reconstruction.bytes());
-  session.print_line(fmt::format("{}: {} points of objects, {} mesh vertices, model of {:.0f} MB",
-                                 output.string(), built.scene.cloud.size(), vertices,
-                                 1e-6 * static_cast<double>(memory)));
-  return {{"points", built.scene.cloud.size()}, {"vertices", vertices}, {"model_bytes", memory}};
+  session.print_line(fmt::format("{}: {} points of objects, {} mesh vertices", output.string(),
+                                 built.scene.cloud.size(), vertices));
+  return {{"points", built.scene.cloud.size()}, {"vertices", vertices}};
 }
 
 }  // namespace symscene::app

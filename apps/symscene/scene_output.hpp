@@ -28,36 +28,45 @@ void require_folder(const std::filesystem::path& output);
 struct TableArguments {
   std::string plane;    ///< a,b,c,d of --plane; empty if it is not given
   bool any_up = false;  ///< accept a table of any orientation
+  bool none = false;    ///< there is no table
 
-  /// Adds --plane, with this help, and --any-up.
+  /// Adds --plane, with this help, --any-up and --no-table.
   void add_to(Arguments& arguments, const char* plane_help);
 
-  /// Throws InputError if the text of --plane is not a plane.
+  /// Throws InputError if the text of --plane is not a plane, or --no-table is given too.
   std::optional<Plane> table() const;
+
+  /// What is known of the table, with what the cameras tell.
+  TablePrior known(TablePrior from_cameras) const;
 };
 
-/// A reconstruction and what it was made from.
-struct ReconstructedSequence {
-  const Reconstruction& reconstruction;
+/// What a scene folder is made from.
+struct SceneSource {
   const DepthSequence& sequence;
   const PlacedFrames& placed;
   std::string scene_json;  ///< describe_run() of the command
 };
 
-/// Makes a scene folder from a reconstruction; shared by reconstruct and stitch.
+/// Makes a scene folder; shared by reconstruct and stitch.
 struct SceneOutput {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::optional<Plane> table;  ///< if given
-  bool any_up = false;         ///< accept a table of any orientation
+  TableArguments table;
   SceneBuildingOptions building;
-  SurfaceExtractionOptions extraction;
 
-  /// Extracts the surface, finds the table, and writes the folder, with ground truth if the input
-  /// has it. Returns members for the report. Throws InputError if no table or nothing on it is
-  /// found.
-  std::vector<ReportMember> write(const ReconstructedSequence& made, Session& session,
+  /// Extracts the surface, finds the table, and writes the folder.
+  std::vector<ReportMember> write(const Reconstruction& reconstruction,
+                                  const SurfaceExtractionOptions& extraction,
+                                  const SceneSource& source, Session& session,
+                                  StageTimer& timer) const;
+
+  /// Writes the folder, with ground truth if the input has it. Returns members for the report.
+  std::vector<ReportMember> write(const BuiltScene& built, const TriangleMesh& surface,
+                                  const SceneSource& source, Session& session,
                                   StageTimer& timer) const;
 };
+
+/// Prints the table that was found. Warns if there is none, or if there may be another.
+void report_table(const TableScene& table, Session& session);
 
 }  // namespace symscene::app

@@ -7,38 +7,40 @@
 #include "io/atomic_file.hpp"
 #include "results.hpp"
 #include "score_models.hpp"
-#include "surroundings.hpp"
-#include "symscene/io/scene.hpp"
+#include "segment_input.hpp"
+#include "symscene/io/result.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 #include "symscene/viewer/page.hpp"
+#include "symscene/viewer/page_surface.hpp"
 
 namespace symscene::app {
 namespace {
 
 struct Segment {
   SharedOptions shared;
-  PipelineOptions options;
-  std::filesystem::path scene;
+  SegmentOptions options;
+  SegmentSource source;
   std::filesystem::path page;
   std::optional<int> repeat;
 
   OptionFields configure() {
-    return configure_options(options, shared.config, [&] { read_score_models(options.models); });
+    return configure_options(options, shared.config,
+                             [&] { read_score_models(options.pipeline.models); });
   }
 
   void check_outputs() const {
-    require_not_input(shared.output, scene);
+    require_not_input(shared.output, source.path);
     if (page.empty()) return;
-    require_not_input(page, scene);
+    require_not_input(page, source.path);
     require_not_input(page, shared.output);
   }
 
   /// The result. With --repeat its times are the medians over that many further runs.
   SegmentationResult segment(const Scene& input, Session& session) const {
-    SegmentationResult result = segment_scene(input, options, session.on_begin());
+    SegmentationResult result = segment_scene(input, options.pipeline, session.on_begin());
     std::vector<std::vector<StageTime>> runs;
     for (int run = 1; run <= repeat.value_or(0); ++run)
-      runs.push_back(segment_scene(input, options, session.on_begin()).timings);
+      runs.push_back(segment_scene(input, options.pipeline, session.on_begin()).timings);
     if (!runs.empty()) result.timings = median_times(runs);
     return result;
   }
@@ -50,25 +52,45 @@ struct Segment {
     write_result(absolute(shared.output), result, extras);
     if (page.empty()) return;
     PageOptions page_options;
-    page_options.title = folder_name(scene);
+    page_options.title = folder_name(source.path);
     page_options.table = result.table;
     page_options.surface = std::move(around.surface);
     page_options.trajectory = std::move(around.trajectory);
     write_file_atomically(page, render_page(result, page_options));
   }
 
+  SegmentationResult objects_of(const Scene& scene, Session& session) const {
+    if (!scene.cloud.empty()) return naming(source.path, [&] { return segment(scene, session); });
+    SegmentationResult nothing;
+    nothing.table = scene.table;
+    return nothing;
+  }
+
+  /// The part of the surface around the objects; empty, with a warning, if it does not belong here.
+  TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResult& result,
+                              Session& session) const {
+    if (surface.vertices.rows() == 0 || result.cloud.empty()) return {};
+    try {
+      return naming(source.path / "mesh.ply", [&] { return page_surface(surface, result); });
+    } catch (const InputError& error) {
+      session.warn(fmt::format("{}; it is left out", error.what()));
+      return {};
+    }
+  }
+
   void run() {
     configure();
+    source.table.table();  // before the work
     check_outputs();
     Session session("segment", shared);
     session.on_begin()("read");
-    const Scene input = read_scene(scene);
-    // Those of the reader first: they explain why segmentation may fail. The result repeats them.
-    session.warn(input.warnings);
-    const SegmentationResult result = naming(scene, [&] { return segment(input, session); });
-    session.warn(std::span(result.warnings).subspan(input.warnings.size()));
+    SegmentInput input = source.read(options, session);
+    SegmentationResult result = objects_of(input.scene, session);
+    session.warn(std::span(result.warnings).subspan(input.scene.warnings.size()));
+    result.timings.insert(result.timings.begin(), input.stages.begin(), input.stages.end());
     session.on_begin()("write");
-    write_outputs(result, scene_surroundings(scene, result, session));
+    write_outputs(result,
+                  {surface_around(input.surface, result, session), std::move(input.trajectory)});
     session.print_line(format_objects(result));
     session.finish({{"output", shared.output},
                     {"objects", result.objects.size()},
@@ -82,12 +104,17 @@ struct Segment {
 void add_segment(CommandLine& line) {
   const auto state = std::make_shared<Segment>();
   Arguments arguments(line, "segment", "Find the objects of a scene and their symmetries",
-                      "symscene segment scene -o result --page page.html");
-  arguments.input(state->scene, "SCENE", "scene folder");
+                      "symscene segment scene -o result --page page.html\n"
+                      "  symscene segment depth.png --intrinsics 525,525,319.5,239.5 -o result\n"
+                      "  symscene segment cloud.pcd -o result");
+  arguments.input(state->source.path, "INPUT",
+                  "scene folder, depth image, folder with one frame, or cloud (.ply, .pcd)");
   arguments.required_output(state->shared, "result folder to write");
   arguments.file("--page", state->page, "also write a page that shows the result");
   arguments.count("--repeat", state->repeat,
                   "run N more times and report the median time of each stage");
+  arguments.sequence_options(state->source.sequence);
+  state->source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

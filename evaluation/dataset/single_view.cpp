@@ -51,14 +51,6 @@ SceneTruth truth_of(const LabeledFrame& labeled, const Scene& scene,
   return truth;
 }
 
-/// A single view leaves fragments of a slanted face. No fragment is dropped here for its size:
-/// scene building does so, after it has joined fragments that are close.
-SurfaceExtractionOptions surface_of_one(const SurfaceExtractionOptions& options) {
-  SurfaceExtractionOptions one = surface_of_few(options, 1);
-  one.min_triangles = 1;
-  return one;
-}
-
 void require_size(std::size_t values, const CameraIntrinsics& camera, const char* what) {
   if (values == camera.pixels()) return;
   throw InputError(what, fmt::format("{}×{} values", camera.width, camera.height),
@@ -76,15 +68,7 @@ SingleViewScene single_view_scene(const LabeledFrame& labeled, const SingleViewO
   for (const std::uint16_t label : labels) {
     if (label != 0) result.labels.push_back(label);
   }
-  Reconstruction reconstruction(labeled.camera, options.reconstruction);
-  const Eigen::Isometry3d at_origin = Eigen::Isometry3d::Identity();
-  reconstruction.add(labeled.frame, at_origin);
-  const TriangleMesh surface =
-      reconstruction.surface(surface_of_one(options.reconstruction.surface));
-  if (surface.vertices.rows() == 0) return result;
-  result.scene = build_scene(surface, reconstruction.occupancy(), {}, upward({{0.0, at_origin}}),
-                             options.scene)
-                     .scene;
+  result.scene = view_scene({labeled.frame, labeled.camera}, options.view).built.scene;
   result.truth = truth_of(labeled, result.scene, options);
   return result;
 }

@@ -8,15 +8,14 @@ namespace symscene {
 
 /// A scene from one image, with the ground truth that the labels define.
 struct SingleViewScene {
-  Scene scene;                      ///< in the camera frame; empty without a table
+  Scene scene;                      ///< in the camera frame
   SceneTruth truth;                 ///< masks only; symmetries are not known
   std::vector<std::size_t> labels;  ///< labels in the image, ascending
 };
 
-/// Makes a scene from a single image, as from a sequence of one frame: the space behind the surface
-/// is never seen. A point takes the label of the pixel that it projects to if the depth there is
-/// that of the point. Throws InputError if depth or labels do not have the size of the camera's
-/// image, or an option is out of range.
+/// Makes a scene from a single image with view_scene(). A point takes the label of the pixel that
+/// it projects to if the depth there is that of the point. Throws InputError if depth or labels do
+/// not have the size of the camera's image, or an option is out of range.
 SingleViewScene single_view_scene(const LabeledFrame& labeled,
                                   const SingleViewOptions& options = {});
 

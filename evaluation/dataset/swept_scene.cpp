@@ -57,6 +57,46 @@ SurfaceExtractionOptions surface_of(const SweptSceneOptions& options, std::size_
   return options.poses == exact_poses ? surface_of_few(surface, frames) : surface;
 }
 
+/// Tracks and fuses the frames.
+void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
+                    const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
+  Reconstruction reconstruction(sweep.camera.intrinsics(), options.reconstruction);
+  const FusedPoses poses =
+      add_frames(tabletop, sweep, options.poses == exact_poses, reconstruction, result, timer);
+  result.fused = poses.estimated.size();
+  result.trajectory = trajectory_error(poses.estimated, poses.truth);
+  result.T_scene_world = align_poses(poses.estimated, poses.truth);
+  result.surface = timer.time(
+      "surface", [&] { return reconstruction.surface(surface_of(options, result.fused)); });
+  if (result.surface.vertices.rows() == 0) return;
+  timer.time("scene", [&] {
+    const TriangleMesh& mesh = result.surface;
+    const BuiltScene built =
+        build_scene({mesh.vertices, mesh.normals, mesh.colors}, reconstruction.occupancy(),
+                    prior_of(poses.tracked), options.scene);
+    if (built.scene.table) result.scene = built.scene;
+  });
+}
+
+/// Makes the scene of the only frame, in the frame of its camera.
+void make_of_view(const Tabletop& tabletop, const SweepOptions& sweep,
+                  const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
+  DepthFrame frame;
+  timer.time("render", [&] {
+    capture_sweep(tabletop, sweep, [&](const DepthFrame& only, const Eigen::Isometry3d& pose) {
+      frame = only;
+      result.T_scene_world = pose.inverse();
+    });
+  });
+  result.frames = result.fused = 1;
+  const ViewScene view =
+      view_scene({frame, sweep.camera.intrinsics()},
+                 {options.view, options.reconstruction.occupancy, options.scene});
+  for (const StageTime& stage : view.stages) timer.add(stage.stage, stage.seconds);
+  result.surface = view_mesh(view.points, options.view);
+  if (view.built.scene.table) result.scene = view.built.scene;
+}
+
 }  // namespace
 
 void SweptSceneOptions::validate() const {
@@ -70,21 +110,8 @@ SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep
   options.validate();
   SweptScene result;
   StageTimer timer;
-  Reconstruction reconstruction(sweep.camera.intrinsics(), options.reconstruction);
-  const FusedPoses poses =
-      add_frames(tabletop, sweep, options.poses == exact_poses, reconstruction, result, timer);
-  result.fused = poses.estimated.size();
-  result.trajectory = trajectory_error(poses.estimated, poses.truth);
-  result.T_scene_world = align_poses(poses.estimated, poses.truth);
-  result.surface = timer.time(
-      "surface", [&] { return reconstruction.surface(surface_of(options, result.fused)); });
-  if (result.surface.vertices.rows() != 0) {
-    timer.time("scene", [&] {
-      result.scene = build_scene(result.surface, reconstruction.occupancy(), {},
-                                 upward(poses.tracked), options.scene)
-                         .scene;
-    });
-  }
+  const auto make = sweep.camera.frames == 1 ? make_of_view : make_of_frames;
+  make(tabletop, sweep, options, result, timer);
   timer.time("ground truth", [&] {
     result.truth = transfer_truth(tabletop_truth(tabletop), meshes_of(tabletop), result.scene.cloud,
                                   result.T_scene_world, options.truth);

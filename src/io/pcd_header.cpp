@@ -1,6 +1,7 @@
 #include "pcd_header.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -121,6 +122,21 @@ PcdEncoding parse_encoding(const PcdLines& lines, const std::string& name) {
   throw InputError(name, "DATA ascii, binary or binary_compressed", in_quotes(word));
 }
 
+/// The position in VIEWPOINT tx ty tz qw qx qy qz; the origin where the file does not give it.
+Eigen::Vector3d parse_viewpoint(const PcdLines& lines, const std::string& name) {
+  Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();
+  if (!lines.has("VIEWPOINT")) return viewpoint;
+  const Words& words = lines.words("VIEWPOINT", 7);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const std::string_view word = words[static_cast<std::size_t>(axis)];
+    const auto value = to_number<double>(word);
+    if (!value || !std::isfinite(*value))
+      throw InputError(name, "finite numbers after VIEWPOINT", in_quotes(word));
+    viewpoint[axis] = *value;
+  }
+  return viewpoint;
+}
+
 }  // namespace
 
 const PcdField* PcdHeader::find(std::string_view field) const {
@@ -136,6 +152,7 @@ PcdHeader parse_pcd_header(std::string_view bytes, const std::string& name) {
   parse_fields(lines, name, header);
   header.points = parse_points(lines, name);
   header.encoding = parse_encoding(lines, name);
+  header.viewpoint = parse_viewpoint(lines, name);
   header.size = bytes.size() - rest.size();
   return header;
 }

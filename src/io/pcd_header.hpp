@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "scalar.hpp"
 
 namespace symscene {
@@ -25,7 +27,8 @@ struct PcdHeader {
   std::size_t point_bytes = 0;
   std::size_t point_values = 0;
   PcdEncoding encoding = PcdEncoding::ascii;
-  std::size_t size = 0;  ///< bytes before the body
+  Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();  ///< position of the sensor [m]
+  std::size_t size = 0;                                 ///< bytes before the body
 
   const PcdField* find(std::string_view field) const;
 };

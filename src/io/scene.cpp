@@ -10,6 +10,7 @@
 #include "octomap_log_odds.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/cloud.hpp"
+#include "symscene/io/intrinsics.hpp"
 #include "symscene/io/octomap.hpp"
 #include "symscene/io/table_plane.hpp"
 #include "symscene/io/trajectory.hpp"
@@ -24,9 +25,9 @@ constexpr const char* scene_folder =
     "a scene folder, which holds cloud.ply (or cloud.pcd), occupancy.bt and table_plane.txt";
 
 bool belongs_to_scene(const std::string& relative) {
-  static constexpr std::array<std::string_view, 8> files = {
-      "cloud.ply", "occupancy.bt", "occupancy.ot", "table_plane.txt",
-      "mesh.ply",  "poses.txt",    "scene.json",   "truth.json"};
+  static constexpr std::array<std::string_view, 9> files = {
+      "cloud.ply", "occupancy.bt",   "occupancy.ot", "table_plane.txt", "mesh.ply",
+      "poses.txt", "intrinsics.txt", "scene.json",   "truth.json"};
   return std::find(files.begin(), files.end(), relative) != files.end();
 }
 
@@ -79,6 +80,7 @@ void write_scene(const fs::path& dir, const Scene& scene, const SceneExtras& ext
   if (extras.mesh != nullptr) folder.write("mesh.ply", format_ply(*extras.mesh));
   if (extras.trajectory != nullptr)
     folder.write("poses.txt", format_trajectory(*extras.trajectory));
+  if (extras.camera != nullptr) folder.write("intrinsics.txt", format_intrinsics(*extras.camera));
   if (extras.log_odds != nullptr) folder.write("occupancy.ot", format_log_odds(*extras.log_odds));
   folder.commit();
 }

@@ -106,7 +106,7 @@ std::size_t PlaneCells::occupied() const {
       std::count(holds_points_.begin(), holds_points_.end(), std::uint8_t{1}));
 }
 
-std::vector<std::size_t> PlaneCells::largest_patch() const {
+PlaneCells::Patches PlaneCells::patches() const {
   constexpr std::int32_t gap = 2;
   std::vector<std::int32_t> patch_of(holds_points_.size(), -1);
   std::vector<std::size_t> sizes;
@@ -134,12 +134,63 @@ std::vector<std::size_t> PlaneCells::largest_patch() const {
       }
     }
   }
+  Patches patches{std::move(sizes), {}};
+  patches.of_point.reserve(cell_of_point_.size());
+  for (const std::int32_t cell : cell_of_point_)
+    patches.of_point.push_back(patch_of[static_cast<std::size_t>(cell)]);
+  return patches;
+}
+
+namespace {
+
+std::int32_t largest(const PlaneCells::Patches& patches) {
+  return static_cast<std::int32_t>(std::max_element(patches.cells.begin(), patches.cells.end()) -
+                                   patches.cells.begin());
+}
+
+}  // namespace
+
+std::vector<std::size_t> PlaneCells::largest_patch() const {
+  const Patches all = patches();
   std::vector<std::size_t> members;
-  if (sizes.empty()) return members;
-  const auto largest =
-      static_cast<std::int32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  for (std::size_t i = 0; i < cell_of_point_.size(); ++i) {
-    if (patch_of[static_cast<std::size_t>(cell_of_point_[i])] == largest) members.push_back(i);
+  if (all.cells.empty()) return members;
+  const std::int32_t main = largest(all);
+  for (std::size_t i = 0; i < all.of_point.size(); ++i) {
+    if (all.of_point[i] == main) members.push_back(i);
+  }
+  return members;
+}
+
+std::vector<std::size_t> PlaneCells::table_patches(const std::vector<Eigen::Vector2d>& points,
+                                                   double gap) const {
+  constexpr std::size_t least_cells = 4;
+  const Patches all = patches();
+  std::vector<std::size_t> members;
+  if (all.cells.empty()) return members;
+  const auto main = static_cast<std::size_t>(largest(all));
+  const std::size_t least = std::max(least_cells, all.cells[main] / 100);
+  std::vector<std::vector<Eigen::Vector2d>> borders(all.cells.size());
+  for (const std::size_t i : border()) {
+    borders[static_cast<std::size_t>(all.of_point[i])].push_back(points[i]);
+  }
+  std::vector<bool> kept(all.cells.size(), false);
+  kept[main] = true;
+  ConvexOutline hull(borders[main]);
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (std::size_t patch = 0; patch < borders.size(); ++patch) {
+      if (kept[patch] || all.cells[patch] < least) continue;
+      const auto near = [&](const Eigen::Vector2d& point) { return hull.distance(point) < gap; };
+      if (!std::any_of(borders[patch].begin(), borders[patch].end(), near)) continue;
+      kept[patch] = grew = true;
+      std::vector<Eigen::Vector2d> corners = hull.corners();
+      corners.insert(corners.end(), borders[patch].begin(), borders[patch].end());
+      hull = ConvexOutline(std::move(corners));
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool member = kept[static_cast<std::size_t>(all.of_point[i])];
+    if (member || hull.distance(points[i]) < 0.0) members.push_back(i);
   }
   return members;
 }

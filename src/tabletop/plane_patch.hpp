@@ -47,9 +47,31 @@ class PlaneCells {
   /// Cells of `edge` [m], or of a multiple where points are spread over more than 4 million cells.
   PlaneCells(const std::vector<Eigen::Vector2d>& points, double edge);
 
-  /// The indices of the points in the largest group of cells, ascending; cells belong together
-  /// across gaps of one cell.
+  /// Groups of cells that belong together, across gaps of one cell.
+  struct Patches {
+    std::vector<std::size_t> cells;      ///< of each patch
+    std::vector<std::int32_t> of_point;  ///< the patch of each point
+  };
+  Patches patches() const;
+
+  /// The indices of the points in the largest patch, ascending.
   std::vector<std::size_t> largest_patch() const;
+
+  /// The indices of the points in all patches of a table, ascending: the largest, those larger than
+  /// a hundredth of it within `gap` [m] of the others' convex hull, and those inside that hull.
+  std::vector<std::size_t> table_patches(const std::vector<Eigen::Vector2d>& points,
+                                         double gap) const;
+
+  /// Calls visit(middle) for every occupied cell.
+  template <class Visit>
+  void for_each_occupied(const Visit& visit) const {
+    for (std::size_t cell = 0; cell < holds_points_.size(); ++cell) {
+      if (holds_points_[cell] == 0) continue;
+      const auto at = static_cast<std::int32_t>(cell);
+      visit(Eigen::Vector2d(low_ +
+                            edge_ * Eigen::Vector2d(at % columns_ + 0.5, at / columns_ + 0.5)));
+    }
+  }
 
   /// The points that may be corners of the convex hull: those of cells without eight occupied
   /// neighbours.

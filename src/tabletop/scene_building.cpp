@@ -1,6 +1,8 @@
 #include "symscene/tabletop/scene_building.hpp"
 
+#include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
+#include "table_objects.hpp"
 #include "table_search.hpp"
 
 namespace symscene {
@@ -21,32 +23,50 @@ OrientedBox box_around(const PointCloud& objects, const Plane& table,
   return box;
 }
 
+/// All points, thinned to one per voxel, without stray fragments.
+PointCloud whole_cloud(const PointCloud& points, const TableCropOptions& options) {
+  const PointCloud thinned = voxel_downsample(points, options.voxel_size);
+  return select(thinned, points_in_fragments(thinned.positions, options));
+}
+
+OrientedBox box_around_all(const PointCloud& cloud, double margin) {
+  OrientedBox box;
+  box.min = cloud.positions.cast<double>().colwise().minCoeff().transpose().array() - margin;
+  box.max = cloud.positions.cast<double>().colwise().maxCoeff().transpose().array() + margin;
+  return box;
+}
+
 }  // namespace
 
-BuiltScene build_scene(const TriangleMesh& surface, const OccupancyVolume& occupancy,
-                       const std::optional<Plane>& plane, const std::optional<Eigen::Vector3d>& up,
-                       const SceneBuildingOptions& options) {
+BuiltScene build_scene(const PointCloud& points, const OccupancyVolume& occupancy,
+                       const TablePrior& known, const SceneBuildingOptions& options) {
   options.validate();
-  if (surface.vertices.rows() == 0) throw InputError("surface", "at least one vertex", "none");
-  const PointCloud points{surface.vertices, surface.normals, surface.colors};
+  if (points.empty()) throw InputError("surface", "at least one point", "none");
   BuiltScene built;
-  built.table = plane ? table_scene_on(points, *plane, options.table)
-                      : find_table_scene(points, options.table, up);
-  if (built.table.planes.supports.empty()) return built;
-  built.scene.table = built.table.planes.supports.front().plane;
-  built.scene.cloud = built.table.objects.cloud;
+  if (!known.absent) built.table = find_table_scene(points, options.table, known);
+  const auto& supports = built.table.planes.supports;
+  if (!supports.empty()) built.scene.table = supports.front().plane;
+  built.scene.cloud =
+      built.scene.table ? built.table.objects.cloud : whole_cloud(points, options.table.crop);
   if (built.scene.cloud.empty()) return built;
-  const OrientedBox region = box_around(built.scene.cloud, *built.scene.table, options);
+  const OrientedBox region = built.scene.table
+                                 ? box_around(built.scene.cloud, *built.scene.table, options)
+                                 : box_around_all(built.scene.cloud, options.margin);
   built.scene.occupancy = occupancy.map(region);
   built.log_odds = occupancy.log_odds(region);
   return built;
 }
 
-std::optional<Eigen::Vector3d> upward(const Trajectory& cameras) {
+TablePrior prior_of(const Trajectory& cameras) {
+  TablePrior prior;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const StampedPose& camera : cameras) sum -= camera.T_world_camera.linear().col(1);
-  if (cameras.empty() || sum.norm() < 0.5 * static_cast<double>(cameras.size())) return {};
-  return sum.normalized();
+  for (const StampedPose& camera : cameras) {
+    sum -= camera.T_world_camera.linear().col(1);
+    prior.viewpoints.push_back(camera.T_world_camera.translation());
+  }
+  if (!cameras.empty() && sum.norm() >= 0.5 * static_cast<double>(cameras.size()))
+    prior.up = sum.normalized();
+  return prior;
 }
 
 }  // namespace symscene

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "plane_patch.hpp"
 #include "plane_search.hpp"
@@ -26,9 +27,9 @@ PointIndices usable_points(const PointCloud& cloud) {
   return usable;
 }
 
-/// The largest connected patch of the points near a plane whose normals agree with its own.
-PointIndices patch_of(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
-                      double distance, double normal_angle) {
+/// The points near a plane whose normals agree with its own.
+PointIndices points_near(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
+                         double distance, double normal_angle) {
   const auto cosine = static_cast<float>(std::cos(normal_angle));
   const Eigen::Vector3f normal = plane.normal.cast<float>();
   const auto offset = static_cast<float>(plane.offset);
@@ -40,15 +41,38 @@ PointIndices patch_of(const PointCloud& cloud, const PointIndices& usable, const
       near.push_back(i);
     }
   }
+  return near;
+}
+
+std::vector<Eigen::Vector2d> within_plane(const PointCloud& cloud, const PointIndices& points,
+                                          const Plane& plane) {
   const PlaneFrame frame(plane);
   std::vector<Eigen::Vector2d> within;
-  within.reserve(near.size());
-  for (const Index i : near) within.push_back(frame.within(cloud.position(i).cast<double>()));
+  within.reserve(points.size());
+  for (const Index i : points) within.push_back(frame.within(cloud.position(i).cast<double>()));
+  return within;
+}
+
+/// The largest connected patch of the points near a plane whose normals agree with its own.
+PointIndices patch_of(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
+                      double distance, double normal_angle) {
+  const PointIndices near = points_near(cloud, usable, plane, distance, normal_angle);
   PointIndices patch;
-  for (const std::size_t k : PlaneCells(within, cell_edge).largest_patch()) {
-    patch.push_back(near[k]);
-  }
+  const PlaneCells cells(within_plane(cloud, near, plane), cell_edge);
+  for (const std::size_t k : cells.largest_patch()) patch.push_back(near[k]);
   return patch;
+}
+
+/// All patches of a table.
+PointIndices patches_of(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
+                        const SupportPlaneOptions& options) {
+  const PointIndices near =
+      points_near(cloud, usable, plane, options.inlier_distance, options.normal_angle);
+  const std::vector<Eigen::Vector2d> within = within_plane(cloud, near, plane);
+  PointIndices patches;
+  for (const std::size_t k : PlaneCells(within, cell_edge).table_patches(within, options.patch_gap))
+    patches.push_back(near[k]);
+  return patches;
 }
 
 PlaneMoments moments_of(const PointCloud& cloud, const PointIndices& points) {
@@ -96,11 +120,7 @@ SupportPlane described(const PointCloud& cloud, const Plane& plane, PointIndices
   support.inliers = std::move(inliers);
   support.residual = moments_of(cloud, support.inliers).residual(plane);
   const PlaneFrame frame(plane);
-  std::vector<Eigen::Vector2d> within;
-  within.reserve(support.inliers.size());
-  for (const Index i : support.inliers) {
-    within.push_back(frame.within(cloud.position(i).cast<double>()));
-  }
+  const std::vector<Eigen::Vector2d> within = within_plane(cloud, support.inliers, plane);
   const PlaneCells cells(within, cell_edge);
   support.area = cells.area(cells.occupied());
   std::vector<Eigen::Vector2d> border;
@@ -148,9 +168,10 @@ std::vector<bool> points_of_walls(const PointCloud& cloud, const std::vector<Sup
   return walls;
 }
 
-/// The area of the plane below objects.
-double covered_area(const PointCloud& cloud, const PointIndices& usable, const SupportPlane& plane,
-                    const std::vector<bool>& walls, const SupportPlaneOptions& options) {
+/// The cells of the plane below objects.
+PlaneCells covered_cells(const PointCloud& cloud, const PointIndices& usable,
+                         const SupportPlane& plane, const std::vector<bool>& walls,
+                         const SupportPlaneOptions& options) {
   const PlaneFrame frame(plane.plane);
   std::vector<Eigen::Vector2d> corners;
   for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
@@ -165,14 +186,89 @@ double covered_area(const PointCloud& cloud, const PointIndices& usable, const S
     const Eigen::Vector2d within = frame.within(point);
     if (outline.distance(within) < 0.0) above.push_back(within);
   }
-  const PlaneCells cells(above, cell_edge);
-  return cells.area(cells.occupied());
+  return {above, cell_edge};
 }
 
-bool may_support(const SupportPlane& plane, const SupportPlaneOptions& options,
-                 const std::optional<Eigen::Vector3d>& up) {
-  return plane.area >= options.min_area && plane.outline.size() >= 3 &&
-         (!up || angle_between(plane.plane.normal, *up) <= options.max_tilt);
+/// The number of points just below the plane, at most 5 cm beside its outline.
+std::size_t points_beneath(const PointCloud& cloud, const PointIndices& usable,
+                           const SupportPlane& plane, const SupportPlaneOptions& options) {
+  constexpr double depth = 0.2, margin = 0.05;  // [m]
+  const PlaneFrame frame(plane.plane);
+  std::vector<Eigen::Vector2d> corners;
+  for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
+  const ConvexOutline outline(std::move(corners));
+  return static_cast<std::size_t>(std::count_if(usable.begin(), usable.end(), [&](Index i) {
+    const Eigen::Vector3d point = cloud.position(i).cast<double>();
+    const double below = -plane.plane.signed_distance(point);
+    return below > 1.5 * options.inlier_distance && below < depth &&
+           outline.distance(frame.within(point)) < margin;
+  }));
+}
+
+/// At most this many viewpoints, evenly spread, are looked from.
+constexpr Index viewpoints_used = 16;
+
+std::vector<Eigen::Vector3d> some_viewpoints(const TablePrior& known) {
+  std::vector<Eigen::Vector3d> some;
+  for (const Index k : evenly_spread(static_cast<Index>(known.viewpoints.size()), viewpoints_used))
+    some.push_back(known.viewpoints[k]);
+  return some;
+}
+
+/// The extent of cells of a plane: the mean solid angle in which the cameras see them [sr], or
+/// their area [m²] without cameras.
+double extent(const PlaneCells& cells, const Plane& plane,
+              const std::vector<Eigen::Vector3d>& viewpoints) {
+  if (viewpoints.empty()) return cells.area(cells.occupied());
+  const PlaneFrame frame(plane);
+  double sum = 0.0;
+  cells.for_each_occupied([&](const Eigen::Vector2d& middle) {
+    const Eigen::Vector3d cell = frame.lift(middle);
+    for (const Eigen::Vector3d& viewpoint : viewpoints) {
+      const double distance = std::max((viewpoint - cell).norm(), cell_edge);
+      sum += std::max(plane.signed_distance(viewpoint), 0.0) / std::pow(distance, 3);
+    }
+  });
+  return cells.area(1) * sum / static_cast<double>(viewpoints.size());
+}
+
+/// Whether the cameras look onto the plane rather than along it.
+bool faces(const SupportPlane& plane, const std::vector<Eigen::Vector3d>& viewpoints) {
+  constexpr double largest_angle = std::numbers::pi / 4.0;
+  if (viewpoints.empty() || plane.outline.empty()) return false;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero(), viewpoint = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : plane.outline) middle += corner;
+  for (const Eigen::Vector3d& position : viewpoints) viewpoint += position;
+  middle /= static_cast<double>(plane.outline.size());
+  viewpoint /= static_cast<double>(viewpoints.size());
+  return angle_between(plane.plane.normal, viewpoint - middle) <= largest_angle;
+}
+
+/// The factor of a plane's score that its direction gives: 0 if it is no table.
+double direction_factor(const SupportPlane& plane, const SupportPlaneOptions& options,
+                        const TablePrior& known) {
+  if (plane.area < options.min_area || plane.outline.size() < 3) return 0.0;
+  if (!known.up) return 1.0;
+  if (angle_between(plane.plane.normal, *known.up) <= options.max_tilt) return 1.0;
+  return faces(plane, known.viewpoints) ? options.facing_factor : 0.0;
+}
+
+/// A plane as a table: all its patches, the objects on it, and the score.
+SupportPlane as_support(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
+                        PointIndices inliers, const std::vector<bool>& walls,
+                        const SupportPlaneOptions& options, const TablePrior& known) {
+  SupportPlane support = described(cloud, plane, std::move(inliers));
+  const PlaneCells covered = covered_cells(cloud, usable, support, walls, options);
+  support.object_area = covered.area(covered.occupied());
+  support.beneath = static_cast<double>(points_beneath(cloud, usable, support, options)) /
+                    std::max(static_cast<double>(support.inliers.size()), 1.0);
+  const std::vector<Eigen::Vector3d> viewpoints = some_viewpoints(known);
+  const PlaneCells cells(within_plane(cloud, support.inliers, plane), cell_edge);
+  const double whole = extent(cells, plane, viewpoints);
+  // An empty table counts as if one cell of the mean solid angle were covered.
+  const double one = whole / std::max(static_cast<double>(cells.occupied()), 1.0);
+  support.score = std::sqrt(whole * (extent(covered, plane, viewpoints) + one));
+  return support;
 }
 
 }  // namespace
@@ -183,21 +279,27 @@ void SupportPlaneOptions::validate() const {
 }
 
 SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOptions& options,
-                                  const std::optional<Eigen::Vector3d>& up) {
+                                  const TablePrior& known) {
   options.validate();
   const PointIndices usable = usable_points(cloud);
   const std::vector<SupportPlane> planes = distinct_planes(cloud, usable, options);
   const std::vector<bool> walls = points_of_walls(cloud, planes, options.wall_area);
   SupportPlanes result;
-  for (SupportPlane plane : planes) {
-    if (!may_support(plane, options, up)) {
-      result.others.push_back(std::move(plane));
+  for (const SupportPlane& plane : planes) {
+    const double factor = direction_factor(plane, options, known);
+    if (factor == 0.0) {
+      result.others.push_back(plane);
       continue;
     }
-    plane.object_area = covered_area(cloud, usable, plane, walls, options);
-    // An empty table counts as if one cell were covered.
-    plane.score = std::sqrt(plane.area * (plane.object_area + cell_edge * cell_edge));
-    result.supports.push_back(std::move(plane));
+    SupportPlane support =
+        as_support(cloud, usable, plane.plane, patches_of(cloud, usable, plane.plane, options),
+                   walls, options, known);
+    support.score *= factor;
+    if (support.beneath > options.max_beneath) {
+      result.others.push_back(plane);
+      continue;
+    }
+    result.supports.push_back(std::move(support));
   }
   std::stable_sort(result.supports.begin(), result.supports.end(),
                    [](const SupportPlane& a, const SupportPlane& b) { return a.score > b.score; });
@@ -217,12 +319,8 @@ SupportPlane measure_support_plane(const PointCloud& cloud, const Plane& plane,
   }
   const PointIndices usable = usable_points(cloud);
   const Plane unit{plane.normal / length, plane.offset / length};
-  SupportPlane support = described(
-      cloud, unit, patch_of(cloud, usable, unit, options.inlier_distance, options.normal_angle));
-  support.object_area =
-      covered_area(cloud, usable, support, std::vector<bool>(cloud.size(), false), options);
-  support.score = std::sqrt(support.area * support.object_area);
-  return support;
+  return as_support(cloud, usable, unit, patches_of(cloud, usable, unit, options),
+                    std::vector<bool>(cloud.size(), false), options, {});
 }
 
 }  // namespace symscene

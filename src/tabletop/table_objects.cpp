@@ -26,23 +26,22 @@ std::vector<bool> inliers_of(const std::vector<SupportPlane>& planes, const Poin
 }
 
 /// The fragment of each point; fragments are numbered by their first points.
-std::vector<Index> fragments_of(const PointCloud& cloud, double link) {
-  std::vector<Index> fragment(cloud.size());
-  if (cloud.empty()) return fragment;
-  const auto radius = static_cast<float>(link);
-  const NeighborLists neighbors = radius_neighbors(cloud.positions, radius);
-  std::fill(fragment.begin(), fragment.end(), cloud.size());
+std::vector<Index> fragments_of(const Points& points, double link) {
+  const auto size = static_cast<Index>(points.rows());
+  std::vector<Index> fragment(size, size);
+  if (size == 0) return fragment;
+  const NeighborLists neighbors = radius_neighbors(points, static_cast<float>(link));
   std::vector<Index> open;
   Index count = 0;
-  for (Index seed = 0; seed < cloud.size(); ++seed) {
-    if (fragment[seed] != cloud.size()) continue;
+  for (Index seed = 0; seed < size; ++seed) {
+    if (fragment[seed] != size) continue;
     fragment[seed] = count;
     open.push_back(seed);
     while (!open.empty()) {
       const Index i = open.back();
       open.pop_back();
       for (const Index other : neighbors.of(i)) {
-        if (fragment[other] != cloud.size()) continue;
+        if (fragment[other] != size) continue;
         fragment[other] = count;
         open.push_back(other);
       }
@@ -52,10 +51,36 @@ std::vector<Index> fragments_of(const PointCloud& cloud, double link) {
   return fragment;
 }
 
+/// How points are joined to fragments, and how many make one.
+struct FragmentBounds {
+  double link = 0.0;  ///< [m]
+  std::size_t least = 0;
+};
+
+/// The bounds of the options, which are made for points one voxel apart, for points of a coarser
+/// sensor or farther away.
+FragmentBounds bounds_for(const Points& points, const TableCropOptions& options) {
+  constexpr double diagonal = 1.5;
+  constexpr std::size_t least = 8;
+  const NeighborLists nearest = nearest_neighbors(points, 1);
+  std::vector<float> distances;
+  for (Index i = 0; i < nearest.size(); ++i) {
+    for (const Index j : nearest.of(i)) distances.push_back((points.row(i) - points.row(j)).norm());
+  }
+  if (distances.empty()) return {options.link, static_cast<std::size_t>(options.min_fragment)};
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  const double ratio = std::max(diagonal * *middle / options.voxel_size, 1.0);
+  const auto count = static_cast<std::size_t>(options.min_fragment / (ratio * ratio));
+  return {ratio * options.link,
+          std::max(count, std::min(least, static_cast<std::size_t>(options.min_fragment)))};
+}
+
 /// Drops fragments that are small or mostly off the table.
 void drop_stray_fragments(TableObjects& objects, const PlaneFrame& frame,
                           const ConvexOutline& outline, const TableCropOptions& options) {
-  const std::vector<Index> fragment = fragments_of(objects.cloud, options.link);
+  const FragmentBounds bounds = bounds_for(objects.cloud.positions, options);
+  const std::vector<Index> fragment = fragments_of(objects.cloud.positions, bounds.link);
   struct Size {
     std::size_t points = 0;
     std::size_t inside = 0;
@@ -68,8 +93,7 @@ void drop_stray_fragments(TableObjects& objects, const PlaneFrame& frame,
     sizes[fragment[i]].inside += outline.distance(frame.within(point)) < 0.0 ? 1 : 0;
   }
   const auto kept = [&](const Size& size) {
-    return size.points >= static_cast<std::size_t>(options.min_fragment) &&
-           2 * size.inside >= size.points;
+    return size.points >= bounds.least && 2 * size.inside >= size.points;
   };
   PointIndices points;
   for (Index i = 0; i < objects.cloud.size(); ++i) {
@@ -82,6 +106,18 @@ void drop_stray_fragments(TableObjects& objects, const PlaneFrame& frame,
 }
 
 }  // namespace
+
+PointIndices points_in_fragments(const Points& points, const TableCropOptions& options) {
+  const FragmentBounds bounds = bounds_for(points, options);
+  const std::vector<Index> fragment = fragments_of(points, bounds.link);
+  std::vector<std::size_t> sizes(fragment.size(), 0);
+  for (const Index f : fragment) ++sizes[f];
+  PointIndices kept;
+  for (Index i = 0; i < fragment.size(); ++i) {
+    if (sizes[fragment[i]] >= bounds.least) kept.push_back(i);
+  }
+  return kept;
+}
 
 TableObjects objects_on(const PointCloud& cloud, const SupportPlane& table,
                         const std::vector<SupportPlane>& walls, const TableCropOptions& options) {

@@ -10,4 +10,7 @@ namespace symscene {
 TableObjects objects_on(const PointCloud& cloud, const SupportPlane& table,
                         const std::vector<SupportPlane>& walls, const TableCropOptions& options);
 
+/// The points in connected fragments that are not too small, ascending.
+PointIndices points_in_fragments(const Points& points, const TableCropOptions& options);
+
 }  // namespace symscene

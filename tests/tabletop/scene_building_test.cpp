@@ -47,8 +47,14 @@ const Reconstructed& table_of_three() {
   return made;
 }
 
+PointCloud points_of(const TriangleMesh& surface) {
+  return {surface.vertices, surface.normals, surface.colors};
+}
+
 BuiltScene build(const Reconstructed& made, const std::optional<Plane>& plane = {}) {
-  return build_scene(made.surface, made.occupancy, plane, upward(made.cameras));
+  TablePrior known = prior_of(made.cameras);
+  known.plane = plane;
+  return build_scene(points_of(made.surface), made.occupancy, known);
 }
 
 void expect_objects(const BuiltScene& built, const Tabletop& tabletop) {
@@ -134,18 +140,33 @@ TEST(SceneBuilding, OfATableWithoutObjectsOrOfNoTableIsEmpty) {
   const BuiltScene aside = build(bare, Plane{Eigen::Vector3d::UnitX(), -50.0});
   EXPECT_TRUE(aside.scene.cloud.empty());
   EXPECT_TRUE(aside.log_odds.leaves.empty());
-  // A corner of a surface is no table.
-  TriangleMesh scrap;
-  scrap.vertices = bare.surface.vertices.topRows(20);
-  scrap.normals = bare.surface.normals.topRows(20);
-  const BuiltScene nothing = build_scene(scrap, bare.occupancy, {}, {});
-  EXPECT_FALSE(nothing.scene.table);
-  EXPECT_TRUE(nothing.table.planes.supports.empty());
-  EXPECT_TRUE(nothing.scene.cloud.empty());
+}
+
+TEST(SceneBuilding, WithoutATableHoldsAllPoints) {
+  const Reconstructed& made = table_of_three();
+  const BuiltScene everything =
+      build_scene(points_of(made.surface), made.occupancy, {.absent = true});
+  EXPECT_FALSE(everything.scene.table);
+  EXPECT_GT(everything.scene.cloud.size(), 2 * build(made).scene.cloud.size());
+  ASSERT_TRUE(everything.scene.occupancy);
+  EXPECT_FALSE(everything.scene.occupancy->leaves.empty());
+  // A ball is no table.
+  PointCloud ball;
+  ball.positions.resize(2000, 3);
+  for (Index i = 0; i < 2000; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / 2000.0, angle = 2.4 * i, r = std::sqrt(1.0 - z * z);
+    ball.positions.row(i) =
+        Eigen::RowVector3d(r * std::cos(angle), r * std::sin(angle), z).cast<float>();
+  }
+  ball.normals = ball.positions;
+  ball.positions *= 0.05F;
+  const BuiltScene found = build_scene(ball, OccupancyVolume());
+  EXPECT_FALSE(found.scene.table);
+  EXPECT_GT(found.scene.cloud.size(), 500U);
 }
 
 TEST(SceneBuilding, RefusesAnEmptySurfaceAndBadOptions) {
-  EXPECT_THROW(build_scene({}, OccupancyVolume(), {}, {}), InputError);
+  EXPECT_THROW(build_scene({}, OccupancyVolume()), InputError);
   for (const double bad : {-0.1, std::numeric_limits<double>::quiet_NaN()}) {
     SceneBuildingOptions options;
     options.margin = bad;
@@ -156,17 +177,20 @@ TEST(SceneBuilding, RefusesAnEmptySurfaceAndBadOptions) {
   }
 }
 
-TEST(SceneBuilding, EstimatesUpFromTheCameras) {
-  const auto up = upward(table_of_three().cameras);
+TEST(SceneBuilding, LearnsFromTheCamerasWhereUpIsAndWhereTheyStood) {
+  const Trajectory& cameras = table_of_three().cameras;
+  const auto up = prior_of(cameras).up;
   ASSERT_TRUE(up);
   EXPECT_LT(angle_between(*up, Eigen::Vector3d::UnitZ()), radians(60.0));
   EXPECT_NEAR(up->norm(), 1.0, 1e-12);
-  EXPECT_FALSE(upward({}));
+  ASSERT_EQ(prior_of(cameras).viewpoints.size(), cameras.size());
+  EXPECT_EQ(prior_of(cameras).viewpoints[0], cameras[0].T_world_camera.translation());
+  EXPECT_FALSE(prior_of({}).up);
   StampedPose upright, upside_down;
   upside_down.T_world_camera.linear() =
       Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()).matrix();
-  EXPECT_FALSE(upward({upright, upside_down}));
-  EXPECT_TRUE(upward({upright})->isApprox(-Eigen::Vector3d::UnitY()));
+  EXPECT_FALSE(prior_of({upright, upside_down}).up);
+  EXPECT_TRUE(prior_of({upright}).up->isApprox(-Eigen::Vector3d::UnitY()));
 }
 
 TEST(SceneBuilding, IsTheSameForAnyNumberOfThreads) {

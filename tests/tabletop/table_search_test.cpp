@@ -156,8 +156,8 @@ TEST(SupportPlanes, TheTableScoresHigherThanTheFloor) {
     add_objects(builder, {0, 0, 0.75});
     builder.add_rectangle({1.6, 0, 0}, {1.6, 0, 0}, {0, 2.5, 0});
     const Eigen::Isometry3d motion = random_motion(seed + 10);
-    const SupportPlanes planes =
-        find_support_planes(builder.cloud(motion), {}, Eigen::Vector3d(motion.linear().col(2)));
+    const SupportPlanes planes = find_support_planes(
+        builder.cloud(motion), {}, {.up = Eigen::Vector3d(motion.linear().col(2))});
     ASSERT_EQ(planes.status, SupportStatus::found);
     expect_table(planes.supports[0], motion, 0.75);
     EXPECT_EQ(planes.supports.size(), 2U);
@@ -173,7 +173,7 @@ TEST(SupportPlanes, AWallLargerThanTheTableIsNoTableWhereUpIsKnown) {
     const Eigen::Isometry3d motion = random_motion(seed + 20);
     // The mean of the cameras' −y axes is some way off the vertical.
     const Eigen::Vector3d up = motion.linear() * Eigen::Vector3d(0.2, 0.2, 1.0);
-    const TableScene scene = find_table_scene(builder.cloud(motion), {}, up);
+    const TableScene scene = find_table_scene(builder.cloud(motion), {}, {.up = up});
     ASSERT_EQ(scene.planes.status, SupportStatus::found);
     expect_table(scene.planes.supports[0], motion);
     ASSERT_FALSE(scene.planes.others.empty());
@@ -306,13 +306,16 @@ TEST(TableScene, AGivenPlaneIsUsed) {
   add_objects(builder);
   add_table(builder, {2.0, 0, 0.3});
   builder.add_box({2.0, 0, 0.3}, {0.1, 0.1, 0.1});
-  const TableScene scene = table_scene_on(builder.cloud(), {{0, 0, 2.0}, -0.6});
+  const TableScene scene =
+      find_table_scene(builder.cloud(), {}, {.plane = Plane{{0, 0, 2.0}, -0.6}});
   ASSERT_EQ(scene.planes.status, SupportStatus::found);
   EXPECT_EQ(scene.planes.supports[0].plane.offset, -0.3);
   EXPECT_GT(scene.objects.cloud.size(), 500U);
   EXPECT_GT(scene.objects.cloud.positions.col(0).minCoeff(), 1.9F);
-  EXPECT_EQ(table_scene_on(builder.cloud(), {{0, 0, 1.0}, 5.0}).planes.status, SupportStatus::none);
-  EXPECT_THROW(table_scene_on(builder.cloud(), {{0, 0, 0}, 1.0}), InputError);
+  const TablePrior aside{.plane = Plane{{0, 0, 1.0}, 5.0}},
+      degenerate{.plane = Plane{{0, 0, 0}, 1.0}};
+  EXPECT_EQ(find_table_scene(builder.cloud(), {}, aside).planes.status, SupportStatus::none);
+  EXPECT_THROW(find_table_scene(builder.cloud(), {}, degenerate), InputError);
 }
 
 TEST(TableScene, TheSameInputGivesTheSameBytes) {

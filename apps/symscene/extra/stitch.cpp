@@ -163,7 +163,7 @@ struct Stitch {
 
   void run() {
     const OptionFields fields = configure();
-    const std::optional<Plane> table = table_arguments.table();
+    table_arguments.table();  // before the work
     require_matcher();
     require_not_input(shared.output, path);
     require_folder(shared.output);
@@ -182,13 +182,11 @@ struct Stitch {
     report_poses(*sequence, placed, session);
     session.on_begin()("fuse");
     const Reconstruction reconstruction = fuse(*sequence, read, stitched, timer);
-    const SceneOutput output{path,          shared.output,
-                             table,         table_arguments.any_up,
-                             options.scene, surface_of_few(options.surface, stitched.placed)};
-    const std::vector<ReportMember> written =
-        output.write({reconstruction, *sequence, placed,
-                      describe_run("stitch", fields, stitch_json(stitched, read.numbers))},
-                     session, timer);
+    const SceneOutput output{path, shared.output, table_arguments, options.scene};
+    const std::vector<ReportMember> written = output.write(
+        reconstruction, surface_of_few(options.surface, stitched.placed),
+        {*sequence, placed, describe_run("stitch", fields, stitch_json(stitched, read.numbers))},
+        session, timer);
     std::vector<ReportMember> members{
         {"output", shared.output}, {"frames", read.frames.size()}, {"placed", stitched.placed}};
     members.insert(members.end(), written.begin(), written.end());

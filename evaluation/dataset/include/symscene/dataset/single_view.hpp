@@ -4,29 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "symscene/reconstruction/reconstruction.hpp"
-#include "symscene/tabletop/scene_building.hpp"
+#include "symscene/tabletop/view_scene.hpp"
 
 namespace symscene {
 
-/// Reconstruction options for a single view. Slanted faces, whose depth rises by a centimetre and
-/// more between pixels, have to be kept, as no other view shows them better.
-inline ReconstructionOptions single_view_reconstruction() {
-  ReconstructionOptions options;
-  options.measurement.edge_step = 0.025;
-  return options;
-}
-
 struct SingleViewOptions {
-  ReconstructionOptions reconstruction = single_view_reconstruction();
-  SceneBuildingOptions scene;
+  ViewSceneOptions view;
   double label_depth = 0.015;
   int min_object_points = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("reconstruction", self.reconstruction);
-    visit("scene", self.scene);
+    visit("view", self.view);
     visit("label_depth", self.label_depth, "m", above(0.0),
           "largest difference between the depth of a point and of its pixel for it to take the "
           "label");

@@ -6,13 +6,14 @@
 #include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/simulation/sweep.hpp"
 #include "symscene/simulation/truth_transfer.hpp"
-#include "symscene/tabletop/scene_building.hpp"
+#include "symscene/tabletop/view_scene.hpp"
 
 namespace symscene {
 
 /// The stages that make a scene from a sweep.
 struct SweptSceneOptions {
   ReconstructionOptions reconstruction;
+  ViewPointOptions view;
   SceneBuildingOptions scene;
   TruthTransferOptions truth;
   std::string poses = "tracked";
@@ -20,6 +21,7 @@ struct SweptSceneOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("reconstruction", self.reconstruction);
+    visit("view", self.view);
     visit("scene", self.scene);
     visit("truth", self.truth);
     visit("poses", self.poses, "", any_value(),
@@ -43,8 +45,9 @@ struct SweptScene {
 };
 
 /// Renders a sweep over a tabletop, reconstructs it with tracked or exact poses, finds the table
-/// and transfers the ground truth to the reconstruction. If no frame is fused or no table is found,
-/// the scene and its ground truth are empty. The result is the same for any number of threads.
+/// and transfers the ground truth to the reconstruction. The scene of a sweep of one frame is that
+/// of view_scene(). If no frame is fused or no table is found, the scene and its ground truth are
+/// empty. The result is the same for any number of threads.
 /// Throws InputError if an option is out of its range.
 SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
                              const SweptSceneOptions& options = {});

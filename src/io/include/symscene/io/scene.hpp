@@ -16,11 +16,12 @@ Scene read_scene(const std::filesystem::path& dir);
 
 /// Optional files of a scene folder.
 struct SceneExtras {
-  std::string scene_json = {};             ///< text of scene.json: parameters, times, version
-  const SceneTruth* truth = nullptr;       ///< truth.json
-  const TriangleMesh* mesh = nullptr;      ///< mesh.ply
-  const Trajectory* trajectory = nullptr;  ///< poses.txt
-  const LogOddsMap* log_odds = nullptr;    ///< occupancy.ot
+  std::string scene_json = {};               ///< text of scene.json: parameters, times, version
+  const SceneTruth* truth = nullptr;         ///< truth.json
+  const TriangleMesh* mesh = nullptr;        ///< mesh.ply
+  const Trajectory* trajectory = nullptr;    ///< poses.txt
+  const CameraIntrinsics* camera = nullptr;  ///< intrinsics.txt, of the frames at these poses
+  const LogOddsMap* log_odds = nullptr;      ///< occupancy.ot
 };
 
 /// Writes a scene folder atomically: cloud.ply, scene.json (a minimal one if none is given),

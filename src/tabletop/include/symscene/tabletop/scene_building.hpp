@@ -2,7 +2,6 @@
 
 #include "symscene/core/depth_frame.hpp"
 #include "symscene/core/scene.hpp"
-#include "symscene/core/triangle_mesh.hpp"
 #include "symscene/reconstruction/occupancy_volume.hpp"
 #include "symscene/tabletop/table_scene.hpp"
 
@@ -24,23 +23,22 @@ struct SceneBuildingOptions {
   void validate() const { check_fields(*this); }
 };
 
-/// A scene from a reconstruction, with its table.
+/// A scene from oriented points, with its table.
 struct BuiltScene {
-  Scene scene;
+  Scene scene;          ///< without a table all points, without `table`
   LogOddsMap log_odds;  ///< of the space that the scene's occupancy covers
   TableScene table;
 };
 
-/// Finds the table in a reconstructed surface (`plane` if it is given) and the objects on it, and
-/// crops the occupancy to a box around them. `up` is the direction that the table faces, if it is
-/// known. Without a table the scene and the map are empty. Throws InputError if the surface has no
-/// vertices.
-BuiltScene build_scene(const TriangleMesh& surface, const OccupancyVolume& occupancy,
-                       const std::optional<Plane>& plane, const std::optional<Eigen::Vector3d>& up,
-                       const SceneBuildingOptions& options = {});
+/// Finds the table in the oriented points of a reconstruction or a single view (the given one if
+/// `known` has it) and the objects on it, and crops the occupancy to a box around them. If there is
+/// no table, the scene holds all points; it is empty if the table is bare. Throws InputError if
+/// there is no point or points have no normals.
+BuiltScene build_scene(const PointCloud& points, const OccupancyVolume& occupancy,
+                       const TablePrior& known = {}, const SceneBuildingOptions& options = {});
 
-/// The mean of the cameras' −y axes, which is up for cameras that were held upright; none if they
-/// point in different directions.
-std::optional<Eigen::Vector3d> upward(const Trajectory& cameras);
+/// What cameras tell of the table: up is the mean of their −y axes, as they were held upright, and
+/// not known if these point in different directions.
+TablePrior prior_of(const Trajectory& cameras);
 
 }  // namespace symscene

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "symscene/core/geometry.hpp"
@@ -9,6 +10,14 @@
 
 namespace symscene {
 
+/// What is known of the table before it is searched.
+struct TablePrior {
+  std::optional<Plane> plane = std::nullopt;         ///< the table itself
+  std::optional<Eigen::Vector3d> up = std::nullopt;  ///< the direction that the table faces
+  std::vector<Eigen::Vector3d> viewpoints = {};      ///< positions of the cameras [m]
+  bool absent = false;                               ///< there is no table to search
+};
+
 /// A plane of the scene, rated as a table.
 struct SupportPlane {
   Plane plane;               ///< least-squares plane of the inliers; its normal points to the side
@@ -16,10 +25,12 @@ struct SupportPlane {
   double residual = 0.0;     ///< root mean square distance of the inliers [m]
   double area = 0.0;         ///< area that the inliers cover [m²]
   double object_area = 0.0;  ///< area of the table below objects [m²]
-  double score = 0.0;        ///< geometric mean of both areas: a table is large and carries objects
-  PointIndices inliers;      ///< into the cloud, ascending: one connected patch
-  std::vector<Eigen::Vector3d> outline;  ///< corners of the convex hull of the patch, on the plane,
-                                         ///< counter-clockwise [m]
+  double beneath = 0.0;      ///< points just below it, over its inliers: many below a box's lid
+  double score = 0.0;        ///< geometric mean of both extents: a table is large and carries
+                             ///< objects. Solid angles where the cameras are known, else areas
+  PointIndices inliers;      ///< into the cloud, ascending: all patches of a table, else one
+  std::vector<Eigen::Vector3d> outline;  ///< corners of the convex hull of the inliers, on the
+                                         ///< plane, counter-clockwise [m]
 };
 
 enum class SupportStatus : std::uint8_t { found, none, several };

@@ -18,6 +18,9 @@ struct SupportPlaneOptions {
   double min_area = 0.03;
   double wall_area = 0.25;
   double max_tilt = 1.2217305;
+  double facing_factor = 0.2;
+  double patch_gap = 0.4;
+  double max_beneath = 0.5;
   double min_clearance = 0.005;
   double max_height = 0.6;
   double ambiguity = 0.5;
@@ -45,6 +48,16 @@ struct SupportPlaneOptions {
     visit("max_tilt", self.max_tilt, "rad", above(0.0),
           "largest angle between a supporting plane's normal and up, where up is known; large, as "
           "a camera that looks down on a table is tilted itself");
+    visit("facing_factor", self.facing_factor, "", between(0.0, 1.0),
+          "factor of the score of a plane that is more tilted but faces the cameras, as a table "
+          "does that they look straight down on, and also a wall");
+    visit(
+        "patch_gap", self.patch_gap, "m", at_least(0.0),
+        "gap between patches of one table, which the shadows of objects cut; a patch farther from "
+        "the others is of another table");
+    visit("max_beneath", self.max_beneath, "", at_least(0.0),
+          "points up to 0.2 m below a supporting plane, over its inliers: the sides of a box are "
+          "below its lid, while a table hides what is below it");
     visit("min_clearance", self.min_clearance, "m", at_least(0.0),
           "height above the plane from which points belong to objects");
     visit("max_height", self.max_height, "m", above(0.0),
@@ -82,7 +95,9 @@ struct TableCropOptions {
     visit("max_height", self.max_height, "m", above(0.0), "largest height of objects");
     visit("overhang", self.overhang, "m", at_least(0.0),
           "how far an object may reach beyond the table's border");
-    visit("link", self.link, "m", above(0.0), "points closer than this are of one fragment");
+    visit("link", self.link, "m", above(0.0),
+          "points closer than this are of one fragment; more where points are farther apart than "
+          "voxel_size");
     visit("min_fragment", self.min_fragment, "", at_least(1.0),
           "points of the smallest fragment that is kept");
     visit("follow_bend", self.follow_bend, "", any_value(),

@@ -1,0 +1,92 @@
+#include "segment_input.hpp"
+
+#include <fmt/format.h>
+
+#include "models.hpp"
+#include "symscene/io/cloud.hpp"
+#include "symscene/io/mesh.hpp"
+#include "symscene/io/scene.hpp"
+#include "symscene/io/trajectory.hpp"
+
+namespace symscene::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads a file if it exists. An invalid file gives a warning and an empty value.
+template <class Value, class Read>
+Value read_if_there(const fs::path& file, Session& session, const Read& read) {
+  if (!fs::exists(file)) return {};
+  try {
+    return read(file);
+  } catch (const InputError& error) {
+    session.warn(fmt::format("{}; it is left out", error.what()));
+    return {};
+  }
+}
+
+bool is_scene_folder(const fs::path& path) {
+  return fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd");
+}
+
+/// Depth images alone do not tell their unit. Nearly all cameras write millimetres.
+SequenceOptions in_millimetres(SequenceOptions options, const fs::path& path) {
+  if (fs::is_regular_file(path) && !options.depth_scale) options.depth_scale = 1000.0;
+  return options;
+}
+
+}  // namespace
+
+SegmentInput SegmentSource::read_folder(Session& session) const {
+  SegmentInput input;
+  input.scene = read_scene(path);
+  if (const std::optional<Plane> plane = table.table()) input.scene.table = plane;
+  if (table.none) input.scene.table.reset();
+  // Those of the reader first: they explain why segmentation may fail. The result repeats them.
+  session.warn(input.scene.warnings);
+  input.surface = read_if_there<TriangleMesh>(path / "mesh.ply", session, read_mesh);
+  input.trajectory = read_if_there<Trajectory>(path / "poses.txt", session, read_trajectory);
+  return input;
+}
+
+SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Session& session) const {
+  StageTimer timer(session.on_begin());
+  const SensorCloud seen = timer.time("read", [&] { return read_sensor_cloud(path); });
+  BuiltScene built = timer.time("find table", [&] {
+    return naming(path, [&] {
+      return cloud_scene(seen.cloud, seen.viewpoint, table.known({}),
+                         {options.cloud_normals, options.view.scene});
+    });
+  });
+  if (!table.none) report_table(built.table, session);
+  return {std::move(built.scene), {}, {{0.0, Eigen::Isometry3d::Identity()}}, timer.stages()};
+}
+
+SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& session) const {
+  StageTimer timer(session.on_begin());
+  const auto sequence = open_sequence(path, in_millimetres(this->sequence, path));
+  session.warn(sequence->warnings());
+  if (sequence->size() != 1) {
+    throw InputError(path.string(),
+                     "one frame (run symscene reconstruct first, which makes a scene of many)",
+                     fmt::format("{} frames", sequence->size()));
+  }
+  const DepthFrame frame = timer.time("read", [&] { return sequence->read(0); });
+  const Trajectory cameras{{frame.time, Eigen::Isometry3d::Identity()}};
+  ViewScene view = naming(path, [&] {
+    return view_scene({frame, sequence->camera()}, table.known(prior_of(cameras)), options.view);
+  });
+  for (const StageTime& stage : view.stages) timer.add(stage.stage, stage.seconds);
+  if (!table.none) report_table(view.built.table, session);
+  return {std::move(view.built.scene), view_mesh(view.points, options.view.points), cameras,
+          timer.stages()};
+}
+
+SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session) const {
+  if (is_scene_folder(path)) return read_folder(session);
+  if (fs::is_regular_file(path) && is_cloud_file(path)) return read_cloud_file(options, session);
+  if (is_sequence(path)) return read_view(options, session);
+  return read_folder(session);
+}
+
+}  // namespace symscene::app

@@ -1,0 +1,44 @@
+#include "symscene/tabletop/view_scene.hpp"
+
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+void move(PointCloud& cloud, const Eigen::Isometry3d& T) {
+  if (T.matrix().isIdentity(0.0)) return;
+  const Eigen::Isometry3f motion = T.cast<float>();
+  cloud.positions = (cloud.positions * motion.linear().transpose()).eval();
+  cloud.positions.rowwise() += motion.translation().transpose();
+  cloud.normals = (cloud.normals * motion.linear().transpose()).eval();
+}
+
+}  // namespace
+
+ViewScene view_scene(const DepthView& view, const TablePrior& known,
+                     const ViewSceneOptions& options) {
+  options.validate();
+  StageTimer timer;
+  ViewScene made;
+  made.points = timer.time("unproject", [&] {
+    ViewPoints points = unproject(view.frame, view.camera, options.points);
+    move(points.cloud, view.T_world_camera);
+    return points;
+  });
+  if (made.points.cloud.empty())
+    throw InputError("depth image", "a surface that the camera faces", "none");
+  OccupancyVolume occupancy(options.occupancy);
+  timer.time("map space",
+             [&] { occupancy.integrate(view.frame, view.camera, view.T_world_camera); });
+  made.built = timer.time("find table", [&] {
+    return build_scene(made.points.cloud, occupancy, known, options.scene);
+  });
+  made.stages = timer.stages();
+  return made;
+}
+
+ViewScene view_scene(const DepthView& view, const ViewSceneOptions& options) {
+  return view_scene(view, prior_of({{view.frame.time, view.T_world_camera}}), options);
+}
+
+}  // namespace symscene
