@@ -11,6 +11,7 @@
 #include "evaluation_baselines.hpp"
 #include "io/atomic_file.hpp"
 #include "score_models.hpp"
+#include "segment_options.hpp"
 #include "session.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/report.hpp"
@@ -62,6 +63,7 @@ std::string format_subsets(const Evaluation& evaluation) {
 
 struct Evaluate {
   SharedOptions shared;
+  SegmentOptions stages;
   EvaluationOptions options;
   std::filesystem::path dataset;
   std::filesystem::path earlier;
@@ -69,8 +71,10 @@ struct Evaluate {
   bool fast = false;
 
   OptionFields configure() {
-    return configure_options(options.pipeline, shared.config,
-                             [&] { read_score_models(options.pipeline.models); });
+    OptionFields fields = configure_options(stages, shared.config,
+                                            [&] { read_score_models(stages.pipeline.models); });
+    options.pipeline = stages.pipeline;
+    return fields;
   }
 
   static void warn_of(const DatasetEntry& entry, std::span<const std::string> warnings,
@@ -81,6 +85,8 @@ struct Evaluate {
 
   Evaluation evaluate(const std::vector<DatasetEntry>& entries, Session& session) const {
     Evaluation evaluation;
+    SingleViewOptions single_views;
+    single_views.view = stages.view;
     for (std::size_t k = 0; k < entries.size(); ++k) {
       const DatasetEntry& entry = entries[k];
       const auto on_begin = [&](const std::string& stage) {
@@ -88,7 +94,7 @@ struct Evaluate {
             fmt::format("scene {} of {}, {}: {}", k + 1, entries.size(), entry.name, stage));
       };
       on_begin("read");
-      const LoadedEntry known = load_entry(entry);
+      const LoadedEntry known = load_entry(entry, single_views);
       // Before the scene is evaluated: they explain why that may fail. The evaluation repeats them.
       warn_of(entry, known.scene.warnings, session);
       SceneEvaluation scene = naming(dataset / entry.name, [&] {
