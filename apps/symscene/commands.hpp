@@ -6,6 +6,7 @@
   SUBCOMMAND(simulate)                   \
   SUBCOMMAND(reconstruct)                \
   SUBCOMMAND(segment)                    \
+  SUBCOMMAND(masks)                      \
   SUBCOMMAND(symmetry)                   \
   SUBCOMMAND(view)                       \
   SUBCOMMAND(info)                       \

@@ -77,7 +77,7 @@ std::unique_ptr<Workspace> Command::workspace_;
 TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
   EXPECT_NE(run("--help").out.find("segment"), std::string::npos);
   for (const char* command : {"simulate", "dataset", "reconstruct", "stitch", "segment", "symmetry",
-                              "evaluate", "view", "info", "options"}) {
+                              "evaluate", "masks", "view", "info", "options"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_EQ(help.err, "") << command;

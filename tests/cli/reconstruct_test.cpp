@@ -94,6 +94,12 @@ TEST_F(ReconstructCommand, WritesASceneThatInfoAndSegmentRead) {
   EXPECT_EQ(described.code, 0) << described.err;
   const Outcome segmented = run("segment scene -o result");
   EXPECT_EQ(segmented.code, 0) << segmented.err;
+  const Outcome masks = run("masks result sweep -o masks --every 5");
+  EXPECT_EQ(masks.code, 0) << masks.err;
+  for (const char* name : {"labels/000000.png", "labels/000010.png", "overlays/000005.png"})
+    EXPECT_GT(fs::file_size(file("masks") / name), 100U) << name;
+  EXPECT_FALSE(fs::exists(file("masks") / "labels/000001.png"));
+  EXPECT_NE(run("masks result dark -o sweep").code, 0);
 }
 
 TEST_F(ReconstructCommand, ReportsItsErrorAgainstThePosesOfTheSequence) {
