@@ -148,8 +148,8 @@ struct Reconstruct {
         timer.time("extract surface", [&] { return view_mesh(view.points, options.view); });
     std::vector<ReportMember> members{{"output", shared.output}, {"frames", 1}, {"fused", 1}};
     const std::vector<ReportMember> written =
-        output().write(view.built, surface, {sequence, placed, describe_run("reconstruct", fields)},
-                       session, timer);
+        output().write({view.built, view.occupancy, surface},
+                       {sequence, placed, describe_run("reconstruct", fields)}, session, timer);
     members.insert(members.end(), written.begin(), written.end());
     session.finish(members, timer.stages());
   }

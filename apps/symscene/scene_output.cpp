@@ -108,18 +108,21 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
                          table.known(prior_of(source.placed.trajectory)), building);
     });
   });
-  std::vector<ReportMember> members = write(built, surface, source, session, timer);
+  std::vector<ReportMember> members =
+      write({built, reconstruction.occupancy(), surface}, source, session, timer);
   const auto memory = static_cast<std::uint64_t>(reconstruction.bytes());
   session.print_line(fmt::format("model of {:.0f} MB", 1e-6 * static_cast<double>(memory)));
   members.emplace_back("model_bytes", memory);
   return members;
 }
 
-std::vector<ReportMember> SceneOutput::write(const BuiltScene& built, const TriangleMesh& surface,
-                                             const SceneSource& source, Session& session,
-                                             StageTimer& timer) const {
+std::vector<ReportMember> SceneOutput::write(const SceneContent& content, const SceneSource& source,
+                                             Session& session, StageTimer& timer) const {
+  const auto& [built, occupancy, surface] = content;
   if (!table.none) report_table(built.table, session);
   timer.time("write", [&] {
+    LogOddsMap log_odds;
+    if (!built.scene.cloud.empty()) log_odds = occupancy.log_odds(built.region);
     const auto truth = scene_truth(input, source.sequence, source.placed, built.scene.cloud);
     write_scene(absolute(output), built.scene,
                 {.scene_json = source.scene_json,
@@ -127,7 +130,7 @@ std::vector<ReportMember> SceneOutput::write(const BuiltScene& built, const Tria
                  .mesh = &surface,
                  .trajectory = &source.placed.trajectory,
                  .camera = &source.sequence.camera(),
-                 .log_odds = &built.log_odds});
+                 .log_odds = &log_odds});
   });
   const auto vertices = static_cast<std::uint64_t>(surface.vertices.rows());
   session.print_line(fmt::format("{}: {} points of objects, {} mesh vertices", output.string(),

@@ -47,6 +47,13 @@ struct SceneSource {
   std::string scene_json;  ///< describe_run() of the command
 };
 
+/// What a scene folder holds.
+struct SceneContent {
+  const BuiltScene& built;
+  const OccupancyVolume& occupancy;
+  const TriangleMesh& surface;
+};
+
 /// Makes a scene folder; shared by reconstruct and stitch.
 struct SceneOutput {
   std::filesystem::path input;
@@ -61,9 +68,8 @@ struct SceneOutput {
                                   StageTimer& timer) const;
 
   /// Writes the folder, with ground truth if the input has it. Returns members for the report.
-  std::vector<ReportMember> write(const BuiltScene& built, const TriangleMesh& surface,
-                                  const SceneSource& source, Session& session,
-                                  StageTimer& timer) const;
+  std::vector<ReportMember> write(const SceneContent& content, const SceneSource& source,
+                                  Session& session, StageTimer& timer) const;
 };
 
 /// Prints the table that was found. Warns if there is none, or if there may be another.

@@ -1,5 +1,7 @@
 #include "symscene/tabletop/scene_building.hpp"
 
+#include <limits>
+
 #include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
 #include "table_objects.hpp"
@@ -48,12 +50,14 @@ BuiltScene build_scene(const PointCloud& points, const OccupancyVolume& occupanc
   if (!supports.empty()) built.scene.table = supports.front().plane;
   built.scene.cloud =
       built.scene.table ? built.table.objects.cloud : whole_cloud(points, options.table.crop);
-  if (built.scene.cloud.empty()) return built;
-  const OrientedBox region = built.scene.table
-                                 ? box_around(built.scene.cloud, *built.scene.table, options)
-                                 : box_around_all(built.scene.cloud, options.margin);
-  built.scene.occupancy = occupancy.map(region);
-  built.log_odds = occupancy.log_odds(region);
+  if (built.scene.cloud.empty()) {
+    built.region.min.setConstant(std::numeric_limits<double>::infinity());
+    built.region.max = -built.region.min;
+    return built;
+  }
+  built.region = built.scene.table ? box_around(built.scene.cloud, *built.scene.table, options)
+                                   : box_around_all(built.scene.cloud, options.margin);
+  built.scene.occupancy = occupancy.map(built.region);
   return built;
 }
 

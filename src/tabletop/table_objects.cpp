@@ -1,8 +1,10 @@
 #include "table_objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bent_plane.hpp"
+#include "core/parallel.hpp"
 #include "core/voxel_sampling.hpp"
 #include "symscene/core/neighbors.hpp"
 
@@ -11,18 +13,47 @@ namespace {
 
 constexpr Index points_for_bend = 20000;
 
-ConvexOutline outline_of(const SupportPlane& table, const PlaneFrame& frame) {
+ConvexOutline outline_of(const SupportPlane& plane, const PlaneFrame& frame) {
   std::vector<Eigen::Vector2d> corners;
-  for (const Eigen::Vector3d& corner : table.outline) corners.push_back(frame.within(corner));
+  for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
   return ConvexOutline(std::move(corners));
 }
 
-std::vector<bool> inliers_of(const std::vector<SupportPlane>& planes, const PointCloud& cloud) {
-  std::vector<bool> inliers(cloud.size(), false);
-  for (const SupportPlane& plane : planes) {
-    for (const Index i : plane.inliers) inliers[i] = true;
+/// Whether a point is of a wall.
+class WallTest {
+ public:
+  WallTest(const SupportPlane& wall, const SupportPlaneOptions& options)
+      : frame_(wall.plane),
+        outline_(outline_of(wall, frame_)),
+        distance_(options.inlier_distance),
+        cosine_(std::cos(options.normal_angle)) {}
+
+  bool holds(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
+    return std::abs(frame_.plane().signed_distance(point)) < distance_ &&
+           frame_.plane().normal.dot(normal) > cosine_ &&
+           outline_.distance(frame_.within(point)) <= 0.0;
   }
-  return inliers;
+
+ private:
+  PlaneFrame frame_;
+  ConvexOutline outline_;
+  double distance_;
+  double cosine_;
+};
+
+/// The indices below `size` that satisfy a condition, ascending.
+template <class Condition>
+PointIndices indices_where(Index size, const Condition& condition) {
+  constexpr std::size_t block = 4096;
+  std::vector<std::uint8_t> holds(size);
+  parallel_for_blocks(size, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) holds[i] = condition(static_cast<Index>(i)) ? 1 : 0;
+  });
+  PointIndices indices;
+  for (Index i = 0; i < size; ++i) {
+    if (holds[i] != 0) indices.push_back(i);
+  }
+  return indices;
 }
 
 /// The fragment of each point; fragments are numbered by their first points.
@@ -119,31 +150,34 @@ PointIndices points_in_fragments(const Points& points, const TableCropOptions& o
   return kept;
 }
 
-TableObjects objects_on(const PointCloud& cloud, const SupportPlane& table,
-                        const std::vector<SupportPlane>& walls, const TableCropOptions& options) {
+TableObjects objects_on(const PointCloud& cloud, const FoundPlanes& planes,
+                        const TableSceneOptions& options) {
   options.validate();
+  const TableCropOptions& crop = options.crop;
+  const SupportPlane& table = planes.table;
   PointIndices some;
-  for (const Index k : evenly_spread(static_cast<Index>(table.inliers.size()), points_for_bend)) {
+  for (const Index k : evenly_spread(static_cast<Index>(table.inliers.size()), points_for_bend))
     some.push_back(table.inliers[k]);
-  }
   const BentPlane surface =
-      options.follow_bend ? BentPlane(table.plane, cloud, some) : BentPlane(table.plane);
+      crop.follow_bend ? BentPlane(table.plane, planes.searched, some) : BentPlane(table.plane);
   const ConvexOutline outline = outline_of(table, surface.frame());
   TableObjects objects;
-  objects.clearance = std::clamp(options.clearance_sigmas * surface.residual(cloud, some),
-                                 options.min_clearance, options.max_clearance);
-  const std::vector<bool> on_wall = inliers_of(walls, cloud);
-  PointIndices over;
-  for (const Index i : finite_points(cloud.positions)) {
+  objects.clearance = std::clamp(crop.clearance_sigmas * surface.residual(planes.searched, some),
+                                 crop.min_clearance, crop.max_clearance);
+  std::vector<WallTest> walls;
+  for (const SupportPlane& wall : planes.walls) walls.emplace_back(wall, options.plane);
+  const auto stands_on = [&](Index i) {
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
-    const double height = surface.height(point);
-    if (!on_wall[i] && height > objects.clearance && height < options.max_height &&
-        outline.distance(surface.frame().within(point)) < options.overhang) {
-      over.push_back(i);
-    }
-  }
-  objects.cloud = voxel_downsample(select(cloud, over), options.voxel_size);
-  drop_stray_fragments(objects, surface.frame(), outline, options);
+    const double height = surface.height(point);  // NaN is not above the clearance
+    if (!(height > objects.clearance && height < crop.max_height)) return false;
+    if (!(outline.distance(surface.frame().within(point)) < crop.overhang)) return false;
+    const Eigen::Vector3d normal = cloud.normal(i).cast<double>();
+    return std::none_of(walls.begin(), walls.end(),
+                        [&](const WallTest& wall) { return wall.holds(point, normal); });
+  };
+  objects.cloud =
+      voxel_downsample(select(cloud, indices_where(cloud.size(), stands_on)), crop.voxel_size);
+  drop_stray_fragments(objects, surface.frame(), outline, crop);
   return objects;
 }
 

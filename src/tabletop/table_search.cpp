@@ -5,18 +5,27 @@
 #include "table_objects.hpp"
 
 namespace symscene {
-
 namespace {
 
-TableScene table_scene_on(const PointCloud& cloud, const Plane& table,
+/// Planes are searched in at most this many points, evenly spread over the cloud.
+constexpr Index searched_points = 60000;
+
+TableScene table_scene_on(const PointCloud& cloud, const PointCloud& searched, const Plane& table,
                           const TableSceneOptions& options) {
-  options.validate();
   TableScene scene;
-  scene.planes.supports.push_back(measure_support_plane(cloud, table, options.plane));
+  scene.planes.supports.push_back(measure_support_plane(searched, table, options.plane));
   if (scene.planes.supports[0].outline.size() < 3) return scene;
   scene.planes.status = SupportStatus::found;
-  scene.objects = objects_on(cloud, scene.planes.supports[0], {}, options.crop);
+  scene.objects = objects_on(cloud, {searched, scene.planes.supports[0], {}}, options);
   return scene;
+}
+
+/// The planes other than the table that are too large to be faces of objects.
+std::vector<SupportPlane> walls_of(const SupportPlanes& planes, double wall_area) {
+  std::vector<SupportPlane> walls = planes.others;
+  walls.insert(walls.end(), planes.supports.begin() + 1, planes.supports.end());
+  std::erase_if(walls, [&](const SupportPlane& plane) { return plane.area < wall_area; });
+  return walls;
 }
 
 }  // namespace
@@ -31,15 +40,14 @@ void TableCropOptions::validate() const {
 TableScene find_table_scene(const PointCloud& cloud, const TableSceneOptions& options,
                             const TablePrior& known) {
   options.validate();
-  if (known.plane) return table_scene_on(cloud, *known.plane, options);
+  const PointCloud searched = select(cloud, evenly_spread(cloud.size(), searched_points));
+  if (known.plane) return table_scene_on(cloud, searched, *known.plane, options);
   TableScene scene;
-  scene.planes = find_support_planes(cloud, options.plane, known);
+  scene.planes = find_support_planes(searched, options.plane, known);
   if (scene.planes.status == SupportStatus::none) return scene;
-  std::vector<SupportPlane> walls = scene.planes.others;
-  walls.insert(walls.end(), scene.planes.supports.begin() + 1, scene.planes.supports.end());
-  std::erase_if(walls,
-                [&](const SupportPlane& plane) { return plane.area < options.plane.wall_area; });
-  scene.objects = objects_on(cloud, scene.planes.supports[0], walls, options.crop);
+  scene.objects = objects_on(
+      cloud, {searched, scene.planes.supports[0], walls_of(scene.planes, options.plane.wall_area)},
+      options);
   return scene;
 }
 

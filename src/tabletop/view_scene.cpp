@@ -27,11 +27,11 @@ ViewScene view_scene(const DepthView& view, const TablePrior& known,
   });
   if (made.points.cloud.empty())
     throw InputError("depth image", "a surface that the camera faces", "none");
-  OccupancyVolume occupancy(options.occupancy);
+  made.occupancy = OccupancyVolume(options.occupancy);
   timer.time("map space",
-             [&] { occupancy.integrate(view.frame, view.camera, view.T_world_camera); });
+             [&] { made.occupancy.integrate(view.frame, view.camera, view.T_world_camera); });
   made.built = timer.time("find table", [&] {
-    return build_scene(made.points.cloud, occupancy, known, options.scene);
+    return build_scene(made.points.cloud, made.occupancy, known, options.scene);
   });
   made.stages = timer.stages();
   return made;

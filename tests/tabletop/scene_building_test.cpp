@@ -97,7 +97,7 @@ TEST(SceneBuilding, CropsTheOccupancyAroundTheObjects) {
   const BuiltScene built = build(table_of_three());
   ASSERT_TRUE(built.scene.occupancy);
   ASSERT_FALSE(built.scene.occupancy->leaves.empty());
-  EXPECT_FALSE(built.log_odds.leaves.empty());
+  EXPECT_FALSE(table_of_three().occupancy.log_odds(built.region).leaves.empty());
   // The box is turned as the table is: its corners are farther out than its sides.
   const float half = 0.5F * (built.scene.cloud.positions.colwise().maxCoeff() -
                              built.scene.cloud.positions.colwise().minCoeff())
@@ -135,11 +135,11 @@ TEST(SceneBuilding, OfATableWithoutObjectsOrOfNoTableIsEmpty) {
   const Reconstructed bare = reconstruct(0);
   const BuiltScene built = build(bare);
   EXPECT_TRUE(built.scene.cloud.empty());
-  EXPECT_TRUE(built.log_odds.leaves.empty());
+  EXPECT_FALSE(built.scene.occupancy);
   // A table that is given where nothing is.
   const BuiltScene aside = build(bare, Plane{Eigen::Vector3d::UnitX(), -50.0});
   EXPECT_TRUE(aside.scene.cloud.empty());
-  EXPECT_TRUE(aside.log_odds.leaves.empty());
+  EXPECT_FALSE(aside.scene.occupancy);
 }
 
 TEST(SceneBuilding, WithoutATableHoldsAllPoints) {
@@ -198,7 +198,7 @@ TEST(SceneBuilding, IsTheSameForAnyNumberOfThreads) {
   const BuiltScene one = testing::with_threads(1, run), two = testing::with_threads(2, run);
   EXPECT_EQ(one.scene.cloud.positions, two.scene.cloud.positions);
   EXPECT_EQ(one.scene.table->normal, two.scene.table->normal);
-  EXPECT_EQ(one.log_odds.leaves.size(), two.log_odds.leaves.size());
+  EXPECT_EQ(one.scene.occupancy->leaves.size(), two.scene.occupancy->leaves.size());
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ struct SceneBuildingOptions {
 
 /// A scene from oriented points, with its table.
 struct BuiltScene {
-  Scene scene;          ///< without a table all points, without `table`
-  LogOddsMap log_odds;  ///< of the space that the scene's occupancy covers
+  Scene scene;         ///< without a table all points, without `table`
+  OrientedBox region;  ///< the space that the scene's occupancy covers; min > max without points
   TableScene table;
 };
 

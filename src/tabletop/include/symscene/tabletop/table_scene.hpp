@@ -28,7 +28,7 @@ struct SupportPlane {
   double beneath = 0.0;      ///< points just below it, over its inliers: many below a box's lid
   double score = 0.0;        ///< geometric mean of both extents: a table is large and carries
                              ///< objects. Solid angles where the cameras are known, else areas
-  PointIndices inliers;      ///< into the cloud, ascending: all patches of a table, else one
+  PointIndices inliers;  ///< into the searched points, ascending: all patches of a table, else one
   std::vector<Eigen::Vector3d> outline;  ///< corners of the convex hull of the inliers, on the
                                          ///< plane, counter-clockwise [m]
 };

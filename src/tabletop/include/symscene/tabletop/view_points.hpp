@@ -15,7 +15,7 @@ struct ViewPointOptions {
   double min_depth = 0.2;
   double max_depth = 6.0;
   double noise = 1.425e-3;
-  double normal_noise = 0.03;
+  double normal_noise = 0.05;
   double edge_sigmas = 4.0;
   double max_slant = 1.3089969;
   double min_cosine = 0.1;

@@ -33,6 +33,7 @@ struct DepthView {
 struct ViewScene {
   BuiltScene built;
   ViewPoints points;              ///< of the whole image
+  OccupancyVolume occupancy;      ///< of the whole image
   std::vector<StageTime> stages;  ///< wall time
 };
 
