@@ -189,10 +189,12 @@ PlaneCells covered_cells(const PointCloud& cloud, const PointIndices& usable,
   return {above, cell_edge};
 }
 
-/// The number of points just below the plane, at most 5 cm beside its outline.
+/// The number of points just below the plane, at most 5 cm beside its outline, of surfaces at an
+/// angle to it: a bent table is below its own plane too.
 std::size_t points_beneath(const PointCloud& cloud, const PointIndices& usable,
                            const SupportPlane& plane, const SupportPlaneOptions& options) {
   constexpr double depth = 0.2, margin = 0.05;  // [m]
+  constexpr double parallel = 0.7;              // cosine of the angle between normals
   const PlaneFrame frame(plane.plane);
   std::vector<Eigen::Vector2d> corners;
   for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
@@ -201,6 +203,7 @@ std::size_t points_beneath(const PointCloud& cloud, const PointIndices& usable,
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
     const double below = -plane.plane.signed_distance(point);
     return below > 1.5 * options.inlier_distance && below < depth &&
+           plane.plane.normal.dot(cloud.normal(i).cast<double>()) < parallel &&
            outline.distance(frame.within(point)) < margin;
   }));
 }

@@ -189,6 +189,70 @@ TEST_F(ReconstructCommand, AcceptsASequenceOfOneFrame) {
   EXPECT_EQ(run("info glimpse").code, 0);
 }
 
+TEST_F(ReconstructCommand, SegmentGoesFromOneDepthImageToObjects) {
+  const std::string png = (fs::path("sweep") / image(6)).string();
+  const Outcome view =
+      run("segment " + png + " --intrinsics sweep/intrinsics.txt -o view -v --json");
+  ASSERT_EQ(view.code, 0) << view.err;
+  EXPECT_NE(view.out.find("unproject"), std::string::npos) << view.out;
+  const auto objects = nlohmann::json::parse(contents(file("view") / "objects.json"));
+  EXPECT_GE(objects.at("objects").size(), 3U);
+  EXPECT_TRUE(objects.contains("table"));
+  EXPECT_EQ(poses_of("view"), 1U);
+  EXPECT_GT(fs::file_size(file("view") / "surface.ply"), 10000U);
+  const Outcome masks =
+      run("masks view " + png + " --depth-scale 1000 -o view_masks --intrinsics sweep/intrinsics.txt");
+  EXPECT_EQ(masks.code, 0) << masks.err;
+}
+
+TEST_F(ReconstructCommand, OneFrameGivesTheSameObjectsThroughAScene) {
+  const fs::path one = copy_of_sweep("one");
+  for (int i = 1; i < frames; ++i) fs::remove(one / image(i));
+  fs::remove(one / "poses.txt");
+  ASSERT_EQ(run("segment one -o direct").code, 0);
+  const Outcome reconstructed = run("reconstruct one -o one_scene");
+  ASSERT_EQ(reconstructed.code, 0) << reconstructed.err;
+  EXPECT_TRUE(fs::exists(file("one_scene") / "intrinsics.txt"));
+  ASSERT_EQ(run("segment one_scene -o through").code, 0);
+  const auto count = [](const std::string& result) {
+    return nlohmann::json::parse(contents(file(result) / "objects.json")).at("objects").size();
+  };
+  EXPECT_EQ(count("direct"), count("through"));
+}
+
+TEST_F(ReconstructCommand, SegmentSaysWhatToDoWithManyFrames) {
+  const Outcome outcome = run("segment sweep -o new");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("run symscene reconstruct first"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(ReconstructCommand, WithoutATableEverythingIsWrittenAllTheSame) {
+  const Outcome reconstructed = run("reconstruct sweep -o whole --no-table");
+  ASSERT_EQ(reconstructed.code, 0) << reconstructed.err;
+  EXPECT_EQ(reconstructed.err, "");
+  EXPECT_FALSE(fs::exists(file("whole") / "table_plane.txt"));
+  for (const char* written : {"cloud.ply", "mesh.ply", "poses.txt", "occupancy.bt"})
+    EXPECT_GT(fs::file_size(file("whole") / written), 100U) << written;
+  const Outcome both = run("reconstruct sweep -o new --no-table --plane 0,0,1,0");
+  EXPECT_EQ(both.code, 1);
+  // A plane that nothing is near.
+  const Outcome aside = run("reconstruct sweep -o aside --plane 0,1,0,50");
+  ASSERT_EQ(aside.code, 0) << aside.err;
+  EXPECT_NE(aside.err.find("bare"), std::string::npos) << aside.err;
+  EXPECT_GT(fs::file_size(file("aside") / "mesh.ply"), 10000U);
+}
+
+TEST_F(ReconstructCommand, SegmentFindsTheTableInACloud) {
+  const Outcome whole = run("reconstruct sweep -o cloud_scene --no-table");
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const Outcome found = run("segment cloud_scene/cloud.ply -o cloud_result");
+  ASSERT_EQ(found.code, 0) << found.err;
+  const auto objects = nlohmann::json::parse(contents(file("cloud_result") / "objects.json"));
+  EXPECT_TRUE(objects.contains("table"));
+  EXPECT_GE(objects.at("objects").size(), 3U);
+}
+
 TEST_F(ReconstructCommand, UsesAGivenTablePlaneAndRefusesInvalidOnes) {
   const std::string found = contents(file("scene") / "table_plane.txt");
   std::string plane = found.substr(0, found.find_last_not_of('\n') + 1);

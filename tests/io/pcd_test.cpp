@@ -202,6 +202,19 @@ TEST(Cloud, TheFormatIsRecognisedByTheFirstBytesWhateverTheExtension) {
                 ": expected a point cloud in PLY or PCD format, found \"hello\"");
 }
 
+TEST(Cloud, KnowsWhereItsSensorWas) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\n";
+  const std::string body = "POINTS 1\nDATA ascii\n1 2 3\n";
+  write_text(folder / "a.pcd", header + "VIEWPOINT 0.5 -1 2 1 0 0 0\n" + body);
+  EXPECT_EQ(read_sensor_cloud(folder / "a.pcd").viewpoint, Eigen::Vector3d(0.5, -1.0, 2.0));
+  write_text(folder / "b.pcd", header + body);
+  EXPECT_EQ(read_sensor_cloud(folder / "b.pcd").viewpoint, Eigen::Vector3d::Zero());
+  write_text(folder / "c.pcd", header + "VIEWPOINT 0 inf 0 1 0 0 0\n" + body);
+  EXPECT_THROW(read_sensor_cloud(folder / "c.pcd"), InputError);
+}
+
 TEST(Cloud, IsWrittenInTheFormatOfItsExtension) {
   const TemporaryFolder folder;
   const PointCloud cloud = random_cloud(20, 4);

@@ -197,6 +197,43 @@ TEST(SupportPlanes, TwoTablesAreAmbiguous) {
   EXPECT_LT(planes.supports[2].area, 0.1);
 }
 
+TEST(SupportPlanes, SeenFromAboveANearTableOutweighsALargerFloor) {
+  CloudBuilder builder(11);
+  builder.add_rectangle({0, 0, 0.75}, {0.6, 0, 0}, {0, 0.5, 0});
+  for (const double y : {-0.15, 0.0, 0.15}) builder.add_box({0.1, y, 0.75}, {0.1, 0.1, 0.1});
+  builder.add_rectangle({1.5, 0, 0}, {2.2, 0, 0}, {0, 3.0, 0});
+  builder.add_box({2.0, 0.5, 0}, {0.3, 0.3, 0.3});
+  const Eigen::Isometry3d motion = random_motion(11);
+  TablePrior known{.up = Eigen::Vector3d(motion.linear().col(2))};
+  const SupportPlanes by_area = find_support_planes(builder.cloud(motion), {}, known);
+  ASSERT_FALSE(by_area.supports.empty());
+  EXPECT_GT(by_area.supports[0].area, 3.0);
+  known.viewpoints = {motion * Eigen::Vector3d(-0.5, 0, 1.35)};
+  const SupportPlanes seen = find_support_planes(builder.cloud(motion), {}, known);
+  ASSERT_FALSE(seen.supports.empty());
+  expect_table(seen.supports[0], motion, 0.75);
+}
+
+TEST(SupportPlanes, TheOutlineHoldsAllPatchesThatShadowsCut) {
+  CloudBuilder builder(12);
+  builder.add_rectangle({-0.4, 0, 0}, {0.5, 0, 0}, {0, 0.8, 0});
+  builder.add_rectangle({0.4, 0, 0}, {0.5, 0, 0}, {0, 0.8, 0});      // behind 0.3 m of shadow
+  builder.add_rectangle({0.0, 0.1, 0}, {0.08, 0, 0}, {0, 0.08, 0});  // between
+  builder.add_rectangle({2.0, 0, 0}, {0.5, 0, 0}, {0, 0.8, 0});      // another table
+  builder.add_box({0.5, 0.2, 0}, {0.1, 0.1, 0.1});
+  const TableScene scene = find_table_scene(builder.cloud());
+  ASSERT_FALSE(scene.planes.supports.empty());
+  EXPECT_NEAR(scene.planes.supports[0].area, 0.8, 0.1);
+  EXPECT_GT(scene.objects.cloud.size(), 500U);
+}
+
+TEST(SupportPlanes, TheLidOfABoxIsNoTable) {
+  CloudBuilder builder(13);
+  builder.add_box({0, 0, 0}, {0.3, 0.25, 0.2});
+  builder.add_box({0, 0, 0.2}, {0.05, 0.05, 0.1});
+  EXPECT_EQ(find_support_planes(builder.cloud()).status, SupportStatus::none);
+}
+
 TEST(SupportPlanes, WithoutAPlaneThereIsNone) {
   EXPECT_EQ(find_support_planes({}).status, SupportStatus::none);
   EXPECT_EQ(find_support_planes(ball(20000)).status, SupportStatus::none);

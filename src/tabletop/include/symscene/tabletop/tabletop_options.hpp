@@ -56,8 +56,9 @@ struct SupportPlaneOptions {
         "gap between patches of one table, which the shadows of objects cut; a patch farther from "
         "the others is of another table");
     visit("max_beneath", self.max_beneath, "", at_least(0.0),
-          "points up to 0.2 m below a supporting plane, over its inliers: the sides of a box are "
-          "below its lid, while a table hides what is below it");
+          "points of surfaces at an angle up to 0.2 m below a supporting plane, over its inliers: "
+          "the "
+          "sides of a box are below its lid, while a table hides what is below it");
     visit("min_clearance", self.min_clearance, "m", at_least(0.0),
           "height above the plane from which points belong to objects");
     visit("max_height", self.max_height, "m", above(0.0),

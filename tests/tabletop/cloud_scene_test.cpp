@@ -1,0 +1,81 @@
+#include "symscene/tabletop/cloud_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/random.hpp"
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+/// Points on a table at z = 0 and on a box of 10 cm on it, as a camera above sees them.
+PointCloud table_with_box(bool with_table) {
+  Random random(1);
+  std::vector<Eigen::Vector3d> points;
+  const auto add = [&](const Eigen::Vector3d& corner, const Eigen::Vector3d& along,
+                       const Eigen::Vector3d& across, int count) {
+    for (int i = 0; i < count; ++i)
+      points.push_back(corner + random.uniform(0.0, 1.0) * along +
+                       random.uniform(0.0, 1.0) * across);
+  };
+  if (with_table) add({-0.4, -0.3, 0}, {0.8, 0, 0}, {0, 0.6, 0}, 30000);
+  add({0, 0, 0.1}, {0.1, 0, 0}, {0, 0.1, 0}, 1500);
+  add({0, 0, 0}, {0.1, 0, 0}, {0, 0, 0.1}, 1500);
+  add({0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}, 1500);
+  PointCloud cloud;
+  cloud.positions.resize(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    cloud.positions.row(static_cast<Eigen::Index>(i)) = points[i].cast<float>().transpose();
+  return cloud;
+}
+
+const Eigen::Vector3d viewpoint(0.4, -0.8, 0.7);
+
+TEST(CloudScene, ATableInTheCloudIsFoundAndCroppedWhereverItIs) {
+  for (const double angle : {0.0, 1.0, 2.5}) {
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    motion.linear() =
+        Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    motion.translation() << 3.0 * angle, -angle, 1.0;
+    PointCloud cloud = table_with_box(true);
+    const Eigen::Isometry3f moved = motion.cast<float>();
+    cloud.positions = (cloud.positions * moved.linear().transpose()).eval();
+    cloud.positions.rowwise() += moved.translation().transpose();
+    const BuiltScene built = cloud_scene(cloud, motion * viewpoint);
+    ASSERT_TRUE(built.scene.table) << angle;
+    const Eigen::Vector3d up = motion.linear().col(2);
+    EXPECT_LT(degrees(angle_between(built.scene.table->normal, up)), 1.0) << angle;
+    EXPECT_GT(built.scene.cloud.size(), 600U);
+    EXPECT_LT(built.scene.cloud.size(), 2500U);
+    EXPECT_FALSE(built.scene.occupancy);
+  }
+}
+
+TEST(CloudScene, EstimatedNormalsPointToTheSensor) {
+  const BuiltScene built = cloud_scene(table_with_box(true), viewpoint);
+  for (Index i = 0; i < built.scene.cloud.size(); ++i) {
+    const Eigen::Vector3d ray = viewpoint - built.scene.cloud.position(i).cast<double>();
+    EXPECT_GT(built.scene.cloud.normal(i).cast<double>().dot(ray), -0.05);
+  }
+}
+
+TEST(CloudScene, WithoutItsTableAllPointsAreKept) {
+  const BuiltScene built = cloud_scene(table_with_box(false), viewpoint);
+  EXPECT_FALSE(built.scene.table);
+  EXPECT_GT(built.scene.cloud.size(), 800U);
+  const BuiltScene asked = cloud_scene(table_with_box(true), viewpoint, {.absent = true});
+  EXPECT_FALSE(asked.scene.table);
+  EXPECT_GT(asked.scene.cloud.size(), 10000U);
+}
+
+TEST(CloudScene, RefusesACloudWithoutSurface) {
+  EXPECT_THROW(cloud_scene({}, viewpoint), InputError);
+  PointCloud nowhere;
+  nowhere.positions = Points::Constant(10, 3, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_THROW(cloud_scene(nowhere, viewpoint), InputError);
+}
+
+}  // namespace
+}  // namespace symscene
