@@ -1,154 +1,146 @@
 #include "boosting.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
-#include <utility>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+#include <xgboost/c_api.h>
+#include <nlohmann/json.hpp>
 
 #include "symscene/core/error.hpp"
 
 namespace symscene::bench {
 namespace {
 
-constexpr std::size_t quantiles = 64;
+using nlohmann::json;
 
-/// Rounded to single precision, in which models compare values.
-double rounded(double value) { return static_cast<double>(static_cast<float>(value)); }
-
-std::vector<double> bounds_of(const std::vector<Sample>& samples, std::size_t feature) {
-  std::vector<double> values;
-  for (const Sample& sample : samples) values.push_back(rounded(sample.features[feature]));
-  std::sort(values.begin(), values.end());
-  std::vector<double> bounds;
-  for (std::size_t q = 1; q < quantiles; ++q) {
-    const double bound = values[values.size() * q / quantiles];
-    if (bound < values.back() && (bounds.empty() || bound > bounds.back())) bounds.push_back(bound);
-  }
-  return bounds;
+void require_success(int status) {
+  if (status != 0) throw InputError("XGBoost", "success", XGBGetLastError());
 }
 
-/// Sums of the first and second derivatives of the loss.
-struct Derivatives {
-  double slope = 0.0;
-  double curvature = 0.0;
-  int samples = 0;
-
-  Derivatives& operator+=(const Derivatives& other) {
-    slope += other.slope;
-    curvature += other.curvature;
-    samples += other.samples;
-    return *this;
+/// Samples in the form that XGBoost reads.
+class Matrix {
+ public:
+  explicit Matrix(const TrainingSet& set) {
+    std::vector<float> values, targets, weights;
+    for (const Sample& sample : set.samples) {
+      values.insert(values.end(), sample.features.begin(), sample.features.end());
+      targets.push_back(static_cast<float>(sample.target));
+      weights.push_back(static_cast<float>(sample.weight));
+    }
+    require_success(XGDMatrixCreateFromMat(values.data(), set.samples.size(), set.features.size(),
+                                           std::numeric_limits<float>::quiet_NaN(), &handle_));
+    require_success(XGDMatrixSetFloatInfo(handle_, "label", targets.data(), targets.size()));
+    require_success(XGDMatrixSetFloatInfo(handle_, "weight", weights.data(), weights.size()));
   }
+  ~Matrix() { XGDMatrixFree(handle_); }
+  Matrix(const Matrix&) = delete;
+  Matrix& operator=(const Matrix&) = delete;
+
+  DMatrixHandle get() const { return handle_; }
+
+ private:
+  DMatrixHandle handle_ = nullptr;
 };
-
-Derivatives operator-(Derivatives a, const Derivatives& b) {
-  return {a.slope - b.slope, a.curvature - b.curvature, a.samples - b.samples};
-}
 
 class Booster {
  public:
-  Booster(const std::vector<Sample>& samples, const BoostingOptions& options)
-      : samples_(samples), options_(options), derivatives_(samples.size()) {
-    const std::size_t features = samples.front().features.size();
-    for (std::size_t f = 0; f < features; ++f) bounds_.push_back(bounds_of(samples, f));
-    for (const Sample& sample : samples) {
-      auto& row = bins_.emplace_back(features);
-      for (std::size_t f = 0; f < features; ++f) {
-        const auto& bounds = bounds_[f];
-        const auto at = std::lower_bound(bounds.begin(), bounds.end(), rounded(sample.features[f]));
-        row[f] = static_cast<std::uint8_t>(at - bounds.begin());
-      }
-    }
+  explicit Booster(const Matrix& matrix) : matrix_(matrix) {
+    const DMatrixHandle matrices[] = {matrix.get()};
+    require_success(XGBoosterCreate(matrices, 1, &handle_));
+  }
+  ~Booster() { XGBoosterFree(handle_); }
+  Booster(const Booster&) = delete;
+  Booster& operator=(const Booster&) = delete;
+
+  void set(const std::string& name, const std::string& value) {
+    require_success(XGBoosterSetParam(handle_, name.c_str(), value.c_str()));
   }
 
-  /// The trees and the log-odds before them.
-  std::pair<float, std::vector<Tree>> fit() {
-    std::vector<Tree> trees;
-    double positive = 0.0;
-    for (const Sample& sample : samples_) positive += sample.target;
-    const double negative = static_cast<double>(samples_.size()) - positive;
-    if (!(positive > 0.0 && negative > 0.0))
-      throw InputError("samples", "positive and negative ones", "one kind only");
-    const double base = std::log(positive / negative);
-    std::vector<double> odds(samples_.size(), base);
-    for (int round = 0; round < options_.rounds; ++round) {
-      for (std::size_t i = 0; i < odds.size(); ++i) {
-        const double p = 1.0 / (1.0 + std::exp(-odds[i]));
-        derivatives_[i] = {samples_[i].target - p, std::max(p * (1.0 - p), 1e-4), 1};
-      }
-      std::vector<std::size_t> all(samples_.size());
-      std::iota(all.begin(), all.end(), std::size_t{0});
-      Tree tree;
-      grow(std::move(all), options_.depth, odds, tree);
-      trees.push_back(std::move(tree));
-    }
-    return {static_cast<float>(base), std::move(trees)};
+  void run(int rounds) {
+    for (int round = 0; round < rounds; ++round)
+      require_success(XGBoosterUpdateOneIter(handle_, round, matrix_.get()));
+  }
+
+  json model() const {
+    bst_ulong length = 0;
+    const char* text = nullptr;
+    require_success(XGBoosterSaveModelToBuffer(handle_, R"({"format": "json"})", &length, &text));
+    return json::parse(text, text + length);
   }
 
  private:
-  struct Split {
-    double gain = 1e-6;
-    int feature = -1;
-    std::size_t bin = 0;
-  };
-
-  double quality(const Derivatives& step) const {
-    return step.slope * step.slope / (step.curvature + options_.regularization);
-  }
-
-  Split best_split(const std::vector<std::size_t>& members, const Derivatives& whole) const {
-    Split best;
-    for (std::size_t f = 0; f < bounds_.size(); ++f) {
-      std::vector<Derivatives> by_bin(bounds_[f].size() + 1);
-      for (const std::size_t i : members) by_bin[bins_[i][f]] += derivatives_[i];
-      Derivatives left;
-      for (std::size_t bin = 0; bin < bounds_[f].size(); ++bin) {
-        left += by_bin[bin];
-        const Derivatives right = whole - left;
-        if (std::min(left.samples, right.samples) < options_.min_leaf) continue;
-        const double gain = quality(left) + quality(right) - quality(whole);
-        if (gain > best.gain) best = {gain, static_cast<int>(f), bin};
-      }
-    }
-    return best;
-  }
-
-  void grow(std::vector<std::size_t> members, int depth, std::vector<double>& odds, Tree& tree) {
-    const std::size_t here = tree.size();
-    tree.emplace_back();
-    Derivatives whole;
-    for (const std::size_t i : members) whole += derivatives_[i];
-    const Split split = depth > 0 ? best_split(members, whole) : Split{};
-    if (split.feature < 0) {
-      const double step = options_.rate * whole.slope / (whole.curvature + options_.regularization);
-      tree[here].value = static_cast<float>(step);
-      for (const std::size_t i : members) odds[i] += step;
-      return;
-    }
-    const auto f = static_cast<std::size_t>(split.feature);
-    const auto middle = std::stable_partition(
-        members.begin(), members.end(), [&](std::size_t i) { return bins_[i][f] <= split.bin; });
-    tree[here].feature = split.feature;
-    tree[here].value = static_cast<float>(bounds_[f][split.bin]);
-    grow({members.begin(), middle}, depth - 1, odds, tree);
-    tree[here].upper = static_cast<std::int32_t>(tree.size() - here);
-    grow({middle, members.end()}, depth - 1, odds, tree);
-  }
-
-  const std::vector<Sample>& samples_;
-  const BoostingOptions& options_;
-  std::vector<Derivatives> derivatives_;
-  std::vector<std::vector<double>> bounds_;
-  std::vector<std::vector<std::uint8_t>> bins_;
+  const Matrix& matrix_;
+  BoosterHandle handle_ = nullptr;
 };
+
+/// The depth-first nodes of XGBoost's tree from `node` on. XGBoost's lower branch holds values
+/// below the bound, ours those up to it.
+void append_nodes(const json& tree, std::size_t node, Tree& nodes) {
+  const std::size_t here = nodes.size();
+  const auto value = tree["split_conditions"][node].get<float>();
+  const int lower = tree["left_children"][node], upper = tree["right_children"][node];
+  if (lower < 0) {
+    nodes.push_back({-1, 0, value});
+    return;
+  }
+  const float bound = std::nextafter(value, -std::numeric_limits<float>::infinity());
+  nodes.push_back({tree["split_indices"][node].get<std::int32_t>(), 0, bound});
+  append_nodes(tree, static_cast<std::size_t>(lower), nodes);
+  nodes[here].upper = static_cast<std::int32_t>(nodes.size() - here);
+  append_nodes(tree, static_cast<std::size_t>(upper), nodes);
+}
+
+std::vector<Tree> trees_of(const json& model) {
+  std::vector<Tree> trees;
+  for (const json& tree : model["learner"]["gradient_booster"]["model"]["trees"])
+    append_nodes(tree, 0, trees.emplace_back());
+  return trees;
+}
+
+/// The share of the targets' weight that is positive.
+double positive_share(const TrainingSet& set) {
+  double positive = 0.0, all = 0.0;
+  for (const Sample& sample : set.samples) {
+    positive += sample.weight * sample.target;
+    all += sample.weight;
+  }
+  if (!(positive > 0.0 && positive < all))
+    throw InputError("samples", "positive and negative ones", "one kind only");
+  return positive / all;
+}
+
+/// XGBoost's list of one constraint per feature.
+std::string constraints_of(const TrainingSet& set, const std::map<std::string, int>& monotone) {
+  std::string list;
+  for (const std::string& feature : set.features) {
+    const auto own = monotone.find(feature);
+    list += fmt::format("{}{}", list.empty() ? "(" : ",", own == monotone.end() ? 0 : own->second);
+  }
+  return list + ")";
+}
 
 }  // namespace
 
 TreeModel fit_model(const TrainingSet& set, const BoostingOptions& options) {
   if (set.samples.empty()) throw InputError("samples", "at least one", "none");
-  auto [base, trees] = Booster(set.samples, options).fit();
-  return {set.name, set.features, base, trees, set.origin};
+  const double share = positive_share(set);
+  const Matrix matrix(set);
+  Booster booster(matrix);
+  booster.set("objective", "binary:logistic");
+  booster.set("tree_method", "hist");
+  booster.set("nthread", "1");  // sums in a fixed order
+  booster.set("verbosity", "0");
+  booster.set("base_score", fmt::format("{}", share));
+  booster.set("max_depth", fmt::format("{}", options.depth));
+  booster.set("eta", fmt::format("{}", options.rate));
+  booster.set("lambda", fmt::format("{}", options.regularization));
+  booster.set("min_child_weight", fmt::format("{}", options.min_leaf));
+  booster.set("monotone_constraints", constraints_of(set, options.monotone));
+  booster.run(options.rounds);
+  return {set.name, set.features, static_cast<float>(std::log(share / (1.0 - share))),
+          trees_of(booster.model()), set.origin};
 }
 
 }  // namespace symscene::bench

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/random.hpp"
 #include "io/atomic_file.hpp"
+#include "scene_variants.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/tree_model.hpp"
 
@@ -78,31 +78,6 @@ LoadedEntry load(const FitScene& scene) {
   LoadedEntry loaded = load_entry(scene.entry);
   loaded.scene.cloud = with_noise(std::move(loaded.scene.cloud), scene.noise, scene.dataset);
   return loaded;
-}
-
-PointCloud with_noise(PointCloud cloud, double degrees, std::uint64_t seed) {
-  constexpr double cell = 0.01;               // [m]
-  constexpr double offset_per_degree = 1e-4;  // [m]
-  const auto sigma = static_cast<float>(radians(degrees));
-  if (sigma > 0.0F && !cloud.has_normals())
-    throw InputError("--noise", "clouds with normals", "one without");
-  for (Index i = 0; i < cloud.size() && sigma > 0.0F; ++i) {
-    const Eigen::Vector3d at = (cloud.position(i).cast<double>() / cell).array().floor();
-    const auto key = static_cast<std::uint64_t>((at.x() * 73856093.0) + (at.y() * 19349663.0) +
-                                                (at.z() * 83492791.0) + 1e12);
-    Random shared(key, seed), own(i, seed + 1);
-    const auto turn = [&](Random& random) {
-      return Eigen::Vector3f(static_cast<float>(random.normal()),
-                             static_cast<float>(random.normal()),
-                             static_cast<float>(random.normal()));
-    };
-    const Eigen::Vector3f n =
-        (cloud.normal(i) + sigma * (turn(shared) + 0.5F * turn(own))).normalized();
-    const auto off = static_cast<float>(degrees * offset_per_degree * shared.normal());
-    cloud.positions.row(i) += off * cloud.normals.row(i);
-    cloud.normals.row(i) = n.transpose();
-  }
-  return cloud;
 }
 
 ModelOrigin origin_of(const FitArguments& arguments) {

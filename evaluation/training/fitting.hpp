@@ -51,10 +51,6 @@ std::vector<FitScene> fit_scenes(const FitArguments& arguments);
 
 LoadedEntry load(const FitScene& scene);
 
-/// A cloud with the noise of a worse depth sensor: normals are turned, correlated within 1 cm, and
-/// points are shifted along their normals by 0.1 mm per degree. Throws InputError without normals.
-PointCloud with_noise(PointCloud cloud, double degrees, std::uint64_t seed);
-
 /// `extract` applied to every scene, in parallel, in order.
 template <class Scene, class Extract>
 std::vector<Scene> extract_all(const FitArguments& arguments, const Extract& extract) {

@@ -12,7 +12,6 @@ ProposalOptions PipelineOptions::proposal_options() const {
           merge,
           object_features,
           proposal_context,
-          object_score,
           models.object_alone,
           models.object_among_others};
 }

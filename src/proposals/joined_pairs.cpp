@@ -15,11 +15,6 @@ bool share_points(const PointIndices& a, const PointIndices& b, double max_share
          max_shared * static_cast<double>(std::min(a.size(), b.size()));
 }
 
-bool lies_in(const PointIndices& part, const PointIndices& whole, double contained_share) {
-  return part.size() < whole.size() && static_cast<double>(intersection_size(part, whole)) >
-                                           contained_share * static_cast<double>(part.size());
-}
-
 }  // namespace
 
 Continuations find_continuations(const PointCloud& cloud, const DistanceField& field,
@@ -37,7 +32,7 @@ Continuations find_continuations(const PointCloud& cloud, const DistanceField& f
   }
   Continuations found;
   found.continued.resize(proposals.size(), 0.0);
-  std::vector<std::vector<std::size_t>> partners(count);
+  std::vector<std::vector<JoinedPair>> partners(count);
   parallel_for_each(count, [&](std::size_t a) {
     const PointIndices& own = proposals[a].merged.points;
     for (std::size_t b = 0; b < best; ++b) {
@@ -46,11 +41,11 @@ Continuations find_continuations(const PointCloud& cloud, const DistanceField& f
       if (value <= 0.0 || share_points(own, proposals[b].merged.points, options.max_shared))
         continue;
       found.continued[a] = std::max(found.continued[a], value);
-      if (a < b && value >= options.min_continuation) partners[a].push_back(b);
+      if (a < b && value >= options.min_continuation) partners[a].push_back({a, b, value});
     }
   });
   for (std::size_t a = 0; a < count; ++a) {
-    for (const std::size_t b : partners[a]) found.pairs.emplace_back(a, b);
+    found.pairs.insert(found.pairs.end(), partners[a].begin(), partners[a].end());
   }
   return found;
 }
@@ -58,7 +53,7 @@ Continuations find_continuations(const PointCloud& cloud, const DistanceField& f
 std::vector<MergedHypothesis> joined_pairs(const std::vector<ProposalDraft>& proposals,
                                            const Continuations& continuations, double same_object) {
   std::vector<MergedHypothesis> joined;
-  for (const auto& [a, b] : continuations.pairs) {
+  for (const auto& [a, b, continuation] : continuations.pairs) {
     const PointIndices &p = proposals[a].merged.points, &q = proposals[b].merged.points;
     MergedHypothesis pair;
     std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(pair.points));
@@ -74,24 +69,24 @@ std::vector<MergedHypothesis> joined_pairs(const std::vector<ProposalDraft>& pro
   return joined;
 }
 
-std::vector<double> part_discounts(const std::vector<ProposalDraft>& proposals,
-                                   const std::vector<double>& probabilities,
-                                   const ContinuationOptions& options) {
-  std::vector<std::size_t> pairs;
-  for (std::size_t k = 0; k < proposals.size(); ++k) {
-    if (proposals[k].is_joined_pair) pairs.push_back(k);
-  }
-  std::vector<double> discounts(proposals.size());
+std::vector<double> joined_values(const std::vector<ProposalDraft>& proposals,
+                                  const Continuations& continuations, double same_object) {
+  std::vector<double> joined(proposals.size(), 0.0);
   parallel_for_each(proposals.size(), [&](std::size_t k) {
-    double greatest = 0.0;
-    for (const std::size_t pair : pairs) {
-      if (lies_in(proposals[k].merged.points, proposals[pair].merged.points,
-                  options.contained_share))
-        greatest = std::max(greatest, probabilities[pair]);
+    const PointIndices& whole = proposals[k].merged.points;
+    for (const JoinedPair& pair : continuations.pairs) {
+      const PointIndices &p = proposals[pair.a].merged.points, &q = proposals[pair.b].merged.points;
+      // The two share few points, so that other sizes cannot be nearly the same.
+      const std::size_t size = p.size() + q.size();
+      if (pair.continuation <= joined[k] || 9 * whole.size() > 10 * size ||
+          9 * size > 10 * whole.size())
+        continue;
+      PointIndices both;
+      std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
+      if (cover_same_points(whole, both, same_object)) joined[k] = pair.continuation;
     }
-    discounts[k] = options.joined_discount * greatest;
   });
-  return discounts;
+  return joined;
 }
 
 }  // namespace symscene

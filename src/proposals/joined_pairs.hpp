@@ -1,6 +1,6 @@
 #pragma once
 
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 #include "proposal_draft.hpp"
@@ -9,11 +9,16 @@
 
 namespace symscene {
 
+/// Two proposals that continue each other, by index, the better one first.
+struct JoinedPair {
+  std::size_t a = 0, b = 0;
+  double continuation = 0.0;
+};
+
 /// Which proposals continue each other behind an occluder.
 struct Continuations {
   std::vector<double> continued;  ///< of each proposal, the greatest continuation by another
-  /// Indices of proposals that are joined, the better one first.
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<JoinedPair> pairs;
 };
 
 /// Compares proposals, which come by falling own_score.
@@ -26,10 +31,9 @@ Continuations find_continuations(const PointCloud& cloud, const DistanceField& f
 std::vector<MergedHypothesis> joined_pairs(const std::vector<ProposalDraft>& proposals,
                                            const Continuations& continuations, double same_object);
 
-/// Suppresses parts of a likely joined object: the discount of each proposal inside a joined pair,
-/// by the probability of the likeliest such pair. `probabilities` holds one per proposal.
-std::vector<double> part_discounts(const std::vector<ProposalDraft>& proposals,
-                                   const std::vector<double>& probabilities,
-                                   const ContinuationOptions& options);
+/// Of each proposal the greatest continuation of two others by each other whose union it nearly
+/// equals (`same_object`, IoU); 0 if there are none.
+std::vector<double> joined_values(const std::vector<ProposalDraft>& proposals,
+                                  const Continuations& continuations, double same_object);
 
 }  // namespace symscene

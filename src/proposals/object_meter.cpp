@@ -35,14 +35,16 @@ ObjectFeatures ObjectMeter::measure(const MergedHypothesis& merged) const {
   const PairFeatures pairs = pair_features(points);
   const ExtentFeatures extent = extent_features(points);
   const SymmetryFit symmetry = symmetry_fit(merged, scene_.cloud, scene_.field, options_);
-  return {.size = std::log(static_cast<double>(points.size())),
-          .broken = edges.broken,
+  return {.broken = edges.broken,
           .torn = edges.torn,
           .rim = edges.rim,
           .bend = edges.bend,
           .crease = edges.crease,
           .seam = scene_.regions.seam(points),
+          .fold = scene_.patches.seam(points),
+          .fold_rim = scene_.patches.rim(points),
           .unity = largest_component(points, inside),
+          .near_unity = scene_.patches.unity(points),
           .convexity = pairs.convexity,
           .empty = pairs.empty,
           .length = extent.length,
@@ -58,6 +60,7 @@ ObjectFeatures ObjectMeter::measure(const MergedHypothesis& merged) const {
           .plane_inlier = symmetry.plane_inlier,
           .plane_occlusion = symmetry.plane_occlusion,
           .continued = 0.0,
+          .joined = 0.0,
           .confidence = merged.confidence};
 }
 
@@ -97,7 +100,8 @@ ObjectMeter::EdgeFeatures ObjectMeter::edge_features(const PointIndices& points,
 
 ObjectMeter::PairFeatures ObjectMeter::pair_features(const PointIndices& points) const {
   const ObjectFeatureOptions& options = options_.object_features;
-  const auto max_protrusion = static_cast<float>(options.max_protrusion);
+  const auto max_offset = static_cast<float>(options.convex_offset);
+  const auto max_slope = static_cast<float>(options.convex_slope);
   const auto empty_distance = static_cast<float>(options.empty_distance);
   PointIndices sample;
   for (const Index k :
@@ -110,7 +114,8 @@ ObjectMeter::PairFeatures ObjectMeter::pair_features(const PointIndices& points)
       const Eigen::Vector3f q = scene_.cloud.position(sample[b]);
       const Eigen::Vector3f m = scene_.cloud.normal(sample[b]);
       pairs += 1.0;
-      convex += n.dot(q - p) < max_protrusion && m.dot(p - q) < max_protrusion ? 1.0 : 0.0;
+      const float protrusion = max_offset + max_slope * (q - p).norm();
+      convex += n.dot(q - p) < protrusion && m.dot(p - q) < protrusion ? 1.0 : 0.0;
       for (const float t : {0.25F, 0.5F, 0.75F}) {
         places += 1.0;
         empty += scene_.field.at(p + t * (q - p)) > empty_distance ? 1.0 : 0.0;

@@ -20,7 +20,8 @@ struct MeasuredScene {
   const PointCloud& cloud;
   const std::vector<WeightedEdge>& edges;  ///< surface graph of the cloud
   const DistanceField& field;
-  const SurfaceRegions& regions;
+  const SurfaceRegions& regions;  ///< smooth regions
+  const SurfaceRegions& patches;  ///< patch regions
   std::optional<Plane> table;
 };
 
@@ -29,8 +30,8 @@ class ObjectMeter {
  public:
   ObjectMeter(const MeasuredScene& scene, const ProposalOptions& options);
 
-  /// The features that do not depend on other proposals: all but `continued`, which is 0. `merged`
-  /// has points.
+  /// The features that do not depend on other proposals: all but `continued` and `joined`, which
+  /// are 0. `merged` has points.
   ObjectFeatures measure(const MergedHypothesis& merged) const;
 
  private:

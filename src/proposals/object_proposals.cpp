@@ -1,6 +1,7 @@
 #include "proposals/object_proposals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/model_features.hpp"
@@ -15,11 +16,23 @@
 namespace symscene {
 namespace {
 
+/// Folds [right angles] at which the partitions of the patches propose objects (Stein et al. 2014).
+constexpr std::array fold_levels{0.05, 0.08, 0.12, 0.17, 0.24, 0.33, 0.45};
+
+void append_parts(std::vector<PointIndices> parts, std::vector<RatedHypothesis>& rated) {
+  for (PointIndices& part : parts) {
+    Hypothesis hypothesis;
+    hypothesis.points = std::move(part);
+    rated.push_back({std::move(hypothesis), 0.0});
+  }
+}
+
 /// The hypotheses of both streams and the parts of the surface, merged.
 std::vector<MergedHypothesis> merged_hypotheses(const Workspace& space,
                                                 const std::vector<Hypothesis>& rotational,
                                                 const std::vector<Hypothesis>& reflectional,
                                                 const SurfaceRegions& regions,
+                                                const SurfaceRegions& patches,
                                                 const ProposalOptions& options) {
   std::vector<RatedHypothesis> rated;
   append_rated(rotational, options.rotational_bounds, rated);
@@ -28,40 +41,37 @@ std::vector<MergedHypothesis> merged_hypotheses(const Workspace& space,
     return candidate.hypothesis.points.size() <
            static_cast<std::size_t>(options.surface_parts.min_size);
   });
-  for (PointIndices& part : regions.parts()) {
-    Hypothesis hypothesis;
-    hypothesis.points = std::move(part);
-    rated.push_back({std::move(hypothesis), 0.0});
-  }
+  append_parts(regions.parts(), rated);
+  append_parts(patches.parts_at(fold_levels), rated);
   return merge_hypotheses(std::move(rated), space.cloud, options.merge);
 }
 
 /// Adds drafts of proposals and sorts all by falling own_score.
-void add_drafts(std::vector<MergedHypothesis> hypotheses, bool are_joined_pairs,
-                const ObjectMeter& meter, const ProposalOptions& options,
-                std::vector<ProposalDraft>& drafts) {
+void add_drafts(std::vector<MergedHypothesis> hypotheses, const ObjectMeter& meter,
+                const ProposalOptions& options, std::vector<ProposalDraft>& drafts) {
   const TreeModel& model = chosen_model(options.object_alone, object_model());
-  const double weight = options.object_score.confidence_weight;
   const std::size_t before = drafts.size();
   drafts.resize(before + hypotheses.size());
   parallel_for_each(hypotheses.size(), [&](std::size_t k) {
     const ObjectFeatures features = meter.measure(hypotheses[k]);
-    const double own_score =
-        combined_score(estimated_probability(features, model), features.confidence, weight);
-    drafts[before + k] = {std::move(hypotheses[k]), features, own_score, are_joined_pairs};
+    drafts[before + k] = {std::move(hypotheses[k]), features,
+                          estimated_probability(features, model)};
   });
   std::stable_sort(
       drafts.begin(), drafts.end(),
       [](const ProposalDraft& a, const ProposalDraft& b) { return a.own_score > b.own_score; });
 }
 
-/// The features of all proposals, with the one that depends on the others: `continued`.
+/// The features of all proposals, with those that depend on the others.
 std::vector<ObjectFeatures> completed_features(const std::vector<ProposalDraft>& drafts,
-                                               const std::vector<double>& continued) {
+                                               const Continuations& continuations,
+                                               double same_object) {
+  const std::vector<double> joined = joined_values(drafts, continuations, same_object);
   std::vector<ObjectFeatures> features;
   for (std::size_t k = 0; k < drafts.size(); ++k) {
     features.push_back(drafts[k].features);
-    features.back().continued = continued[k];
+    features.back().continued = continuations.continued[k];
+    features.back().joined = joined[k];
   }
   return features;
 }
@@ -77,27 +87,20 @@ std::vector<ProposalContext> contexts_of(const std::vector<ProposalDraft>& draft
 
 /// The proposals with their final features and scores, by falling score.
 std::vector<ObjectProposal> final_proposals(std::vector<ProposalDraft> drafts,
-                                            const std::vector<double>& continued,
+                                            const std::vector<ObjectFeatures>& features,
                                             const PointCloud& cloud,
                                             const ProposalOptions& options) {
   const TreeModel& alone = chosen_model(options.object_alone, object_model());
   const TreeModel& among_others = chosen_model(options.object_among_others, object_context_model());
-  const std::vector<ObjectFeatures> features = completed_features(drafts, continued);
-  std::vector<double> estimates, probabilities;
+  std::vector<double> estimates;
   for (const ObjectFeatures& own : features) estimates.push_back(estimated_probability(own, alone));
   const std::vector<ProposalContext> contexts =
       contexts_of(drafts, estimates, options.proposal_context);
-  for (std::size_t k = 0; k < drafts.size(); ++k) {
-    probabilities.push_back(
-        combined_score(estimated_probability(features[k], contexts[k], among_others),
-                       features[k].confidence, options.object_score.confidence_weight));
-  }
-  const std::vector<double> discounts = part_discounts(drafts, probabilities, options.continuation);
   std::vector<ObjectProposal> proposals;
   for (std::size_t k = 0; k < drafts.size(); ++k) {
-    const double score = probabilities[k] * (1.0 - discounts[k]);
+    const double score = estimated_probability(features[k], contexts[k], among_others);
     proposals.push_back({object_of(std::move(drafts[k].merged), cloud, score), features[k],
-                         drafts[k].own_score, estimates[k], probabilities[k], discounts[k]});
+                         drafts[k].own_score, estimates[k]});
   }
   std::stable_sort(proposals.begin(), proposals.end(),
                    [](const ObjectProposal& a, const ObjectProposal& b) {
@@ -113,19 +116,23 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
                                              const std::vector<Hypothesis>& rotational,
                                              const std::vector<Hypothesis>& reflectional,
                                              const ProposalOptions& options) {
-  const SurfaceRegions regions(space.cloud, space.edges, space.neighbors, options.surface_parts);
-  const ObjectMeter meter({space.cloud, space.edges, space.field, regions, table}, options);
+  const SurfaceRegions regions =
+      smooth_regions(space.cloud, space.edges, space.neighbors, options.surface_parts);
+  const SurfaceRegions patches = patch_regions(space.cloud, space.edges, options.surface_parts);
+  const ObjectMeter meter({space.cloud, space.edges, space.field, regions, patches, table},
+                          options);
   const auto continuations = [&](const std::vector<ProposalDraft>& among) {
     return find_continuations(space.cloud, space.field, among, options.continuation);
   };
+  const double same_object = options.merge.same_object;
   std::vector<ProposalDraft> drafts;
-  add_drafts(merged_hypotheses(space, rotational, reflectional, regions, options), false, meter,
+  add_drafts(merged_hypotheses(space, rotational, reflectional, regions, patches, options), meter,
              options, drafts);
-  add_drafts(joined_pairs(drafts, continuations(drafts), options.merge.same_object), true, meter,
-             options, drafts);
+  add_drafts(joined_pairs(drafts, continuations(drafts), same_object), meter, options, drafts);
   // Joined pairs may be continued by a third proposal.
-  const std::vector<double> continued = continuations(drafts).continued;
-  return final_proposals(std::move(drafts), continued, space.cloud, options);
+  const std::vector<ObjectFeatures> features =
+      completed_features(drafts, continuations(drafts), same_object);
+  return final_proposals(std::move(drafts), features, space.cloud, options);
 }
 
 std::vector<SceneObject> probable_objects(const SceneProposals& proposals,

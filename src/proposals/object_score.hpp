@@ -20,11 +20,4 @@ double estimated_probability(const ObjectFeatures& features,
 double estimated_probability(const ObjectFeatures& features, const ProposalContext& context,
                              const TreeModel& model = object_context_model());
 
-/// An estimated probability raised by the confidence of its hypothesis:
-/// 1 - (1 - estimate) (1 - weight * confidence). The confidence is among the features too, but this
-/// term keeps symmetric objects that are unlike those of the training split. In [0, 1].
-inline double combined_score(double estimate, double confidence, double weight) {
-  return 1.0 - (1.0 - estimate) * (1.0 - weight * confidence);
-}
-
 }  // namespace symscene

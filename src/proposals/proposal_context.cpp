@@ -120,6 +120,10 @@ SharedCounts::SharedCounts(std::span<const PointIndices* const> proposals,
   }
 }
 
+SharedCounts::SharedCounts(std::vector<std::uint32_t> sizes, std::vector<std::uint32_t> shared,
+                           const ProposalContextOptions& options)
+    : options_(options), sizes_(std::move(sizes)), counts_(std::move(shared)) {}
+
 bool SharedCounts::contains(std::size_t whole, std::size_t part) const {
   return size(part) < options_.max_part_share * size(whole) &&
          shared(whole, part) > options_.contained_share * size(part);

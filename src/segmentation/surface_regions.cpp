@@ -1,11 +1,15 @@
 #include "segmentation/surface_regions.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <queue>
 #include <tuple>
 
+#include "core/disjoint_sets.hpp"
 #include "region_growing.hpp"
+#include "surface_patches.hpp"
 
 namespace symscene {
 namespace {
@@ -88,25 +92,24 @@ class RegionJoiner {
   std::priority_queue<Candidate> queue_;
 };
 
+/// Edges that a border across a gap counts as: few, so that one without a gap outweighs it.
+constexpr double gap_edges = 3.0;
+
+/// The region of every point.
+std::vector<Index> labels_of(std::size_t points, const std::vector<PointIndices>& regions) {
+  std::vector<Index> labels(points);
+  for (Index r = 0; r < regions.size(); ++r) {
+    for (const Index i : regions[r]) labels[i] = r;
+  }
+  return labels;
+}
+
 }  // namespace
 
-SurfaceRegions::SurfaceRegions(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
-                               const NeighborLists& neighbors, const SurfacePartsOptions& options)
-    : options_(options) {
+SurfaceRegions::SurfaceRegions(std::size_t points, std::vector<PointIndices> regions,
+                               const Borders& borders, const SurfacePartsOptions& options)
+    : options_(options), regions_(std::move(regions)), region_of_(labels_of(points, regions_)) {
   options_.validate();
-  OversegmentationOptions growing;
-  growing.min_size = 1;
-  growing.min_smooth_fraction = options_.min_smooth_fraction;
-  regions_ = grow_regions(cloud, neighbors, options_.smooth_angle, growing);
-  region_of_.resize(cloud.size());
-  for (Index r = 0; r < regions_.size(); ++r) {
-    for (const Index i : regions_[r]) region_of_[i] = r;
-  }
-  std::map<std::pair<Index, Index>, RegionBorder> borders;
-  for (const WeightedEdge& edge : edges) {
-    const Index a = region_of_[edge.a], b = region_of_[edge.b];
-    if (a != b) borders[std::minmax(a, b)] += {1.0, 1.0 - double{edge.weight}};
-  }
   meetings_of_.resize(regions_.size());
   for (const auto& [pair, border] : borders) {
     const auto meeting = static_cast<Index>(meetings_.size());
@@ -117,31 +120,95 @@ SurfaceRegions::SurfaceRegions(const PointCloud& cloud, const std::vector<Weight
 }
 
 std::vector<PointIndices> SurfaceRegions::parts() const {
+  std::vector<PointIndices> parts = tree().points;
+  erase_small(parts);
+  return parts;
+}
+
+std::vector<PointIndices> SurfaceRegions::parts_at(std::span<const double> weaknesses) const {
+  Tree all = tree();
+  std::vector<PointIndices> parts;
+  for (std::size_t node = 0; node < all.points.size(); ++node) {
+    const bool exists = std::any_of(weaknesses.begin(), weaknesses.end(), [&](double weakness) {
+      return all.joined_at[node] <= weakness && weakness < all.consumed_at[node];
+    });
+    if (exists) parts.push_back(std::move(all.points[node]));
+  }
+  erase_small(parts);
+  return parts;
+}
+
+void SurfaceRegions::erase_small(std::vector<PointIndices>& parts) const {
+  std::erase_if(parts, [&](const PointIndices& part) {
+    return part.size() < static_cast<std::size_t>(options_.min_size);
+  });
+}
+
+SurfaceRegions::Tree SurfaceRegions::tree() const {
   std::vector<std::size_t> sizes;
   for (const PointIndices& region : regions_) sizes.push_back(region.size());
   RegionJoiner joiner(std::move(sizes), static_cast<std::size_t>(options_.fragment));
   for (const Meeting& meeting : meetings_) joiner.add_border(meeting.a, meeting.b, meeting.border);
-  std::vector<PointIndices> parts = regions_;
-  joiner.run([&](Index a, Index b, double) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  Tree tree{regions_, std::vector<double>(regions_.size(), 0.0),
+            std::vector<double>(regions_.size(), never)};
+  joiner.run([&](Index a, Index b, double bend) {
     PointIndices points;
-    points.reserve(parts[a].size() + parts[b].size());
-    std::merge(parts[a].begin(), parts[a].end(), parts[b].begin(), parts[b].end(),
-               std::back_inserter(points));
-    parts.push_back(std::move(points));
+    points.reserve(tree.points[a].size() + tree.points[b].size());
+    std::merge(tree.points[a].begin(), tree.points[a].end(), tree.points[b].begin(),
+               tree.points[b].end(), std::back_inserter(points));
+    tree.points.push_back(std::move(points));
+    // A border may be stronger than those that were merged before it.
+    const double at = std::max({bend, tree.joined_at[a], tree.joined_at[b]});
+    tree.consumed_at[a] = tree.consumed_at[b] = at;
+    tree.joined_at.push_back(at);
+    tree.consumed_at.push_back(never);
   });
-  std::erase_if(parts, [&](const PointIndices& part) {
-    return part.size() < static_cast<std::size_t>(options_.min_size);
-  });
-  return parts;
+  return tree;
 }
 
-double SurfaceRegions::seam(std::span<const Index> points) const {
-  std::map<Index, std::size_t> held;  // points of the set by region
+/// The regions that belong to a set, and how many of its points each holds.
+std::map<Index, std::size_t> SurfaceRegions::held_by(std::span<const Index> points) const {
+  std::map<Index, std::size_t> held;
   for (const Index i : points) ++held[region_of_[i]];
   std::erase_if(held, [&](const auto& entry) {
     return static_cast<double>(entry.second) <
            options_.min_region_share * static_cast<double>(regions_[entry.first].size());
   });
+  return held;
+}
+
+double SurfaceRegions::unity(std::span<const Index> points) const {
+  const std::map<Index, std::size_t> held = held_by(points);
+  DisjointSets sets(regions_.size());
+  std::size_t all = 0, largest = 0;
+  for (const auto& [region, count] : held) {
+    all += count;
+    for (const Index m : meetings_of_[region]) {
+      const Meeting& meeting = meetings_[m];
+      if (held.contains(meeting.a) && held.contains(meeting.b)) sets.join(meeting.a, meeting.b);
+    }
+  }
+  std::map<Index, std::size_t> sizes;
+  for (const auto& [region, count] : held)
+    largest = std::max(largest, sizes[sets.leader(region)] += count);
+  return all > 0 ? static_cast<double>(largest) / static_cast<double>(all) : 1.0;
+}
+
+double SurfaceRegions::rim(std::span<const Index> points) const {
+  const std::map<Index, std::size_t> held = held_by(points);
+  RegionBorder rim;
+  for (const auto& [region, count] : held) {
+    for (const Index m : meetings_of_[region]) {
+      const Meeting& meeting = meetings_[m];
+      if (!held.contains(meeting.a == region ? meeting.b : meeting.a)) rim += meeting.border;
+    }
+  }
+  return rim.edges > 0.0 ? rim.bend() : 1.0;
+}
+
+double SurfaceRegions::seam(std::span<const Index> points) const {
+  const std::map<Index, std::size_t> held = held_by(points);
   std::vector<std::size_t> sizes;
   std::map<Index, Index> node_of;
   for (const auto& [region, count] : held) {
@@ -164,6 +231,45 @@ double SurfaceRegions::seam(std::span<const Index> points) const {
       seam = std::max(seam, bend);
   });
   return seam;
+}
+
+SurfaceRegions smooth_regions(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                              const NeighborLists& neighbors, const SurfacePartsOptions& options) {
+  options.validate();
+  OversegmentationOptions growing;
+  growing.min_size = 1;
+  growing.min_smooth_fraction = options.min_smooth_fraction;
+  std::vector<PointIndices> regions = grow_regions(cloud, neighbors, options.smooth_angle, growing);
+  const std::vector<Index> region_of = labels_of(cloud.size(), regions);
+  SurfaceRegions::Borders borders;
+  for (const WeightedEdge& edge : edges) {
+    const Index a = region_of[edge.a], b = region_of[edge.b];
+    if (a != b) borders[std::minmax(a, b)] += {1.0, 1.0 - double{edge.weight}};
+  }
+  return {cloud.size(), std::move(regions), borders, options};
+}
+
+SurfaceRegions patch_regions(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                             const SurfacePartsOptions& options) {
+  options.validate();
+  const std::vector<SurfacePatch> patches = surface_patches(cloud, edges, options);
+  std::vector<PointIndices> regions;
+  for (const SurfacePatch& patch : patches) regions.push_back(patch.points);
+  const std::vector<Index> region_of = labels_of(cloud.size(), regions);
+  SurfaceRegions::Borders borders;
+  for (const WeightedEdge& edge : edges) {
+    const Index a = region_of[edge.a], b = region_of[edge.b];
+    if (a != b) borders[std::minmax(a, b)].edges += 1.0;
+  }
+  for (const auto& pair : patches_across_gaps(patches, options)) {
+    RegionBorder& border = borders[pair];
+    if (border.edges == 0.0) border.edges = gap_edges;
+  }
+  for (auto& [pair, border] : borders) {
+    const double fold = double{patch_concavity(patches[pair.first], patches[pair.second])};
+    border.weakness = border.edges * std::min(1.0, fold / (0.5 * std::numbers::pi));
+  }
+  return {cloud.size(), std::move(regions), borders, options};
 }
 
 }  // namespace symscene

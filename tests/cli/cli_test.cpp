@@ -151,7 +151,7 @@ TEST_F(Command, ChoosesObjectsByTheModelsThatAConfigurationNames) {
   write(file("alone.txt"), constant_model("object_alone", "-20"));
   write(file("among.txt"), constant_model("object_among_others", "-20"));
   write(file("models.json"), R"({"models": {"object_alone": "alone.txt",
-      "object_among_others": "among.txt"}, "object_score": {"confidence_weight": 0.0}})");
+      "object_among_others": "among.txt"}})");
   ASSERT_EQ(run("segment scene -o none --config models.json").code, 0);
   EXPECT_TRUE(objects_without_times("none").at("objects").empty());
   EXPECT_FALSE(objects_without_times("result").at("objects").empty());

@@ -48,9 +48,12 @@ DistanceField seen_around_boxes(const PointCloud& cloud) {
 ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
                            const std::vector<WeightedEdge>& edges, const DistanceField& field,
                            const std::optional<Plane>& table = {}) {
-  const SurfaceRegions regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
+  const SurfaceRegions regions =
+      smooth_regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
+  const SurfaceRegions patches = patch_regions(cloud, edges);
   const ProposalOptions options;
-  return ObjectMeter({cloud, edges, field, regions, table}, options).measure({points, {}, {}, 0.0});
+  return ObjectMeter({cloud, edges, field, regions, patches, table}, options)
+      .measure({points, {}, {}, 0.0});
 }
 
 ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
@@ -72,8 +75,8 @@ TEST(ObjectFeatures, HaveAsManyValuesAsNamesInTheirOrder) {
   ObjectFeatures::visit_fields(features,
                                [&](const char*, double value) { values.push_back(value); });
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(values.at(k), static_cast<double>(k));
-  EXPECT_EQ(features.size, 0.0);
-  EXPECT_EQ(features.confidence, 23.0);
+  EXPECT_EQ(features.broken, 0.0);
+  EXPECT_EQ(features.confidence, 26.0);
 }
 
 TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
@@ -86,7 +89,6 @@ TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
   const std::vector<WeightedEdge> edges{{0, 1, 0.75F}, {1, 2, 0.5F}, {0, 3, 0.25F}};
   const DistanceField field = testing::nothing_known(cloud);
   const ObjectFeatures features = features_of(cloud, {0, 1}, edges, field);
-  EXPECT_DOUBLE_EQ(features.size, std::log(2.0));
   EXPECT_DOUBLE_EQ(features.broken, 0.75 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(features.rim, 2.0 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(features.torn, 0.5);
@@ -160,7 +162,9 @@ TEST(ObjectMeter, MeasuresExtentsAndHeightsOverTheTable) {
 TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
   const PointCloud cloud = two_boxes();
   const std::vector<WeightedEdge> edges = surface_graph(cloud);
-  const SurfaceRegions regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
+  const SurfaceRegions regions =
+      smooth_regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
+  const SurfaceRegions patches = patch_regions(cloud, edges);
   const DistanceField field = seen_around_boxes(cloud);
   const std::optional<Plane> table = Plane{Eigen::Vector3d::UnitZ(), 0.0};
   const ProposalOptions options;
@@ -168,7 +172,7 @@ TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
   box.points.resize(cloud.size() / 2);
   box.reflectional = {{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.0},
                       {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}, 0.0}};
-  const ObjectMeter meter({cloud, edges, field, regions, table}, options);
+  const ObjectMeter meter({cloud, edges, field, regions, patches, table}, options);
   const ObjectFeatures features = meter.measure(box);
   EXPECT_EQ(features.confidence, 0.7);
   EXPECT_EQ(features.axes, 0.0);
@@ -177,6 +181,9 @@ TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
   EXPECT_GT(features.plane_inlier, 0.8);
   EXPECT_LT(features.plane_occlusion, 0.05);
   EXPECT_EQ(features.seam, regions.seam(box.points));
+  EXPECT_EQ(features.fold, patches.seam(box.points));
+  EXPECT_EQ(features.fold_rim, patches.rim(box.points));
+  EXPECT_EQ(features.near_unity, patches.unity(box.points));
   EXPECT_EQ(features.continued, 0.0);
 }
 

@@ -179,27 +179,15 @@ TEST(Proposals, ScoreObjectsHighAndFragmentsAndUnionsLow) {
 
 TEST(Proposals, HaveOneFieldPerScore) {
   for (const ObjectProposal& proposal : propose_objects(box_and_vase()).objects) {
-    EXPECT_GE(proposal.probability, 0.6 * proposal.features.confidence - 1e-12);
-    EXPECT_DOUBLE_EQ(proposal.object.score, proposal.probability * (1.0 - proposal.discount));
+    EXPECT_GT(proposal.object.score, 0.0);
+    EXPECT_LT(proposal.object.score, 1.0);
     EXPECT_GT(proposal.estimate, 0.0);
     EXPECT_LT(proposal.estimate, 1.0);
   }
 }
 
-TEST(Proposals, DependOnTheWeightOfTheConfidence) {
-  PipelineOptions options;
-  options.object_score.confidence_weight = 0.0;
-  const SceneProposals weighted = propose_objects(box_and_vase());
-  const SceneProposals unweighted = propose_objects(box_and_vase(), options);
-  EXPECT_LT(unweighted.objects.front().object.score, weighted.objects.front().object.score);
-  for (const ObjectProposal& proposal : unweighted.objects)
-    EXPECT_NEAR(proposal.own_score, proposal.estimate,
-                proposal.features.continued > 0.0 ? 1.0 : 1e-12);
-}
-
 TEST(Proposals, UseTheModelsThatAreGiven) {
   PipelineOptions options;
-  options.object_score.confidence_weight = 0.0;
   const auto constant = [](const TreeModel& model) {
     return std::make_shared<const TreeModel>(model.name(), model.features(), -3.0F,
                                              std::vector<Tree>{});
@@ -208,7 +196,7 @@ TEST(Proposals, UseTheModelsThatAreGiven) {
   EXPECT_THROW(propose_objects(box_and_vase(), options), InputError);  // one of two
   options.models.object_among_others.model = constant(object_context_model());
   for (const ObjectProposal& proposal : propose_objects(box_and_vase(), options).objects)
-    EXPECT_NEAR(proposal.probability, 1.0 / (1.0 + std::exp(3.0)), 1e-12);
+    EXPECT_NEAR(proposal.object.score, 1.0 / (1.0 + std::exp(3.0)), 1e-12);
   options.models.axis.model = options.models.object_alone.model;
   EXPECT_THROW(propose_objects(box_and_vase(), options), InputError);  // not an axis model
 }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <set>
 
 #include "surfaces.hpp"
 #include "symscene/core/error.hpp"
@@ -12,7 +14,7 @@ namespace symscene {
 namespace {
 
 SurfaceRegions regions_of(const PointCloud& cloud, const SurfacePartsOptions& options = {}) {
-  return SurfaceRegions(cloud, surface_graph(cloud), radius_neighbors(cloud.positions, 0.00866F),
+  return smooth_regions(cloud, surface_graph(cloud), radius_neighbors(cloud.positions, 0.00866F),
                         options);
 }
 
@@ -135,13 +137,50 @@ TEST(Seam, BetweenTwoPatchesIsTheMeanWeaknessOfTheirEdges) {
     }
   }
   const std::vector<WeightedEdge> edges{{0, 1, 0.5F}, {0, patch, 0.125F}, {1, patch + 1, 0.375F}};
-  const SurfaceRegions regions(cloud, edges, radius_neighbors(cloud.positions, 0.0071F));
+  const SurfaceRegions regions =
+      smooth_regions(cloud, edges, radius_neighbors(cloud.positions, 0.0071F));
   EXPECT_EQ(regions.parts().size(), 3U);
   EXPECT_DOUBLE_EQ(regions.seam(testing::all_of(cloud)), 0.75);
   // The floor alone, with a few points of the wall: the wall is not of the set.
   PointIndices floor = testing::all_of(cloud);
   floor.resize(patch + 5);
   EXPECT_DOUBLE_EQ(regions.seam(floor), 0.0);
+}
+
+TEST(PatchRegions, OfTwoTouchingBoxesPartAtTheFold) {
+  const TouchingBoxes scene;
+  const SurfaceRegions patches = patch_regions(scene.cloud, surface_graph(scene.cloud));
+  const std::vector<PointIndices> parts = patches.parts_at(std::array{0.3});
+  EXPECT_GT(best_overlap(parts, scene.large), 0.9);
+  EXPECT_GT(best_overlap(parts, scene.small), 0.9);
+  EXPECT_LT(best_overlap(parts, testing::all_of(scene.cloud)), 0.9);
+  EXPECT_EQ(best_overlap(patches.parts_at(std::array{1.0}), testing::all_of(scene.cloud)), 1.0);
+  EXPECT_LT(patches.seam(scene.large), 0.2);
+  EXPECT_GT(patches.seam(testing::all_of(scene.cloud)), 0.5);
+  // Nothing lies around both; the border of one is the fold to the other.
+  EXPECT_EQ(patches.rim(testing::all_of(scene.cloud)), 1.0);
+  EXPECT_GT(patches.rim(scene.small), 0.5);
+  EXPECT_LT(patches.rim(face(scene.cloud, Eigen::Vector3f::UnitY())), 0.2);
+}
+
+TEST(PatchRegions, AreOneAcrossASmallGapAndTwoAcrossALargeOne) {
+  const PointCloud cube = testing::box({0.06, 0.06, 0.06});
+  for (const auto& [gap, unity] : {std::pair{0.01F, 1.0}, std::pair{0.1F, 0.5}}) {
+    PointCloud other = cube;
+    other.positions.col(0).array() += 0.06F + gap;
+    const PointCloud both = testing::joined(cube, other);
+    const SurfaceRegions patches = patch_regions(both, surface_graph(both));
+    EXPECT_NEAR(patches.unity(testing::all_of(both)), unity, 0.01);
+  }
+}
+
+TEST(PatchRegions, ArePartedAtEveryScaleBelowTheWhole) {
+  const TouchingBoxes scene;
+  const SurfaceRegions regions = regions_of(scene.cloud);
+  std::set<PointIndices> all;
+  for (PointIndices& part : regions.parts()) all.insert(std::move(part));
+  for (const PointIndices& part : regions.parts_at(std::array{0.05, 0.3, 0.6}))
+    EXPECT_TRUE(all.contains(part));
 }
 
 TEST(SurfacePartsOptions, OutOfRangeAreRefused) {

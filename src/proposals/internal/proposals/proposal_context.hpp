@@ -53,6 +53,9 @@ class SharedCounts {
   /// `proposals` are ascending indices.
   explicit SharedCounts(std::span<const PointIndices* const> proposals,
                         const ProposalContextOptions& options = {});
+  /// From the numbers of points of N proposals, and N×N numbers of shared points.
+  SharedCounts(std::vector<std::uint32_t> sizes, std::vector<std::uint32_t> shared,
+               const ProposalContextOptions& options = {});
 
   std::size_t count() const { return sizes_.size(); }
   const ProposalContextOptions& options() const { return options_; }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "symscene/core/neighbors.hpp"
@@ -23,25 +25,37 @@ struct RegionBorder {
   }
 };
 
-/// Smooth regions that cover a cloud, and their borders. Merging them pair by pair, the strongest
-/// border (by mean edge weight) first, gives a tree of parts: the surface split along concave
-/// borders at every scale. Objects that touch meet in a concave border, so that each is a node of
-/// the tree (the convexity criterion of Stein et al. 2014 without a threshold, the tree of Arbelaez
-/// et al. 2011).
+/// Regions that cover a cloud, and their borders. Merging them pair by pair, the strongest border
+/// first, gives a tree of parts: the surface split along concave borders at every scale. Objects
+/// that touch meet in a concave border, so that each is a node of the tree (the convexity criterion
+/// of Stein et al. 2014 without a threshold, the tree of Arbelaez et al. 2011).
 class SurfaceRegions {
  public:
-  /// `edges` is the surface graph of `cloud`, `neighbors` are those of region growing. Throws
-  /// InputError if an option is invalid.
-  SurfaceRegions(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
-                 const NeighborLists& neighbors, const SurfacePartsOptions& options = {});
+  using Borders = std::map<std::pair<Index, Index>, RegionBorder>;
+
+  /// `regions` are disjoint and hold every point of a cloud of `points`; `borders` are by pairs of
+  /// regions a < b. Throws InputError if an option is invalid.
+  SurfaceRegions(std::size_t points, std::vector<PointIndices> regions, const Borders& borders,
+                 const SurfacePartsOptions& options);
 
   /// The nodes of the tree of at least `min_size` points, as ascending indices: first the regions,
   /// then the merged regions, in order.
   std::vector<PointIndices> parts() const;
 
+  /// The nodes of at least `min_size` points that exist when merging stops at the given weakness of
+  /// a border, at each of several: partitions of the surface at several scales.
+  std::vector<PointIndices> parts_at(std::span<const double> weaknesses) const;
+
   /// The weakness of the weakest border that joins two large parts of a set, in [0, 1]: 0 for a
   /// smooth surface, towards 1 for two objects that touch. `points` ascend.
   double seam(std::span<const Index> points) const;
+
+  /// The share of a set's points in its largest connected component, of the regions that it holds.
+  double unity(std::span<const Index> points) const;
+
+  /// The mean weakness of the borders between the regions that a set holds and all others, in
+  /// [0, 1]; 1 if there is none. `points` ascend.
+  double rim(std::span<const Index> points) const;
 
  private:
   struct Meeting {
@@ -49,11 +63,33 @@ class SurfaceRegions {
     RegionBorder border;
   };
 
+  /// The nodes of the tree, first the regions, and the weakness at which each appears and ends.
+  struct Tree {
+    std::vector<PointIndices> points;
+    std::vector<double> joined_at, consumed_at;
+  };
+
+  Tree tree() const;
+  std::map<Index, std::size_t> held_by(std::span<const Index> points) const;
+  void erase_small(std::vector<PointIndices>& parts) const;
+
   SurfacePartsOptions options_;
   std::vector<PointIndices> regions_;
   std::vector<Index> region_of_;  ///< one per point
   std::vector<Meeting> meetings_;
   std::vector<std::vector<Index>> meetings_of_;  ///< one list per region, into meetings_
 };
+
+/// The smooth regions of region growing; a border is as weak as the edges of the surface graph
+/// across it on average. `edges` is the surface graph of `cloud`, `neighbors` are those of region
+/// growing. Throws InputError if an option is invalid.
+SurfaceRegions smooth_regions(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                              const NeighborLists& neighbors,
+                              const SurfacePartsOptions& options = {});
+
+/// The patches of the surface (surface_patches()); a border is as weak as the folds between patches
+/// across it on average, 1 for a fold of a right angle. Throws InputError if an option is invalid.
+SurfaceRegions patch_regions(const PointCloud& cloud, const std::vector<WeightedEdge>& edges,
+                             const SurfacePartsOptions& options = {});
 
 }  // namespace symscene

@@ -38,7 +38,6 @@ struct PipelineOptions {
   MergeOptions merge;
   ObjectFeatureOptions object_features;
   ProposalContextOptions proposal_context;
-  ObjectScoreOptions object_score;
   SelectionOptions selection;
   ObjectSymmetryOptions object_symmetry;
   CompletionOptions completion;
@@ -74,7 +73,6 @@ struct PipelineOptions {
     visit("merge", self.merge);
     visit("object_features", self.object_features);
     visit("proposal_context", self.proposal_context);
-    visit("object_score", self.object_score);
     visit("selection", self.selection);
     visit("object_symmetry", self.object_symmetry);
     visit("completion", self.completion);

@@ -7,14 +7,16 @@ namespace symscene {
 /// Features of a proposal: how likely its points are one whole object. Edges are those of the
 /// surface graph, whose weights are in [0, 1]. The thresholds are ObjectFeatureOptions.
 struct ObjectFeatures {
-  double size = 0.0;             ///< natural logarithm of the number of points
   double broken = 0.0;           ///< weight of the edges that leave, by the root of its size
   double torn = 0.0;             ///< share of the leaving edges that are not creases
   double rim = 0.0;              ///< points with a leaving edge, by the root of its size
   double bend = 0.0;             ///< mean 1 - weight of the concave edges inside, 0 for convex ones
   double crease = 0.0;           ///< share of the edges inside that are creases
   double seam = 0.0;             ///< SurfaceRegions::seam()
+  double fold = 0.0;             ///< SurfaceRegions::seam() of the patches
+  double fold_rim = 0.0;         ///< SurfaceRegions::rim() of the patches
   double unity = 0.0;            ///< share of the largest connected component
+  double near_unity = 0.0;       ///< the same of its patches, with small gaps bridged
   double convexity = 0.0;        ///< share of pairs of points that are convex
   double empty = 0.0;            ///< share of places between two points that were seen empty
   double length = 0.0;           ///< extents along the principal axes, longest first [m]
@@ -30,19 +32,22 @@ struct ObjectFeatures {
   double plane_inlier = 0.0;     ///< greatest inlier share of these (Eq. 3.10)
   double plane_occlusion = 1.0;  ///< least occlusion residual (Eq. 4.7)
   double continued = 0.0;        ///< greatest continuation by another proposal (continuation())
+  double joined = 0.0;           ///< continuation of two proposals by each other that make it up
   double confidence = 0.0;       ///< of its most confident hypothesis (section 4.3.3); 0 for none
 
   /// Calls visit(name, value) for every feature, in this order, which is that of the models.
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("size", self.size);
     visit("broken", self.broken);
     visit("torn", self.torn);
     visit("rim", self.rim);
     visit("bend", self.bend);
     visit("crease", self.crease);
     visit("seam", self.seam);
+    visit("fold", self.fold);
+    visit("fold_rim", self.fold_rim);
     visit("unity", self.unity);
+    visit("near_unity", self.near_unity);
     visit("convexity", self.convexity);
     visit("empty", self.empty);
     visit("length", self.length);
@@ -58,9 +63,10 @@ struct ObjectFeatures {
     visit("plane_inlier", self.plane_inlier);
     visit("plane_occlusion", self.plane_occlusion);
     visit("continued", self.continued);
+    visit("joined", self.joined);
     visit("confidence", self.confidence);
   }
-  static constexpr std::size_t count = 24;
+  static constexpr std::size_t count = 27;
 };
 
 }  // namespace symscene

@@ -28,7 +28,8 @@ struct MergeOptions {
 struct ObjectFeatureOptions {
   double crease_weight = 0.5;
   double neighbor_distance = 0.02;
-  double max_protrusion = 0.005;
+  double convex_offset = 0.0025;
+  double convex_slope = 0.15;
   double empty_distance = 0.01;
   int pair_points = 40;
   int neighbor_points = 200;
@@ -39,8 +40,12 @@ struct ObjectFeatureOptions {
           "a concave edge of the surface graph with a lower weight is a crease");
     visit("neighbor_distance", self.neighbor_distance, "m", between(0.001, 1.0),
           "distance within which a point of another proposal is near (near_others)");
-    visit("max_protrusion", self.max_protrusion, "m", at_least(0.0),
-          "two points are convex if neither lies farther in front of the other's tangent plane");
+    visit(
+        "convex_offset", self.convex_offset, "m", at_least(0.0),
+        "two points are convex if neither lies farther in front of the other's tangent plane than "
+        "this and convex_slope times their distance");
+    visit("convex_slope", self.convex_slope, "", at_least(0.0),
+          "the part of that bound which grows with the distance of the points");
     visit("empty_distance", self.empty_distance, "m", at_least(0.0),
           "a place farther from occupied and unseen space counts as empty");
     visit("pair_points", self.pair_points, "points", between(2, 1000),
@@ -81,24 +86,11 @@ struct ProposalContextOptions {
   void validate() const { check_fields(*this); }
 };
 
-/// How estimated probabilities become scores.
-struct ObjectScoreOptions {
-  double confidence_weight = 0.6;
-
-  template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit("confidence_weight", self.confidence_weight, "", between(0.0, 1.0),
-          "weight of the cut's confidence in the combined score");
-  }
-  void validate() const { check_fields(*this); }
-};
-
 /// Which proposals are joined because one continues the other behind an occluder.
 struct ContinuationOptions {
   int max_proposals = 40;
   double min_score = 0.1;
   double min_continuation = 0.15;
-  double joined_discount = 0.75;
   double max_gap = 0.2;
   int sample_points = 90;
   double max_plane_offset = 0.006;
@@ -107,7 +99,6 @@ struct ContinuationOptions {
   double probe_depth = 0.005;
   double min_hidden_share = 0.8;
   double max_shared = 0.05;
-  double contained_share = 0.95;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -117,8 +108,6 @@ struct ContinuationOptions {
           "least score of proposals that are examined");
     visit("min_continuation", self.min_continuation, "", at_least(0.0),
           "least share of points of both that continue the other, for two to be joined");
-    visit("joined_discount", self.joined_discount, "", between(0.0, 1.0),
-          "discount on the score of proposals inside a joined pair, times the score of the pair");
     visit("max_gap", self.max_gap, "m", at_least(0.0),
           "greatest distance between two proposals that are joined");
     visit("sample_points", self.sample_points, "points", between(1, 1000),
@@ -135,8 +124,6 @@ struct ContinuationOptions {
           "least share of pairs of continuing points between which the space is not empty");
     visit("max_shared", self.max_shared, "", between(0.0, 1.0),
           "greatest share of the smaller proposal's points that the two have in common");
-    visit("contained_share", self.contained_share, "", between(0.0, 1.0),
-          "a proposal lies inside a joined pair that holds a greater share of its points");
   }
   void validate() const { check_fields(*this); }
 };

@@ -16,12 +16,10 @@ namespace symscene {
 /// A candidate object: a set of points with the symmetries of its hypotheses, if any, its features
 /// and its scores, each in [0, 1].
 struct ObjectProposal {
-  SceneObject object;  ///< its score is probability * (1 - discount)
+  SceneObject object;  ///< its score is the probability from its relations to others too
   ObjectFeatures features;
-  double own_score = 0.0;    ///< from its features but `continued`, with the confidence
-  double estimate = 0.0;     ///< probability from all its features
-  double probability = 0.0;  ///< from its relations to other proposals too, with the confidence
-  double discount = 0.0;     ///< for a part of a joined pair
+  double own_score = 0.0;  ///< from its features but `continued` and `joined`
+  double estimate = 0.0;   ///< probability from all its features
 };
 
 /// The proposals of a scene with the detections and hypotheses that they are made of, before
@@ -54,7 +52,6 @@ struct ProposalOptions {
   MergeOptions merge;
   ObjectFeatureOptions object_features;
   ProposalContextOptions proposal_context;
-  ObjectScoreOptions object_score;
   ModelChoice object_alone;
   ModelChoice object_among_others;
 };

@@ -13,6 +13,8 @@ struct SurfacePartsOptions {
   int min_size = 60;
   double min_seam_share = 0.1;
   double min_region_share = 0.5;
+  double patch_size = 0.02;
+  double max_patch_gap = 1.75;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -32,6 +34,12 @@ struct SurfacePartsOptions {
     visit("min_region_share", self.min_region_share, "", between(0.0, 1.0),
           "a region belongs to a set if the set holds this share of its points (Stein et al. "
           "2014)");
+    visit("patch_size", self.patch_size, "m", above(0.0),
+          "spacing of the patches whose folds propose parts and score seams (Papon et al. 2013)");
+    visit(
+        "max_patch_gap", self.max_patch_gap, "patches", at_least(0.0),
+        "patches whose centres are nearer than this many times patch_size are adjacent even if no "
+        "edge joins them");
   }
   /// Throws InputError if a field is out of its range.
   void validate() const { check_fields(*this); }

@@ -1,4 +1,4 @@
-#include "core/thinned_size.hpp"
+#include "simulation/thinned_size.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,55 @@
+#!/bin/sh
+# Makes the data of the models of object scores and fits them:
+#   evaluation/training/train.sh BUILD DATA WORK MODELS
+# BUILD holds the programs (build/bin), DATA the meshes and real views (CONTRIBUTING.md), WORK takes
+# the data sets and samples, MODELS the models (models). Whatever is in WORK already is kept, so that
+# an interrupted run goes on where it stopped. SCALE=0.1 makes a tenth of the scenes, to try it out.
+set -eu
+build=$1 data=$2 work=$3 models=$4
+scale=${SCALE:-1}
+mkdir -p "$work"
+
+# make NAME SEED SCENES JSON [ARGUMENT...]: a data set and its samples, one kind of input.
+make() {
+  name=$1 seed=$2 scenes=$(awk "BEGIN { n = int($3 * $scale); print (n > 1 ? n : 2) }") json=$4
+  shift 4
+  [ -e "$work/$name.samples" ] && return
+  echo "$json" > "$work/$name.json"
+  "$build/symscene" dataset "$work/$name" --split training --scenes "$scenes" --seed "$seed" \
+    --config "$work/$name.json" "$@"
+  "$build/symscene_make_object_samples" "$work/$name" -o "$work/$name.samples" \
+    --variants as-is posed
+}
+
+ycb="--meshes $data/ycb --symmetries $data/ycb_symmetries/searched.json"
+sensor() { # the share of one sensor alone: NAME
+  case $1 in
+    structured) echo '"stereo": 0.0, "tof": 0.0' ;;
+    stereo) echo '"stereo": 1.0, "tof": 0.0' ;;
+    tof) echo '"stereo": 0.0, "tof": 1.0' ;;
+  esac
+}
+vary() { # VIEWS SENSOR: the options of a kind
+  case $1 in
+    single) views='"single_views": 1.0, "few_views": 0.0' ;;
+    few) views='"single_views": 0.0, "few_views": 1.0' ;;
+    tracked) views='"single_views": 0.0, "few_views": 0.0, "max_tracked_frames": 60' ;;
+  esac
+  echo "{\"arranged_every\": 3, \"variation\": {\"enabled\": true, $views, $(sensor "$2")}}"
+}
+
+seed=2000
+for sensor in structured stereo tof; do
+  seed=$((seed + 10))
+  make "single_$sensor" $((seed + 1)) 50 "$(vary single $sensor)" $ycb
+  make "few_$sensor" $((seed + 2)) 20 "$(vary few $sensor)" $ycb
+  make "tracked_$sensor" $((seed + 3)) 14 "$(vary tracked $sensor)" $ycb
+done
+make sweeps 2051 14 '{"camera": {"frames": 60}}' $ycb
+
+[ -e "$work/osd.samples" ] || "$build/symscene_make_object_samples" "$data/osd_learn" \
+  -o "$work/osd.samples" --variants as-is
+"$build/symscene_fit_object_score" "$work"/single_*.samples "$work"/few_*.samples \
+  "$work"/tracked_*.samples "$work/sweeps.samples" --held-out "$work/osd.samples" --leave-out \
+  --report "$work/reliability.md" -o "$models" \
+  --data "evaluation/training/train.sh, scale $scale"
