@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "io/atomic_file.hpp"
+#include "mask_images.hpp"
 #include "results.hpp"
 #include "score_models.hpp"
 #include "segment_input.hpp"
@@ -21,6 +22,7 @@ struct Segment {
   SegmentOptions options;
   SegmentSource source;
   std::filesystem::path page;
+  std::filesystem::path masks;
   std::optional<int> repeat;
 
   OptionFields configure() {
@@ -30,9 +32,11 @@ struct Segment {
 
   void check_outputs() const {
     require_not_input(shared.output, source.path);
-    if (page.empty()) return;
-    require_not_input(page, source.path);
-    require_not_input(page, shared.output);
+    for (const std::filesystem::path& extra : {page, masks}) {
+      if (extra.empty()) continue;
+      require_not_input(extra, source.path);
+      require_not_input(extra, shared.output);
+    }
   }
 
   /// The result. With --repeat its times are the medians over that many further runs.
@@ -57,6 +61,20 @@ struct Segment {
     page_options.surface = std::move(around.surface);
     page_options.trajectory = std::move(around.trajectory);
     write_file_atomically(page, render_page(result, page_options));
+  }
+
+  void require_frame(const SegmentInput& input) const {
+    if (masks.empty() || input.frame) return;
+    throw InputError(source.path.string(),
+                     "a depth image, as --masks needs (symscene masks labels sequences)",
+                     "a scene or a cloud");
+  }
+
+  void write_masks(const SegmentInput& input, const SegmentationResult& result) const {
+    if (masks.empty()) return;
+    MaskImageWriter writer(absolute(masks), result, options.masks);
+    writer.add(0, input.camera, *input.frame, Eigen::Isometry3d::Identity());
+    writer.finish();
   }
 
   SegmentationResult objects_of(const Scene& scene, Session& session) const {
@@ -85,10 +103,12 @@ struct Segment {
     Session session("segment", shared);
     session.on_begin()("read");
     SegmentInput input = source.read(options, session);
+    require_frame(input);
     SegmentationResult result = objects_of(input.scene, session);
     session.warn(std::span(result.warnings).subspan(input.scene.warnings.size()));
     result.timings.insert(result.timings.begin(), input.stages.begin(), input.stages.end());
     session.on_begin()("write");
+    write_masks(input, result);
     write_outputs(result,
                   {surface_around(input.surface, result, session), std::move(input.trajectory)});
     session.print_line(format_objects(result));
@@ -111,6 +131,8 @@ void add_segment(CommandLine& line) {
                   "scene folder, depth image, folder with one frame, or cloud (.ply, .pcd)");
   arguments.required_output(state->shared, "result folder to write");
   arguments.file("--page", state->page, "also write a page that shows the result");
+  arguments.folder("--masks", state->masks,
+                   "also write the label image of a depth image, and an overlay");
   arguments.count("--repeat", state->repeat,
                   "run N more times and report the median time of each stage");
   arguments.sequence_options(state->source.sequence);

@@ -59,7 +59,8 @@ SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Sessi
     });
   });
   if (!table.none) report_table(built.table, session);
-  return {std::move(built.scene), {}, {{0.0, Eigen::Isometry3d::Identity()}}, timer.stages()};
+  return {std::move(built.scene), {}, {{0.0, Eigen::Isometry3d::Identity()}},
+          timer.stages(),         {}, {}};
 }
 
 SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& session) const {
@@ -78,8 +79,14 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
   });
   for (const StageTime& stage : view.stages) timer.add(stage.stage, stage.seconds);
   if (!table.none) report_table(view.built.table, session);
-  return {std::move(view.built.scene), view_mesh(view.points, options.view.points), cameras,
-          timer.stages()};
+  SegmentInput input{std::move(view.built.scene),
+                     view_mesh(view.points, options.view.points),
+                     cameras,
+                     timer.stages(),
+                     {},
+                     sequence->camera()};
+  input.frame = frame;
+  return input;
 }
 
 SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session) const {

@@ -8,9 +8,11 @@ namespace symscene::app {
 /// A scene, and what the page shows around its objects.
 struct SegmentInput {
   Scene scene;
-  TriangleMesh surface;           ///< may be empty
-  Trajectory trajectory;          ///< may be empty
-  std::vector<StageTime> stages;  ///< wall time of making the scene
+  TriangleMesh surface;             ///< may be empty
+  Trajectory trajectory;            ///< may be empty
+  std::vector<StageTime> stages;    ///< wall time of making the scene
+  std::optional<DepthFrame> frame;  ///< of a scene that was made of one, in its camera's frame
+  CameraIntrinsics camera;          ///< of the frame
 };
 
 /// Where `symscene segment` finds its scene.

@@ -178,14 +178,12 @@ DatasetListing list_single_views(const fs::path& path) {
 /// same ending.
 bool has_single_views(const fs::path& path) { return !names_with(path, label_ending).empty(); }
 
-/// Throws InputError unless every object has a mask and no two masks share a point.
+/// Throws InputError unless there is an object and no two masks share a point.
 void require_masks(const SceneTruth& truth, const std::string& name) {
   if (truth.objects.empty()) throw InputError(name, "at least one object", "none");
   std::map<Index, std::string> owners;
   for (std::size_t k = 0; k < truth.objects.size(); ++k) {
     const std::string own = fmt::format("object {} (\"{}\")", k, truth.objects[k].name);
-    if (truth.objects[k].points.empty())
-      throw InputError(name, "points of every object", "none of " + own);
     for (const Index point : truth.objects[k].points) {
       const auto [owner, is_new] = owners.emplace(point, own);
       if (!is_new)
@@ -221,8 +219,10 @@ std::vector<std::uint16_t> read_labels(const fs::path& path, const ImageSize& ex
 }
 
 LoadedEntry load_single_view(const DatasetEntry& entry, const SingleViewOptions& options) {
-  SingleViewScene made = single_view_scene(read_labeled_frame(entry), options);
-  return {std::move(made.scene), std::move(made.truth), entry.subset, made.labels.size()};
+  LabeledFrame labeled = read_labeled_frame(entry);
+  SingleViewScene made = single_view_scene(labeled, options);
+  return {std::move(made.scene), std::move(made.truth), entry.subset, std::move(made.lost),
+          std::move(labeled)};
 }
 
 }  // namespace
@@ -283,7 +283,6 @@ LoadedEntry load_entry(const DatasetEntry& entry, const SingleViewOptions& optio
   loaded.truth = read_truth(entry.folder / truth_file, loaded.scene.cloud.size());
   require_masks(loaded.truth, (entry.folder / truth_file).string());
   loaded.subset = entry.subset;
-  loaded.objects = loaded.truth.objects.size();
   return loaded;
 }
 

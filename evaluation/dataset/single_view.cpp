@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "simulation/thinned_size.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -26,9 +25,17 @@ std::uint16_t label_at(const LabeledFrame& labeled, const Eigen::Vector3d& point
   return std::abs(depth - point_camera.z()) <= tolerance ? labeled.labels[i] : std::uint16_t{0};
 }
 
+/// The labels of the objects in an image, ascending.
+std::set<std::uint16_t> object_labels(const LabeledFrame& labeled) {
+  std::set<std::uint16_t> labels(labeled.labels.begin(), labeled.labels.end());
+  labels.erase(0);
+  return labels;
+}
+
 SceneTruth truth_of(const LabeledFrame& labeled, const Scene& scene,
                     const SingleViewOptions& options) {
   std::map<std::uint16_t, PointIndices> masks;
+  for (const std::uint16_t label : object_labels(labeled)) masks[label];
   for (Index i = 0; i < scene.cloud.size(); ++i) {
     const Eigen::Vector3d point = scene.cloud.position(i).cast<double>();
     const std::uint16_t label = label_at(labeled, point, options.label_depth);
@@ -37,18 +44,29 @@ SceneTruth truth_of(const LabeledFrame& labeled, const Scene& scene,
   SceneTruth truth;
   if (scene.table) truth.table = *scene.table;
   for (auto& [label, points] : masks) {
-    if (thinned_size(scene.cloud.positions, points) <
-        static_cast<std::size_t>(options.min_object_points)) {
-      continue;
-    }
     TrueObject object;
     object.name = fmt::format("object {}", label);
     for (const Index i : points) object.centroid += scene.cloud.position(i).cast<double>();
-    object.centroid /= static_cast<double>(points.size());
+    if (!points.empty()) object.centroid /= static_cast<double>(points.size());
     object.points = std::move(points);
     truth.objects.push_back(std::move(object));
   }
   return truth;
+}
+
+/// Per object why it has no point in the scene's cloud; empty if it has one.
+std::vector<std::string> losses_of(const LabeledFrame& labeled, const SceneTruth& truth,
+                                   const ViewPoints& points) {
+  std::set<std::uint16_t> on_surface;
+  for (const Index pixel : points.pixels) on_surface.insert(labeled.labels[pixel]);
+  std::vector<std::string> losses;
+  std::size_t k = 0;
+  for (const std::uint16_t label : object_labels(labeled)) {
+    const bool is_lost = truth.objects[k++].points.empty();
+    const char* reason = on_surface.contains(label) ? "outside the crop" : "no surface";
+    losses.emplace_back(is_lost ? reason : "");
+  }
+  return losses;
 }
 
 void require_size(std::size_t values, const CameraIntrinsics& camera, const char* what) {
@@ -64,12 +82,10 @@ SingleViewScene single_view_scene(const LabeledFrame& labeled, const SingleViewO
   require_size(labeled.frame.depth.size(), labeled.camera, "depth image");
   require_size(labeled.labels.size(), labeled.camera, "label image");
   SingleViewScene result;
-  const std::set<std::uint16_t> labels(labeled.labels.begin(), labeled.labels.end());
-  for (const std::uint16_t label : labels) {
-    if (label != 0) result.labels.push_back(label);
-  }
-  result.scene = view_scene({labeled.frame, labeled.camera}, options.view).built.scene;
+  ViewScene view = view_scene({labeled.frame, labeled.camera}, options.view);
+  result.scene = std::move(view.built.scene);
   result.truth = truth_of(labeled, result.scene, options);
+  result.lost = losses_of(labeled, result.truth, view.points);
   return result;
 }
 

@@ -8,9 +8,9 @@ namespace symscene {
 
 /// A scene from one image, with the ground truth that the labels define.
 struct SingleViewScene {
-  Scene scene;                      ///< in the camera frame
-  SceneTruth truth;                 ///< masks only; symmetries are not known
-  std::vector<std::size_t> labels;  ///< labels in the image, ascending
+  Scene scene;                    ///< in the camera frame
+  SceneTruth truth;               ///< one object per label; symmetries are not known
+  std::vector<std::string> lost;  ///< per object why it has no point in the cloud; empty if it has
 };
 
 /// Makes a scene from a single image with view_scene(). A point takes the label of the pixel that

@@ -53,6 +53,7 @@ void Evaluation::add(SceneEvaluation scene) {
   if (!scene.subset.empty()) add_sweeps(scene.segmentation, subsets[scene.subset]);
   for (const ObjectOutcome& outcome : scene.objects) {
     outcomes.add(outcome);
+    if (outcome.is_small) small_objects.add(outcome);
     kinds[outcome.kind].add(outcome);
   }
   scenes.push_back(std::move(scene));

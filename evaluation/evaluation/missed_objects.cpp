@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/thinned_size.hpp"
 #include "symmetry_targets.hpp"
 
 namespace symscene {
@@ -102,6 +103,11 @@ std::string segmentation_error(const Target& target, const BestProposal& best) {
 
 void judge_outcome(const Target& target, const SceneProposals& proposals,
                    const SegmentationResult& result, ObjectOutcome& outcome) {
+  if (target.mask.empty()) {
+    outcome.outcome = Outcome::lost;
+    outcome.reason = "no point";
+    return;
+  }
   const BestProposal best = best_proposal(target, proposals);
   outcome.best_proposal_overlap = best.overlap;
   if (outcome.best_overlap > found_overlap) return;
@@ -126,7 +132,8 @@ void count_met(const SymmetryMatch& match, std::size_t count, std::size_t& next,
 }  // namespace
 
 std::string outcome_name(Outcome outcome) {
-  static constexpr std::array names = {"found", "not proposed", "wrongly segmented", "rejected"};
+  static constexpr std::array names = {"found", "not proposed", "wrongly segmented", "rejected",
+                                       "lost before segmentation"};
   static_assert(names.size() == all_outcomes.size());
   return names[static_cast<std::size_t>(outcome)];
 }
@@ -148,6 +155,7 @@ std::vector<ObjectOutcome> object_outcomes(const SceneTruth& truth,
     ObjectOutcome outcome;
     outcome.kind = truth.objects[k].name;
     outcome.points = target.mask.size();
+    outcome.is_small = thinned_size(proposals.cloud.positions, target.mask) < small_object_points;
     for (const SceneObject& object : result.objects)
       outcome.best_overlap = std::max(outcome.best_overlap, target.overlap(object.points));
     judge_outcome(target, proposals, result, outcome);

@@ -11,8 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// 2 since objects are counted under "missed_objects".
-constexpr int report_version = 2;
+/// 3 since every labelled object counts, and since there are metrics of pixels.
+constexpr int report_version = 3;
 
 Json to_json(const SegmentMetrics& metrics) {
   return {{"overlap_precision", metrics.overlap_precision},
@@ -40,6 +40,7 @@ Json to_json(const Sweep& sweep, const SettingCounts& counts) {
     json["mean_iou"] = counts.mean_overlap();
     json["segments"] = to_json(counts.segments.mean(counts.scenes));
   }
+  if (counts.images > 0) json["pixels"] = to_json(counts.pixels.mean(counts.images));
   return json;
 }
 
@@ -83,6 +84,11 @@ Json headline_json(const std::vector<Sweep>& sweeps) {
     numbers["overlap_f"] = row.segments.overlap_f;
     numbers["boundary_f"] = row.segments.boundary_f;
     numbers["f_75"] = row.segments.found_75;
+    if (row.pixels) {
+      numbers["pixel_overlap_f"] = row.pixels->overlap_f;
+      numbers["pixel_boundary_f"] = row.pixels->boundary_f;
+      numbers["pixel_f_75"] = row.pixels->found_75;
+    }
     json.push_back({{"method", row.method},
                     {"setting", row.setting.starts_with("best") ? "best" : row.setting},
                     {"numbers", std::move(numbers)}});
@@ -105,7 +111,9 @@ Json to_json(const OutcomeCounts& counts) {
 }
 
 Json missed_objects_json(const Evaluation& evaluation) {
-  Json json = {{"all", to_json(evaluation.outcomes)}, {"kinds", Json::object()}};
+  Json json = {{"all", to_json(evaluation.outcomes)},
+               {"small", to_json(evaluation.small_objects)},
+               {"kinds", Json::object()}};
   for (const auto& [kind, counts] : evaluation.kinds) json["kinds"][kind] = to_json(counts);
   return json;
 }
@@ -114,14 +122,12 @@ Json to_json(const SceneEvaluation& scene) {
   Json times = Json::object();
   for (const StageTime& time : scene.timings)
     times[time.stage] = times.value(time.stage, 0.0) + time.seconds;
-  Json json = {{"name", scene.name},
-               {"subset", scene.subset},
-               {"unseen", scene.unseen},
-               {"returned", scene.returned}};
+  Json json = {{"name", scene.name}, {"subset", scene.subset}, {"returned", scene.returned}};
   json["objects"] = Json::array();
   for (const ObjectOutcome& outcome : scene.objects) {
     json["objects"].push_back({{"kind", outcome.kind},
                                {"points", outcome.points},
+                               {"small", outcome.is_small},
                                {"best_iou", outcome.best_overlap},
                                {"best_proposal_iou", outcome.best_proposal_overlap},
                                {"outcome", outcome_name(outcome.outcome)},

@@ -21,12 +21,26 @@ HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string 
                   {},
                   counts.mean_overlap(),
                   counts.segments.mean(counts.scenes),
+                  {},
                   counts.detections(Metric::masks_90).found};
+  if (counts.images > 0) row.pixels = counts.pixels.mean(counts.images);
   for (const Metric metric : sweep.metrics) {
     if (sweep.has(metric))
       row.f[static_cast<std::size_t>(metric)] = counts.detections(metric).f_measure();
   }
   return row;
+}
+
+/// The setting with the greatest overlap F on label images.
+std::optional<std::size_t> best_on_pixels(const Sweep& sweep) {
+  const auto overlap_f = [&](std::size_t k) {
+    return sweep.counts[k].pixels.mean(sweep.counts[k].images).overlap_f;
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < sweep.counts.size(); ++k) {
+    if (sweep.counts[k].images > 0 && (!best || overlap_f(k) > overlap_f(*best))) best = k;
+  }
+  return best;
 }
 
 std::vector<std::string> outcome_row(const std::string& name, const OutcomeCounts& counts) {
@@ -60,11 +74,10 @@ double f_of(const SceneEvaluation& scene) {
 }  // namespace
 
 std::string what_was_evaluated(const Evaluation& evaluation) {
-  std::size_t unseen = 0;
-  for (const SceneEvaluation& scene : evaluation.scenes) unseen += scene.unseen;
   std::string text =
       fmt::format("{} scenes, {} objects", evaluation.scenes.size(), evaluation.outcomes.objects);
-  if (unseen > 0) text += fmt::format(" and {} with too few points to count", unseen);
+  const std::size_t small = evaluation.small_objects.objects;
+  if (small > 0) text += fmt::format(", {} of them with few points", small);
   return text;
 }
 
@@ -101,6 +114,27 @@ TextTable headline_table(const std::vector<Sweep>& sweeps) {
   return table;
 }
 
+TextTable pixel_table(const std::vector<Sweep>& sweeps) {
+  TextTable table{
+      {"pixels of label images", "setting", "overlap P", "R", "F", "boundary P", "R", "F", "%75"}};
+  const auto add = [&](const Sweep& sweep, const std::string& setting,
+                       const SettingCounts& counts) {
+    if (counts.images == 0) return;
+    const SegmentMetrics mean = counts.pixels.mean(counts.images);
+    table.push_back({sweep.method, setting});
+    for (const double share :
+         {mean.overlap_precision, mean.overlap_recall, mean.overlap_f, mean.boundary_precision,
+          mean.boundary_recall, mean.boundary_f, mean.found_75})
+      table.back().push_back(percent(share));
+  };
+  for (const Sweep& sweep : sweeps) {
+    if (sweep.at_default) add(sweep, "default", *sweep.at_default);
+    const auto best = best_on_pixels(sweep);
+    if (best) add(sweep, "best: " + setting_text(sweep, *best), sweep.counts[*best]);
+  }
+  return table;
+}
+
 TextTable default_table(const std::vector<Sweep>& sweeps) {
   TextTable table{
       {"masks at 0.9", "precision", "recall", "F", "best F", "difference", "best setting"}};
@@ -122,6 +156,9 @@ TextTable missed_object_table(const Evaluation& evaluation) {
   TextTable table{{"kind", "objects"}};
   for (const Outcome outcome : all_outcomes) table.front().push_back(outcome_name(outcome));
   for (const auto& [name, counts] : evaluation.kinds) table.push_back(outcome_row(name, counts));
+  if (evaluation.small_objects.objects > 0)
+    table.push_back(outcome_row(fmt::format("fewer than {} points at 5 mm", small_object_points),
+                                evaluation.small_objects));
   table.push_back(outcome_row("all", evaluation.outcomes));
   return table;
 }
@@ -192,6 +229,11 @@ std::string headline_text(const std::vector<Sweep>& sweeps) {
 
 std::string default_text(const std::vector<Sweep>& sweeps) {
   return aligned(default_table(sweeps), 1);
+}
+
+std::string pixel_text(const std::vector<Sweep>& sweeps) {
+  const TextTable table = pixel_table(sweeps);
+  return table.size() == 1 ? "" : aligned(table, 2);
 }
 
 std::string missed_object_text(const Evaluation& evaluation) {

@@ -7,6 +7,7 @@ namespace symscene {
 
 /// The tables of the report, for the terminal and the page.
 TextTable headline_table(const std::vector<Sweep>& sweeps);
+TextTable pixel_table(const std::vector<Sweep>& sweeps);
 TextTable default_table(const std::vector<Sweep>& sweeps);
 TextTable missed_object_table(const Evaluation& evaluation);
 TextTable reason_table(const Evaluation& evaluation);

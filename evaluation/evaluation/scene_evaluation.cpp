@@ -145,6 +145,7 @@ Sweep baseline_sweep(const BaselineMethod& baseline, const PointCloud& cloud,
   sweep.counts.resize(found.masks.size());
   parallel_for_each(found.masks.size(), [&](std::size_t k) {
     sweep.counts[k] = context.count(found.masks[k], {}, {});
+    context.count_pixels(found.masks[k], sweep.counts[k]);
   });
   const auto runs = static_cast<double>(std::max<std::size_t>(found.values.size(), 1));
   sweep.seconds = timer.stages().back().seconds / runs;
@@ -231,6 +232,7 @@ struct Job {
   const SceneTruth& truth;
   const EvaluationOptions& options;
   const StageTimer::OnBegin& on_begin;
+  const std::optional<LabeledView>& view;
 };
 
 /// The pipeline with the given options: its sweeps, the outcome of every object and the times.
@@ -248,15 +250,15 @@ void evaluate_given(const Job& job, StageTimer& timer, SceneEvaluation& evaluati
   // A result's warnings begin with the scene's, but an empty scene has no result of its own.
   evaluation.warnings = scene.cloud.empty() ? scene.warnings : result.warnings;
   if (on_begin) on_begin("sweep");
-  const CountingContext context(scene, truth, proposals.cloud, options);
+  const CountingContext context(scene, truth, proposals.cloud, options, job.view);
   Sweep scored = score_sweep(proposals, context, options.pipeline);
   const bool full = options.pipeline.rotational_stream;
   Sweep bounded = segmentation_sweep(full ? full_method : reflectional_method, proposals, context,
                                      options.pipeline);
   bounded.at_default =
-      context.count(choose_objects(proposals, within_bounds(options.pipeline)).objects);
+      context.count_with_pixels(choose_objects(proposals, within_bounds(options.pipeline)).objects);
   Sweep& given = options.pipeline.selection.by_score ? scored : bounded;
-  given.at_default = context.count(result.objects);
+  given.at_default = context.count_with_pixels(result.objects);
   for (const StageTime& time : evaluation.timings) given.seconds += time.seconds;
   evaluation.segmentation.push_back(std::move(scored));
   evaluation.segmentation.push_back(std::move(bounded));
@@ -269,9 +271,10 @@ void evaluate_reflectional_only(const Job& job, SceneEvaluation& evaluation) {
   PipelineOptions pipeline = job.options.pipeline;
   pipeline.rotational_stream = false;
   const SceneProposals proposals = proposals_of(job.scene, pipeline, job.on_begin);
-  const CountingContext context(job.scene, job.truth, proposals.cloud, job.options);
+  const CountingContext context(job.scene, job.truth, proposals.cloud, job.options, job.view);
   Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, pipeline);
-  sweep.at_default = context.count(choose_objects(proposals, within_bounds(pipeline)).objects);
+  sweep.at_default =
+      context.count_with_pixels(choose_objects(proposals, within_bounds(pipeline)).objects);
   evaluation.segmentation.insert(evaluation.segmentation.begin() + 2, std::move(sweep));
 }
 
@@ -282,7 +285,6 @@ void require_usable_truth(const Scene& scene, const SceneTruth& truth) {
   for (std::size_t k = 0; k < truth.objects.size(); ++k) {
     const TrueObject& object = truth.objects[k];
     const std::string where = fmt::format("ground truth of object {} ({})", k, object.name);
-    if (object.points.empty()) throw InputError(where, "points of the cloud", "none");
     for (const Index i : object.points) {
       if (i >= owner.size()) {
         throw InputError(where, fmt::format("indices below {}", owner.size()),
@@ -299,12 +301,13 @@ void require_usable_truth(const Scene& scene, const SceneTruth& truth) {
 
 SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
                                const EvaluationOptions& options,
-                               const StageTimer::OnBegin& on_begin) {
+                               const StageTimer::OnBegin& on_begin,
+                               const std::optional<LabeledView>& view) {
   options.validate();
   require_usable_truth(scene, truth);
   SceneEvaluation evaluation;
   StageTimer timer(on_begin);
-  const Job job{scene, truth, options, on_begin};
+  const Job job{scene, truth, options, on_begin, view};
   evaluate_given(job, timer, evaluation);
   if (options.reflectional_only && options.pipeline.rotational_stream)
     evaluate_reflectional_only(job, evaluation);

@@ -13,6 +13,12 @@ bool knows_symmetries(const SceneTruth& truth) {
          });
 }
 
+std::vector<PointIndices> masks_of(const std::vector<SceneObject>& objects) {
+  std::vector<PointIndices> masks;
+  for (const SceneObject& object : objects) masks.push_back(object.points);
+  return masks;
+}
+
 }  // namespace
 
 SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
@@ -30,10 +36,17 @@ SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<Rotati
 }
 
 CountingContext::CountingContext(const Scene& scene, const SceneTruth& truth,
-                                 const PointCloud& cloud, const EvaluationOptions& options)
+                                 const PointCloud& cloud, const EvaluationOptions& options,
+                                 const std::optional<LabeledView>& view)
     : truth_(truth),
       masks_(transfer_masks(scene.cloud, truth, cloud, static_cast<float>(options.mask_radius))),
-      neighbors_(radius_neighbors(cloud.positions, static_cast<float>(options.boundary_radius))) {}
+      neighbors_(radius_neighbors(cloud.positions, static_cast<float>(options.boundary_radius))),
+      view_(view),
+      point_count_(cloud.size()) {
+  if (view)
+    pixel_points_ = PointsInView(cloud, scene.table, options.labels)
+                        .points_of(view->camera, view->depth, Eigen::Isometry3d::Identity());
+}
 
 SettingCounts CountingContext::count(const std::vector<PointIndices>& found,
                                      const std::vector<RotationAxis>& axes,
@@ -48,9 +61,21 @@ SettingCounts CountingContext::count(const std::vector<PointIndices>& found,
 }
 
 SettingCounts CountingContext::count(const std::vector<SceneObject>& objects) const {
-  std::vector<PointIndices> found;
-  for (const SceneObject& object : objects) found.push_back(object.points);
-  return count(found, all_axes(objects), all_planes(objects));
+  return count(masks_of(objects), all_axes(objects), all_planes(objects));
+}
+
+void CountingContext::count_pixels(const std::vector<PointIndices>& found,
+                                   SettingCounts& counts) const {
+  if (!view_) return;
+  counts.images = 1;
+  counts.pixels = pixel_metrics(view_->labels, label_image(pixel_points_, found, point_count_),
+                                view_->camera.width, view_->camera.height);
+}
+
+SettingCounts CountingContext::count_with_pixels(const std::vector<SceneObject>& objects) const {
+  SettingCounts counts = count(objects);
+  count_pixels(masks_of(objects), counts);
+  return counts;
 }
 
 SettingCounts CountingContext::recount(SettingCounts counts,

@@ -27,6 +27,8 @@ SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
   overlap_sum += other.overlap_sum;
   segments += other.segments;
   scenes += other.scenes;
+  pixels += other.pixels;
+  images += other.images;
   return *this;
 }
 

@@ -4,10 +4,10 @@
 
 #include "core/parallel.hpp"
 #include "core/random.hpp"
+#include "core/thinned_size.hpp"
 #include "depth_renderer.hpp"
 #include "frame_fusion.hpp"
 #include "shapes.hpp"
-#include "simulation/thinned_size.hpp"
 #include "symscene/core/error.hpp"
 #include "tabletop_meshes.hpp"
 #include "tabletop_parts.hpp"

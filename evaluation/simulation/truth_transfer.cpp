@@ -6,8 +6,8 @@
 #include <Eigen/SVD>
 
 #include "core/parallel.hpp"
+#include "core/thinned_size.hpp"
 #include "shapes.hpp"
-#include "simulation/thinned_size.hpp"
 #include "symscene/core/error.hpp"
 #include "true_surface.hpp"
 

@@ -62,7 +62,8 @@ std::unique_ptr<Workspace> EvaluateCommand::workspace_;
 std::string EvaluateCommand::report_;
 
 TEST_F(EvaluateCommand, WritesTheReportAndPrintsItsHeadlineAndTheMissedObjects) {
-  for (const char* name : {"report.html", "report.json", "curves.csv", "objects.csv", "scenes.csv"})
+  for (const char* name :
+       {"report.html", "report.json", "curves.csv", "objects.csv", "scenes.csv", "pixels.csv"})
     EXPECT_GT(fs::file_size(file("report") / name), 50U) << name;
   const auto json = nlohmann::json::parse(contents(file("report/report.json")));
   EXPECT_EQ(json.at("scenes").at(0).at("name"), "first");

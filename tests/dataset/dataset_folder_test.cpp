@@ -94,7 +94,9 @@ TEST(SingleViews, BecomeScenesWithMasks) {
   EXPECT_EQ(listing.entries[1].subset, "");
   const LoadedEntry loaded = load_entry(listing.entries[0]);
   ASSERT_TRUE(loaded.scene.table && loaded.scene.occupancy);
-  EXPECT_EQ(loaded.objects, 2U);
+  EXPECT_EQ(loaded.lost, (std::vector<std::string>{"", ""}));
+  ASSERT_TRUE(loaded.labeled);
+  EXPECT_EQ(loaded.labeled->labels.size(), loaded.labeled->camera.pixels());
   ASSERT_EQ(loaded.truth.objects.size(), 2U);
   std::size_t labelled = 0;
   for (const TrueObject& object : loaded.truth.objects) {
@@ -103,6 +105,22 @@ TEST(SingleViews, BecomeScenesWithMasks) {
     EXPECT_GT(loaded.scene.table->signed_distance(object.centroid), 0.0);
   }
   EXPECT_GT(static_cast<double>(labelled), 0.97 * loaded.scene.cloud.size());
+}
+
+TEST(SingleViews, CountEveryLabelAndTellWhyAnObjectWasLost) {
+  const TemporaryFolder folder;
+  SingleView view = two_objects();
+  // A label where nothing was measured.
+  for (std::size_t i = 0; i < 4; ++i) {
+    view.depth.values[i] = 0;
+    view.labels.values[i] = 9;
+  }
+  write_views(folder / "views", view);
+  const LoadedEntry loaded = load_entry(read_dataset(folder / "views").entries[0]);
+  ASSERT_EQ(loaded.truth.objects.size(), 3U);
+  EXPECT_TRUE(loaded.truth.objects[2].points.empty());
+  EXPECT_EQ(loaded.truth.objects[2].name, "object 9");
+  EXPECT_EQ(loaded.lost, (std::vector<std::string>{"", "", "no surface"}));
 }
 
 TEST(SingleViews, LeaveTheSpaceBehindObjectsNeverSeen) {
@@ -178,8 +196,16 @@ TEST(FoldersOfScenes, AreFoundTwoLevelsDownAndResultsAreNot) {
   ASSERT_EQ(listing.entries.size(), 2U);
   EXPECT_EQ(listing.entries[0].name, "seed9/scene");
   const LoadedEntry loaded = load_entry(listing.entries[1]);
-  EXPECT_EQ(loaded.objects, 2U);
+  EXPECT_EQ(loaded.truth.objects.size(), 2U);
   EXPECT_EQ(loaded.truth.objects[0].points, (PointIndices{0, 1}));
+}
+
+TEST(FoldersOfScenes, MayHaveObjectsOfWhichTheCloudHasNoPoint) {
+  const TemporaryFolder folder;
+  write_small_scene(folder / "all" / "one", "[0, 1]", "[]");
+  const LoadedEntry loaded = load_entry(read_dataset(folder / "all").entries.at(0));
+  ASSERT_EQ(loaded.truth.objects.size(), 2U);
+  EXPECT_TRUE(loaded.truth.objects[1].points.empty());
 }
 
 TEST(FoldersOfScenes, WithMissingOrContradictoryTruthAreRefused) {
@@ -196,8 +222,6 @@ TEST(FoldersOfScenes, WithMissingOrContradictoryTruthAreRefused) {
   write_small_scene(dir, "[0, 1]", "[4]");
   expect_in("truth.json", refused());
   expect_in("4", refused());
-  write_small_scene(dir, "[0, 1]", "[]");
-  expect_in("expected points of every object, found none of object 1 (\"box\")", refused());
   write_small_scene(dir, "[0, 1]", "[2]");
   write_text(dir / "truth.json", R"({"table": [0, 0, 1, 0], "objects": []})");
   expect_in("truth.json: expected at least one object, found none", refused());
@@ -221,7 +245,8 @@ TEST(ObjectSegmentationDatabase, EveryObjectIsInTheCloudOfItsImage) {
   for (const DatasetEntry& entry : read_dataset(*data / "osd_learn").entries) {
     const LoadedEntry loaded = load_entry(entry);
     EXPECT_TRUE(loaded.scene.table) << entry.name;
-    EXPECT_EQ(loaded.truth.objects.size(), loaded.objects) << entry.name;
+    EXPECT_EQ(loaded.truth.objects.size(), loaded.lost.size()) << entry.name;
+    for (const std::string& loss : loaded.lost) EXPECT_EQ(loss, "") << entry.name;
     points += loaded.scene.cloud.size();
     for (const TrueObject& object : loaded.truth.objects) labelled += object.points.size();
   }

@@ -148,5 +148,23 @@ TEST_F(MissedObjects, AGoodHypothesisMayBeMergedIntoAnObjectWithAWorseMask) {
   expect(Outcome::rejected, "merge");
 }
 
+TEST_F(MissedObjects, AnObjectWithoutAPointIsLost) {
+  propose(mirror, range(0, 50));
+  cut(range(0, 100));
+  const ObjectOutcome lost =
+      object_outcomes(truth_, {{}}, proposals_, choose_objects(proposals_, options_)).at(0);
+  EXPECT_EQ(outcome_name(lost.outcome), "lost before segmentation");
+  EXPECT_EQ(lost.reason, "no point");
+  EXPECT_EQ(lost.best_overlap, 0.0);
+  EXPECT_TRUE(lost.is_small);
+}
+
+TEST_F(MissedObjects, AnObjectIsSmallByItsPointsAtFiveMillimetres) {
+  EXPECT_TRUE(outcome().is_small);  // 100 points, but a row of 10 cm
+  for (Eigen::Index i = 0; i < 300; ++i)
+    proposals_.cloud.positions(i, 0) = 0.006F * static_cast<float>(i);
+  EXPECT_FALSE(outcome().is_small);
+}
+
 }  // namespace
 }  // namespace symscene

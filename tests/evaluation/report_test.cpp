@@ -161,7 +161,7 @@ TEST(ReportCsv, ReadsBackFieldByField) {
   EXPECT_EQ(objects.size(), 5U);
   EXPECT_EQ(objects.at(4).at(0), "second, \"again\"");
   EXPECT_EQ(objects.at(4).at(3), nasty);
-  EXPECT_EQ(objects.at(4).at(7), "rejected");
+  EXPECT_EQ(objects.at(4).at(8), "rejected");
   // Two methods with two settings, one of them with a default; in all and in the one subset.
   EXPECT_EQ(parse_csv(curves_csv(evaluation)).size(), 11U);
 }

@@ -52,7 +52,7 @@ std::string complaint(const Scene& scene, const SceneTruth& truth) {
 TEST(RequireUsableTruth, NamesTheObjectAndItsError) {
   const Scene scene = three_points();
   EXPECT_EQ(complaint(scene, truth_of({{0, 1}, {2}})), "");
-  EXPECT_NE(complaint(scene, truth_of({{0}, {}})).find("object 1 (cup)"), std::string::npos);
+  EXPECT_EQ(complaint(scene, truth_of({{0}, {}})), "");  // lost before segmentation
   EXPECT_NE(complaint(scene, truth_of({{3}})).find("indices below 3"), std::string::npos);
   EXPECT_NE(complaint(scene, truth_of({{0, 1}, {1}})).find("point 1 of object 0 too"),
             std::string::npos);
@@ -101,6 +101,35 @@ TEST(CountResult, CountsNoSymmetriesIfTheGroundTruthHasMasksOnly) {
   EXPECT_EQ(counts.detections(Metric::planes).found, 0U);
   truth.objects.front().rotational.emplace_back();
   EXPECT_EQ(count_result(scene, truth, result).detections(Metric::axes).ground_truth, 1U);
+}
+
+TEST(EvaluateScene, CountsObjectsOfWhichTheSceneHasNoPoint) {
+  EvaluationOptions options;
+  options.baselines = {everything};
+  const CameraIntrinsics camera{4, 2, 5, 5, 1.5, 0.5};
+  const std::vector<float> depth(8, 1.0F);
+  const std::vector<std::uint16_t> labels{1, 1, 0, 0, 2, 2, 0, 0};
+  const SceneEvaluation lost =
+      evaluate_scene(Scene{}, truth_of({{}, {}}), options, {}, LabeledView{camera, depth, labels});
+  ASSERT_EQ(lost.objects.size(), 2U);
+  EXPECT_EQ(lost.objects[1].outcome, Outcome::lost);
+  for (const Sweep& sweep : lost.segmentation) {
+    const SettingCounts& counts = sweep.at_default ? *sweep.at_default : sweep.counts[0];
+    EXPECT_EQ(counts.detections(Metric::masks_75).ground_truth, 2U) << sweep.method;
+    EXPECT_EQ(counts.detections(Metric::masks_75).recall(), 0.0) << sweep.method;
+    EXPECT_EQ(counts.images, 1U) << sweep.method;
+    EXPECT_EQ(counts.pixels.overlap_recall, 0.0) << sweep.method;
+  }
+  Evaluation evaluation;
+  evaluation.add(lost);
+  EXPECT_EQ(evaluation.outcomes.count(Outcome::lost), 2U);
+  EXPECT_EQ(evaluation.small_objects.objects, 2U);
+  EXPECT_NE(missed_object_text(evaluation).find("fewer than 100 points at 5 mm        2"),
+            std::string::npos)
+      << missed_object_text(evaluation);
+  EXPECT_NE(pixels_csv(evaluation).find("everything,,share=0,1,1.000000,0.000000,0.000000"),
+            std::string::npos)
+      << pixels_csv(evaluation);
 }
 
 TEST(EvaluateScene, AcceptsAnEmptyScene) {

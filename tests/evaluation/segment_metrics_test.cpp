@@ -143,5 +143,67 @@ TEST(SegmentMetrics, WithoutFoundMasksPrecisionIsOneAndRecallZero) {
   EXPECT_DOUBLE_EQ(nothing.boundary_f, 1.0);
 }
 
+/// An image of 40 by 10 pixels with a label for the columns [begin, end) of all rows.
+struct Stripe {
+  std::size_t begin;
+  std::size_t end;
+  std::uint16_t label;
+};
+
+std::vector<std::uint16_t> stripes(std::initializer_list<Stripe> all) {
+  std::vector<std::uint16_t> image(400, 0);
+  for (const Stripe& stripe : all) {
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (i % 40 >= stripe.begin && i % 40 < stripe.end) image[i] = stripe.label;
+    }
+  }
+  return image;
+}
+
+TEST(PixelMetrics, AreThoseCountedByHand) {
+  // Objects of 10 and 20 columns; the first is found whole, of the second 12 columns with 4 others.
+  const auto truth = stripes({{0, 10, 3}, {10, 30, 7}});
+  const auto found = stripes({{0, 10, 1}, {18, 34, 2}});
+  const SegmentMetrics m = pixel_metrics(truth, found, 40, 10);
+  EXPECT_DOUBLE_EQ(m.overlap_precision, 22.0 / 26.0);
+  EXPECT_DOUBLE_EQ(m.overlap_recall, 22.0 / 30.0);
+  EXPECT_DOUBLE_EQ(m.overlap_f, 44.0 / 56.0);
+  // Columns 9 | 18, 33 against 9 | 10, 29: only the first matches, within one pixel.
+  EXPECT_DOUBLE_EQ(m.boundary_precision, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(m.boundary_recall, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(m.found_75, 0.5);  // the second has F = 24 / 36
+}
+
+TEST(PixelMetrics, ABoundaryMatchesWithinItsDisc) {
+  // 0.3 % of the diagonal of 40 by 10 pixels is below one pixel.
+  const auto truth = stripes({{0, 20, 1}});
+  EXPECT_DOUBLE_EQ(pixel_metrics(truth, stripes({{0, 21, 1}}), 40, 10).boundary_f, 1.0);
+  EXPECT_DOUBLE_EQ(pixel_metrics(truth, stripes({{0, 22, 1}}), 40, 10).boundary_f, 0.0);
+}
+
+TEST(PixelMetrics, AnF75OfExactlyThreeQuartersIsNotEnough) {
+  // 2 · 12 / (12 + 20) = 0.75.
+  const auto truth = stripes({{0, 20, 1}});
+  EXPECT_DOUBLE_EQ(pixel_metrics(truth, stripes({{0, 12, 1}}), 40, 10).found_75, 0.0);
+  EXPECT_DOUBLE_EQ(pixel_metrics(truth, stripes({{0, 13, 1}}), 40, 10).found_75, 1.0);
+}
+
+TEST(PixelMetrics, DoNotDependOnTheNumbersOfLabels) {
+  const auto truth = stripes({{0, 10, 1}, {10, 30, 2}});
+  const auto found = stripes({{0, 14, 1}, {14, 30, 2}});
+  const auto other = stripes({{0, 14, 900}, {14, 30, 40}});
+  EXPECT_DOUBLE_EQ(pixel_metrics(truth, found, 40, 10).overlap_f,
+                   pixel_metrics(truth, other, 40, 10).overlap_f);
+}
+
+TEST(PixelMetrics, OfNothingFoundArePrecisionOneAndRecallZero) {
+  const SegmentMetrics m = pixel_metrics(stripes({{0, 10, 1}}), stripes({}), 40, 10);
+  EXPECT_DOUBLE_EQ(m.overlap_precision, 1.0);
+  EXPECT_DOUBLE_EQ(m.overlap_recall, 0.0);
+  EXPECT_DOUBLE_EQ(m.found_75, 0.0);
+  EXPECT_DOUBLE_EQ(pixel_metrics(stripes({}), stripes({}), 40, 10).overlap_f, 1.0);
+  EXPECT_THROW(pixel_metrics(stripes({}), stripes({}), 41, 10), InputError);
+}
+
 }  // namespace
 }  // namespace symscene

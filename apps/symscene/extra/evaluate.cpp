@@ -20,8 +20,8 @@ namespace symscene::app {
 namespace {
 
 bool belongs_to_report(const std::string& file) {
-  static constexpr std::array files = {"report.html", "report.json", "curves.csv", "objects.csv",
-                                       "scenes.csv"};
+  static constexpr std::array files = {"report.html", "report.json", "curves.csv",
+                                       "objects.csv", "scenes.csv",  "pixels.csv"};
   return std::find(files.begin(), files.end(), file) != files.end();
 }
 
@@ -35,6 +35,7 @@ void write_report(const std::filesystem::path& folder, const Evaluation& evaluat
   report.write("report.html", report_page(evaluation, info));
   report.write("report.json", json);
   report.write("curves.csv", curves_csv(evaluation));
+  report.write("pixels.csv", pixels_csv(evaluation));
   report.write("objects.csv", objects_csv(evaluation));
   report.write("scenes.csv", scenes_csv(evaluation));
   report.commit();
@@ -83,6 +84,12 @@ struct Evaluate {
       session.warn(fmt::format("scene {}: {}", entry.name, warning));
   }
 
+  static std::optional<LabeledView> view_of(const LoadedEntry& known) {
+    if (!known.labeled) return std::nullopt;
+    const LabeledFrame& labeled = *known.labeled;
+    return LabeledView{labeled.camera, labeled.frame.depth, labeled.labels};
+  }
+
   Evaluation evaluate(const std::vector<DatasetEntry>& entries, Session& session) const {
     Evaluation evaluation;
     SingleViewOptions single_views;
@@ -98,13 +105,16 @@ struct Evaluate {
       // Before the scene is evaluated: they explain why that may fail. The evaluation repeats them.
       warn_of(entry, known.scene.warnings, session);
       SceneEvaluation scene = naming(dataset / entry.name, [&] {
-        return evaluate_scene(known.scene, known.truth, options, on_begin);
+        return evaluate_scene(known.scene, known.truth, options, on_begin, view_of(known));
       });
       const std::span<const std::string> all = scene.warnings;
       warn_of(entry, all.subspan(known.scene.warnings.size()), session);
       scene.name = entry.name;
       scene.subset = known.subset;
-      scene.unseen = known.objects - std::min(known.objects, known.truth.objects.size());
+      for (std::size_t i = 0; i < known.lost.size(); ++i) {
+        if (scene.objects[i].outcome == Outcome::lost && !known.lost[i].empty())
+          scene.objects[i].reason = known.lost[i];
+      }
       evaluation.add(std::move(scene));
     }
     return evaluation;
@@ -128,6 +138,8 @@ struct Evaluate {
     session.print_line(fmt::format("{}; F in percent\n", what_was_evaluated(evaluation)));
     session.print_line(headline_text(evaluation.segmentation) + "\n" +
                        default_text(evaluation.segmentation) + format_subsets(evaluation));
+    const std::string pixels = pixel_text(evaluation.segmentation);
+    if (!pixels.empty()) session.print_line(pixels);
     session.print_line(missed_object_text(evaluation));
     session.print_line(runtime_text(evaluation));
     if (!earlier_json.empty())

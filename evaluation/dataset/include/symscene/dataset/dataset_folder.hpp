@@ -41,9 +41,10 @@ struct DatasetListing {
 /// A scene with its ground truth.
 struct LoadedEntry {
   Scene scene;
-  SceneTruth truth;  ///< empty if no table was found in an image
+  SceneTruth truth;  ///< every object, also those without a point in the scene's cloud
   std::string subset;
-  std::size_t objects = 0;  ///< number of objects, including those with too few points
+  std::vector<std::string> lost = {};  ///< per object of an image why it has no point, or empty
+  std::optional<LabeledFrame> labeled = {};  ///< of an image
 };
 
 /// Whether a path has one of the layouts that read_dataset() reads.
@@ -55,8 +56,8 @@ bool is_dataset(const std::filesystem::path& path);
 /// ground truth, or there is a depth image without labels or labels without a depth image.
 DatasetListing read_dataset(const std::filesystem::path& path);
 
-/// Reads a scene and its ground truth. Throws InputError if a file cannot be read, a mask is
-/// missing or names a point that the cloud does not have, two masks share a point, or images differ
+/// Reads a scene and its ground truth. Throws InputError if a file cannot be read, a mask names a
+/// point that the cloud does not have, two masks share a point, or images differ
 /// in size.
 LoadedEntry load_entry(const DatasetEntry& entry, const SingleViewOptions& options = {});
 

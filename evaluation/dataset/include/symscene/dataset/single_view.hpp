@@ -11,7 +11,6 @@ namespace symscene {
 struct SingleViewOptions {
   ViewSceneOptions view;
   double label_depth = 0.015;
-  int min_object_points = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -19,8 +18,6 @@ struct SingleViewOptions {
     visit("label_depth", self.label_depth, "m", above(0.0),
           "largest difference between the depth of a point and of its pixel for it to take the "
           "label");
-    visit("min_object_points", self.min_object_points, "", at_least(1),
-          "least points at 5 mm of an object in the ground truth");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }

@@ -44,6 +44,7 @@ struct Evaluation {
   std::vector<Sweep> detection;                       ///< summed over scenes
   std::map<std::string, std::vector<Sweep>> subsets;  ///< segmentation by subset
   OutcomeCounts outcomes;
+  OutcomeCounts small_objects;  ///< those with fewer points at 5 mm than small_object_points
   std::map<std::string, OutcomeCounts> kinds;
 
   /// Adds a scene. Throws InputError if its methods or settings differ from those of the scenes

@@ -17,13 +17,14 @@ struct HeadlineRow {
   std::string method;
   std::string setting;  ///< "default", or "best of 180"
   std::array<std::optional<double>, all_metrics.size()>
-      f;                      ///< per metric; none where it does not apply
-  double mean_overlap = 0.0;  ///< [IoU]
-  SegmentMetrics segments;    ///< mean over scenes
-  std::size_t returned = 0;   ///< number of masks
+      f;                                 ///< per metric; none where it does not apply
+  double mean_overlap = 0.0;             ///< [IoU]
+  SegmentMetrics segments;               ///< mean over scenes
+  std::optional<SegmentMetrics> pixels;  ///< mean over images, if there are label images
+  std::size_t returned = 0;              ///< number of masks
 };
 
-/// "24 scenes, 130 objects", and the number of objects with too few points to count.
+/// "24 scenes, 130 objects", and how many of them are small.
 std::string what_was_evaluated(const Evaluation& evaluation);
 
 /// Two rows per method: at the given options, if it has any, and at its best. The second has the
@@ -36,11 +37,15 @@ std::string headline_text(const std::vector<Sweep>& sweeps);
 /// Per method with default options: precision, recall and F of masks at 0.9, the best F, and the
 /// setting of the best.
 std::string default_text(const std::vector<Sweep>& sweeps);
+/// The metrics of pixels by method, at the default and the best setting; empty without label
+/// images.
+std::string pixel_text(const std::vector<Sweep>& sweeps);
 std::string missed_object_text(const Evaluation& evaluation);
 std::string runtime_text(const Evaluation& evaluation);
 
 /// One line per setting of a method and metric, per object, per scene (docs/formats.md).
 std::string curves_csv(const Evaluation& evaluation);
+std::string pixels_csv(const Evaluation& evaluation);
 std::string objects_csv(const Evaluation& evaluation);
 std::string scenes_csv(const Evaluation& evaluation);
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
 
 #include "symscene/evaluation/missed_objects.hpp"
 #include "symscene/evaluation/sweep.hpp"
+#include "symscene/labels/label_image.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 namespace symscene {
@@ -24,6 +27,7 @@ struct EvaluationOptions {
   bool reflectional_only = true;
   double boundary_radius = 0.01;
   double mask_radius = 0.01;
+  LabelImageOptions labels;
   std::vector<BaselineMethod> baselines;  ///< run on the 5 mm cloud of each scene
 
   template <class Self, class Visit>
@@ -35,16 +39,24 @@ struct EvaluationOptions {
           "distance of a neighbour with another label that makes a point a boundary point");
     visit("mask_radius", self.mask_radius, "m", strictly_between(0.0, 1.0),
           "largest distance over which a mask is transferred to the 5 mm cloud");
+    visit("labels", self.labels);
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
+};
+
+/// The only frame of a scene, in whose camera's frame the scene is, with its true labels: 0 is the
+/// table or nothing, k is object k.
+struct LabeledView {
+  const CameraIntrinsics& camera;
+  std::span<const float> depth;
+  std::span<const std::uint16_t> labels;
 };
 
 /// The evaluation of one scene, without clouds and masks.
 struct SceneEvaluation {
   std::string name;
   std::string subset;               ///< of the dataset, may be empty
-  std::size_t unseen = 0;           ///< objects with too few points to be in the ground truth
   std::vector<Sweep> segmentation;  ///< the variants of the pipeline, then the baselines
   std::vector<Sweep> detection;     ///< rotational and reflectional, before segmentation
   std::vector<ObjectOutcome> objects;
@@ -61,8 +73,8 @@ inline constexpr const char* reflectional_method = "Refl only, bounds";
 inline constexpr const char* axis_detection_method = "Axes before segmentation";
 inline constexpr const char* plane_detection_method = "Planes before segmentation";
 
-/// Throws InputError, naming the object, if an object has no mask, a mask has an index that the
-/// cloud does not have, or two masks share a point.
+/// Throws InputError, naming the object, if a mask has an index that the cloud does not have, or
+/// two masks share a point.
 void require_usable_truth(const Scene& scene, const SceneTruth& truth);
 
 /// The counts of one result. Throws InputError as transfer_masks() does.
@@ -74,9 +86,12 @@ SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
 /// table 4.2 over the hypotheses of the pipeline and of its variant without rotations, and the
 /// bounds of table 3.1 over the symmetries before segmentation. Equal candidate symmetries are
 /// merged before the sweep, not at each of its bounds. All but the wall times is equal for any
-/// number of threads. Throws InputError as require_usable_truth() and segment_scene() do.
+/// number of threads. With `view`, the results of the given options and of the baselines are
+/// compared with its labels pixel by pixel too. Throws InputError as require_usable_truth() and
+/// segment_scene() do.
 SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
                                const EvaluationOptions& options = {},
-                               const StageTimer::OnBegin& on_begin = {});
+                               const StageTimer::OnBegin& on_begin = {},
+                               const std::optional<LabeledView>& view = std::nullopt);
 
 }  // namespace symscene

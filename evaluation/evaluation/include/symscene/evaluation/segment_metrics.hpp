@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "symscene/core/neighbors.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
 
@@ -34,5 +37,13 @@ struct SegmentMetrics {
 SegmentMetrics segment_metrics(const std::vector<PointIndices>& truth,
                                const std::vector<PointIndices>& found,
                                const NeighborLists& neighbors);
+
+/// The same on the pixels of label images (0 is no object, k is object k), as Xie et al. 2020
+/// define it: a boundary pixel is a pixel of a mask beside another label, and two of them match
+/// within a disc of 0.3 % of the image's diagonal, rounded up. Here `found_75` is the share of the
+/// true objects with an overlap F > 0.75. Throws InputError if the images are not of that size.
+SegmentMetrics pixel_metrics(std::span<const std::uint16_t> truth,
+                             std::span<const std::uint16_t> found, std::size_t width,
+                             std::size_t height);
 
 }  // namespace symscene

@@ -35,6 +35,8 @@ struct SettingCounts {
   double overlap_sum = 0.0;  ///< of the best overlap of each true object [IoU]
   SegmentMetrics segments;   ///< summed over scenes
   std::size_t scenes = 0;
+  SegmentMetrics pixels;   ///< on label images, summed over images
+  std::size_t images = 0;  ///< scenes with label images
 
   const DetectionCounts& detections(Metric metric) const {
     return counts[static_cast<std::size_t>(metric)];

@@ -1,4 +1,4 @@
-#include "simulation/thinned_size.hpp"
+#include "core/thinned_size.hpp"
 
 #include <array>
 #include <cmath>
