@@ -41,6 +41,22 @@ class DatasetCommand : public ::testing::Test {
   Workspace workspace;
 };
 
+TEST_F(DatasetCommand, RecordsWhatAVariedSceneDrew) {
+  write(workspace / "varied.json", R"({"max_objects": 2, "arranged_every": 1,
+    "camera": {"width": 320, "height": 240, "focal_length": 262},
+    "variation": {"enabled": true, "cameras": false, "single_views": 1, "few_views": 0, "stereo": 0,
+                  "tof": 1, "min_distance": 0.6, "max_distance": 0.6, "max_elevation": 0.8}})");
+  const Outcome made = workspace.run("dataset varied --scenes 1 --config varied.json");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto drawn =
+      nlohmann::json::parse(contents(workspace / "varied/scenes/0000/scene.json")).at("drawn");
+  EXPECT_EQ(drawn.at("sensor"), "tof");
+  EXPECT_EQ(drawn.at("frames"), 1);
+  EXPECT_EQ(drawn.at("poses"), "exact");
+  EXPECT_EQ(drawn.at("width"), 320);
+  EXPECT_GE(drawn.at("distance").get<double>(), 0.6);
+}
+
 TEST_F(DatasetCommand, MakesTheSameBytesForAnyNumberOfProcessesAndContinues) {
   const Outcome made = make("one", "--threads 1 -v");
   ASSERT_EQ(made.code, 0) << made.err;
