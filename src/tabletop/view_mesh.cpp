@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "symscene/core/error.hpp"
@@ -14,8 +15,7 @@ constexpr Index none = std::numeric_limits<Index>::max();
 class PointGrid {
  public:
   PointGrid(const ViewPoints& points, Index stride)
-      : points_(points),
-        columns_((points.camera.width + stride - 1) / stride),
+      : columns_((points.camera.width + stride - 1) / stride),
         rows_((points.camera.height + stride - 1) / stride),
         vertices_(std::size_t{columns_} * rows_, none) {
     for (std::size_t k = 0; k < points.pixels.size(); ++k) {
@@ -53,7 +53,6 @@ class PointGrid {
   }
 
  private:
-  const ViewPoints& points_;
   Index columns_, rows_;
   std::vector<Index> vertices_;  ///< of each grid pixel
   PointIndices used_;            ///< the point of each vertex

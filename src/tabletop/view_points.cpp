@@ -186,7 +186,7 @@ ViewPoints unproject(const DepthFrame& frame, const CameraIntrinsics& camera,
                      const ViewPointOptions& options) {
   options.validate();
   const InverseDepth image(frame, camera, options);
-  const PlaneImage planes(image, arms_of(image, static_cast<int>(options.max_hole)));
+  const PlaneImage planes(image, arms_of(image, options.max_hole));
   const std::vector<float> ray_x = camera.column_rays(), ray_y = camera.row_rays();
   std::vector<OrientedPixel> oriented(camera.pixels());
   const auto noise = static_cast<float>(options.noise);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "symscene/core/depth_frame.hpp"
@@ -19,7 +18,7 @@ struct ViewPointOptions {
   double edge_sigmas = 4.0;
   double max_slant = 1.3089969;
   double min_cosine = 0.1;
-  double max_hole = 2.0;
+  int max_hole = 2;
   bool sharpen = true;
 
   template <class Self, class Visit>
@@ -40,7 +39,7 @@ struct ViewPointOptions {
           "angle between ray and normal up to which neighbouring pixels are one surface");
     visit("min_cosine", self.min_cosine, "", strictly_between(0.0, 1.0),
           "cosine of the angle between normal and ray from which a pixel is a point");
-    visit("max_hole", self.max_hole, "px", between(0.0, 16.0),
+    visit("max_hole", self.max_hole, "px", between(0, 16),
           "missing pixels in a row that do not end a surface");
     visit("sharpen", self.sharpen, "", any_value(),
           "at creases take the plane of the neighbouring window that fits best (Kuwahara et al. "
