@@ -51,12 +51,6 @@ FusedPoses add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool 
   return poses;
 }
 
-/// Frames with exact poses are few: each counts more.
-SurfaceExtractionOptions surface_of(const SweptSceneOptions& options, std::size_t frames) {
-  const SurfaceExtractionOptions& surface = options.reconstruction.surface;
-  return options.poses == exact_poses ? surface_of_few(surface, frames) : surface;
-}
-
 /// Tracks and fuses the frames.
 void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
                     const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
@@ -66,8 +60,7 @@ void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
   result.fused = poses.estimated.size();
   result.trajectory = trajectory_error(poses.estimated, poses.truth);
   result.T_scene_world = align_poses(poses.estimated, poses.truth);
-  result.surface = timer.time(
-      "surface", [&] { return reconstruction.surface(surface_of(options, result.fused)); });
+  result.surface = timer.time("surface", [&] { return reconstruction.surface(); });
   if (result.surface.vertices.rows() == 0) return;
   timer.time("scene", [&] {
     const TriangleMesh& mesh = result.surface;

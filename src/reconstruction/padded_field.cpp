@@ -3,7 +3,8 @@
 namespace symscene {
 
 /// Copies the voxels of the neighbour on a side, −1, 0 or 1 along each axis; null for none.
-void PaddedField::copy(const TsdfBlock* source, const Eigen::Vector3i& side) {
+void PaddedField::copy(const TsdfBlock* source, std::uint16_t needed_weight,
+                       const Eigen::Vector3i& side) {
   constexpr int edge = TsdfBlock::edge;
   const auto begin = [](int s) { return s < 0 ? -margin : s * edge; };
   const auto end = [](int s) { return s < 0 ? 0 : s == 0 ? edge : edge + 2; };
@@ -14,19 +15,25 @@ void PaddedField::copy(const TsdfBlock* source, const Eigen::Vector3i& side) {
         const auto from = static_cast<std::size_t>(((k & 7) << 6) | ((j & 7) << 3) | (i & 7));
         distance[to] = source ? static_cast<float>(source->distance[from]) : 0.0F;
         weight[to] = source ? source->weight[from] : std::uint16_t{0};
+        seen[to] = weight[to] >= needed_weight ? 1 : 0;
       }
     }
   }
 }
 
-void PaddedField::read(const TsdfVolume& volume, const Eigen::Vector3i& block) {
+void PaddedField::read(const TsdfVolume& volume, const Eigen::Vector3i& block,
+                       std::span<const std::uint16_t> needed_weights) {
   for (int z = -1; z <= 1; ++z) {
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {
         const Eigen::Vector3i side(x, y, z);
         const std::int32_t slot = volume.index().find(block + side);
-        copy(slot == BlockIndex::none ? nullptr : &volume.block(static_cast<std::size_t>(slot)),
-             side);
+        if (slot == BlockIndex::none) {
+          copy(nullptr, 1, side);
+        } else {
+          const auto at = static_cast<std::size_t>(slot);
+          copy(&volume.block(at), needed_weights[at], side);
+        }
       }
     }
   }

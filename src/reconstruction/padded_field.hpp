@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "reconstruction/tsdf_volume.hpp"
 
@@ -20,14 +21,18 @@ struct PaddedField {
     return ((z + margin) * padded + y + margin) * padded + x + margin;
   }
 
-  /// Where the volume has no block distances and weights are 0.
-  void read(const TsdfVolume& volume, const Eigen::Vector3i& block);
+  std::array<std::uint8_t, padded * padded * padded> seen;  ///< whether the weight suffices
+
+  /// Reads a block, with the weights that voxels of each slot need. Where the volume has no block
+  /// distances and weights are 0.
+  void read(const TsdfVolume& volume, const Eigen::Vector3i& block,
+            std::span<const std::uint16_t> needed_weights);
 
   /// The gradient at a voxel, one-sided at the border of the seen space. [units/voxel]
   Eigen::Vector3f gradient(int index) const;
 
  private:
-  void copy(const TsdfBlock* source, const Eigen::Vector3i& side);
+  void copy(const TsdfBlock* source, std::uint16_t needed_weight, const Eigen::Vector3i& side);
 };
 
 }  // namespace symscene

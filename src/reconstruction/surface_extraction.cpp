@@ -26,12 +26,27 @@ CellCorners corner_offsets() {
   return offsets;
 }
 
+/// The weights that the voxels of each block need to count as seen, by slot: a number of frontal
+/// looks from where the block was seen, in proportion to the frames below `full_frames`. [16ths]
+std::vector<std::uint16_t> weights_needed(const TsdfVolume& volume,
+                                          const SurfaceExtractionOptions& options) {
+  std::vector<std::uint16_t> needed(volume.index().size(), 1);
+  for (std::size_t slot = 0; slot < needed.size(); ++slot) {
+    const TsdfVolume::Looks& looks = volume.looks(slot);
+    if (looks.frames == 0) continue;
+    const double one_look = static_cast<double>(looks.frontal_weight) / looks.frames;
+    const double share = std::min(1.0, static_cast<double>(looks.frames) / options.full_frames);
+    needed[slot] = static_cast<std::uint16_t>(
+        std::clamp(std::ceil(options.min_looks * share * one_look), 1.0, 65535.0));
+  }
+  return needed;
+}
+
 class SurfaceExtractor {
  public:
   SurfaceExtractor(const TsdfVolume& volume, const SurfaceExtractionOptions& options)
       : volume_(volume),
-        min_weight_(
-            static_cast<std::uint16_t>(std::clamp(16.0 * options.min_weight, 1.0, 65535.0))),
+        needed_weights_(weights_needed(volume, options)),
         sides_(volume.index().size(), 0),
         vertices_(volume.index().size()) {}
 
@@ -58,7 +73,7 @@ class SurfaceExtractor {
       PaddedField field;
       for (std::size_t slot = begin; slot < end; ++slot) {
         if (!may_hold_surface(slot)) continue;
-        field.read(volume_, volume_.index().blocks()[slot]);
+        field.read(volume_, volume_.index().blocks()[slot], needed_weights_);
         visit(slot, field);
       }
     });
@@ -94,7 +109,7 @@ class SurfaceExtractor {
     int corners = 0;
     for (std::size_t k = 0; k < 8; ++k) {
       const auto at = static_cast<std::size_t>(base + offsets_[k]);
-      if (field.weight[at] < min_weight_) return 0;
+      if (field.seen[at] == 0) return 0;
       if (field.distance[at] < 0.0F) corners |= 1 << k;
     }
     return corners;
@@ -257,8 +272,8 @@ class SurfaceExtractor {
   }
 
   const TsdfVolume& volume_;
-  std::uint16_t min_weight_;
-  std::vector<std::uint8_t> sides_;  ///< of the surface on which a block has voxels
+  std::vector<std::uint16_t> needed_weights_;  ///< by slot [16ths]
+  std::vector<std::uint8_t> sides_;            ///< of the surface on which a block has voxels
   CellCorners offsets_ = corner_offsets();
   std::vector<BlockVertices> vertices_;
 };

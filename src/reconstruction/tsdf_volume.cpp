@@ -29,6 +29,7 @@ void TsdfVolume::add_block(const Eigen::Vector3i& block) {
   const auto slot = static_cast<std::size_t>(index_.insert(block));
   if (slot < near_surface_.size()) return;
   near_surface_.push_back(0);
+  looks_.emplace_back();
   if (slot / slab == slabs_.size()) slabs_.push_back(std::make_unique<Slab>());
 }
 
@@ -66,6 +67,8 @@ void TsdfVolume::integrate(const Measurement& measurement,
       const Eigen::Vector3d corner =
           index_.blocks()[slot].cast<double>() * (TsdfBlock::edge * options_.voxel_size);
       const Eigen::Vector3f corner_camera = (T_camera_world * corner).cast<float>();
+      ++looks_[slot].frames;
+      looks_[slot].frontal_weight += frontal_weight(corner_camera.z());
       Slab& home = *slabs_[slot / slab];
       const int nearest = fusion.fuse(corner_camera, pixels, home.tsdf[slot % slab]);
       near_surface_[slot] = nearest <= near ? 1 : 0;
@@ -77,7 +80,7 @@ void TsdfVolume::integrate(const Measurement& measurement,
 }
 
 std::size_t TsdfVolume::bytes() const {
-  std::size_t total = index_.bytes() + near_surface_.capacity();
+  std::size_t total = index_.bytes() + near_surface_.capacity() + looks_.capacity() * sizeof(Looks);
   for (const auto& home : slabs_) {
     total += sizeof(Slab) + (home->colors ? sizeof(*home->colors) : 0);
   }

@@ -75,12 +75,5 @@ TEST(ReconstructionOptions, MustBeConsistent) {
   refused([](auto& o) { o.occupancy.resolution = 0.0; });
 }
 
-TEST(SurfaceOfFew, NeedsWeightInProportionToTheFrames) {
-  const SurfaceExtractionOptions options{.min_weight = 1.5};
-  EXPECT_DOUBLE_EQ(surface_of_few(options, 400).min_weight, 1.5);
-  EXPECT_DOUBLE_EQ(surface_of_few(options, 20).min_weight, 0.15);
-  EXPECT_DOUBLE_EQ(surface_of_few(options, 2).min_weight, 0.0625);
-}
-
 }  // namespace
 }  // namespace symscene

@@ -178,16 +178,33 @@ TEST(SurfaceExtraction, IsManifoldOnAClutteredTableToo) {
   EXPECT_LT(mesh.triangles.maxCoeff(), static_cast<Index>(mesh.vertices.rows()));
 }
 
-TEST(SurfaceExtraction, DropsCellsOfLittleWeight) {
-  TsdfVolume volume;
-  fuse(volume, {plane(-Eigen::Vector3d::UnitZ(), 1.2)}, small_camera(),
-       Eigen::Isometry3d::Identity());
-  SurfaceExtractionOptions options;  // a view from 1.2 m weighs half
-  EXPECT_EQ(extract_surface(volume, options).vertices.rows(), 0);
-  options.min_weight = 0.4;
-  EXPECT_GT(extract_surface(volume, options).vertices.rows(), 1000);
-  options.min_weight = 0.0;
-  EXPECT_GT(extract_surface(volume, options).vertices.rows(), 1000);
+TEST(SurfaceExtraction, OfOneFrameIsWholeAtAnyDistance) {
+  for (const double distance : {0.4, 0.9, 2.0, 2.9}) {
+    TsdfVolume volume;
+    fuse(volume, {plane(-Eigen::Vector3d::UnitZ(), distance)}, small_camera(),
+         Eigen::Isometry3d::Identity());
+    const TriangleMesh mesh = extract_surface(volume);
+    const double area = distance * distance * (160.0 / 140.0) * (120.0 / 141.0);
+    const double voxels = static_cast<double>(mesh.vertices.rows()) * voxel * voxel;
+    EXPECT_GT(voxels, 0.85 * area) << distance;
+  }
+}
+
+TEST(SurfaceExtraction, AsksForLooksWhateverTheyWeighAtTheirDistance) {
+  SurfaceExtractionOptions two_looks;
+  two_looks.min_looks = 1.5;
+  two_looks.full_frames = 1;
+  for (const double distance : {0.6, 1.0, 1.9}) {
+    TsdfVolume volume;
+    const auto look = [&] {
+      fuse(volume, {plane(-Eigen::Vector3d::UnitZ(), distance)}, small_camera(),
+           Eigen::Isometry3d::Identity());
+    };
+    look();
+    EXPECT_EQ(extract_surface(volume, two_looks).vertices.rows(), 0) << distance;
+    look();
+    EXPECT_GT(extract_surface(volume, two_looks).vertices.rows(), 1000) << distance;
+  }
 }
 
 TEST(SurfaceExtraction, DropsSmallPieces) {

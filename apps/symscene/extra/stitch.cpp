@@ -184,7 +184,7 @@ struct Stitch {
     const Reconstruction reconstruction = fuse(*sequence, read, stitched, timer);
     const SceneOutput output{path, shared.output, table_arguments, options.scene};
     const std::vector<ReportMember> written = output.write(
-        reconstruction, surface_of_few(options.surface, stitched.placed),
+        reconstruction, options.surface,
         {*sequence, placed, describe_run("stitch", fields, stitch_json(stitched, read.numbers))},
         session, timer);
     std::vector<ReportMember> members{

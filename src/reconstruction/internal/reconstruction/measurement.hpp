@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +25,12 @@ struct Measurement {
   std::vector<SurfaceImage> pyramid;  ///< finest first, each level half of the one before
   std::size_t measured = 0;           ///< pixels of the finest level with a surface
 };
+
+/// The packed weight of a frontal view from a depth. [16ths]
+inline float frontal_weight(float depth) {
+  const float squared = depth * depth;
+  return std::floor(std::clamp(16.0F / std::max(squared * squared, 1e-6F), 1.0F, 255.0F));
+}
 
 /// Smooths a depth image for tracking, estimates normals, and weights every pixel for fusion by its
 /// range and angle (section 2.1.1; Newcombe et al. 2011, section 3.2). Depths that are not finite

@@ -58,6 +58,13 @@ class TsdfVolume {
   /// Whether the surface may pass within two voxels of a voxel of the block.
   bool near_surface(std::size_t slot) const { return near_surface_[slot] != 0; }
 
+  /// The frames in which a block may have been seen.
+  struct Looks {
+    std::uint32_t frames = 0;
+    float frontal_weight = 0.0F;  ///< that frontal views from all of them would have [16ths]
+  };
+  const Looks& looks(std::size_t slot) const { return looks_[slot]; }
+
   bool empty() const { return index_.size() == 0; }
   /// Memory in use. [bytes]
   std::size_t bytes() const;
@@ -78,6 +85,7 @@ class TsdfVolume {
   BlockIndex index_;
   std::vector<std::unique_ptr<Slab>> slabs_;
   std::vector<std::uint8_t> near_surface_;
+  std::vector<Looks> looks_;  ///< by slot
 };
 
 }  // namespace symscene

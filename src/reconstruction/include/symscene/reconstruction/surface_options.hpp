@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "symscene/core/options.hpp"
 
 namespace symscene {
@@ -43,28 +41,25 @@ struct TsdfOptions {
   void validate() const;
 };
 
-/// Marching cubes.
+/// Marching cubes. What counts as seen depends on the frames that there were: of a cell that few
+/// frames could have seen less weight is asked, so that one frame shows all that it measures.
 struct SurfaceExtractionOptions {
-  double min_weight = 1.5;
-  int full_frames = 200;
+  double min_looks = 0.6;
+  int full_frames = 80;
   int min_triangles = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("min_weight", self.min_weight, "", between(0.0, 2000.0),
-          "weight that all corners of a cell need, in frontal views at 1 m");
+    visit("min_looks", self.min_looks, "", between(0.0, 2000.0),
+          "weight that all corners of a cell need, in frontal looks from where it was seen");
     visit("full_frames", self.full_frames, "", at_least(1.0),
-          "number of frames for which min_weight is made; stitching scales it for fewer");
+          "number of frames that could have seen a cell from which it needs min_looks; of fewer it "
+          "needs a share");
     visit("min_triangles", self.min_triangles, "", at_least(1.0),
           "smaller connected pieces of the surface are dropped");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
 };
-
-/// The options for a surface that few frames have seen: min_weight shrinks in proportion to the
-/// number of frames below full_frames, down to the smallest weight of one measurement.
-SurfaceExtractionOptions surface_of_few(const SurfaceExtractionOptions& options,
-                                        std::size_t frames);
 
 }  // namespace symscene
