@@ -160,6 +160,7 @@ struct Reconstruct {
     FrameLog log;
     const PlacedFrames placed = add_frames(sequence, reconstruction, log, session, timer);
     for (const std::string& line : log.lines()) session.print_line(line);
+    suggest_stitching(sequence, log, session);
     if (placed.frames.empty())
       throw InputError(path.string(), "a frame that can be fused", log.first_run());
     report_trajectory(sequence, placed, session);
@@ -171,6 +172,16 @@ struct Reconstruct {
     members.push_back(ReportMember::raw("log", log.json()));
     members.insert(members.end(), written.begin(), written.end());
     session.finish(members, timer.stages());
+  }
+
+  /// Frames that are too far apart to be tracked can be placed by what their colours show.
+  void suggest_stitching(const DepthSequence& sequence, const FrameLog& log,
+                         Session& session) const {
+    if (2 * log.fused() >= sequence.size() || !sequence.has_color()) return;
+    session.warn(
+        fmt::format("only {} of {} frames were placed; if they are far apart, symscene "
+                    "stitch {} places them by their colours",
+                    log.fused(), sequence.size(), path.string()));
   }
 
   void run() {
