@@ -200,8 +200,8 @@ TEST_F(ReconstructCommand, SegmentGoesFromOneDepthImageToObjects) {
   EXPECT_TRUE(objects.contains("table"));
   EXPECT_EQ(poses_of("view"), 1U);
   EXPECT_GT(fs::file_size(file("view") / "surface.ply"), 10000U);
-  const Outcome masks =
-      run("masks view " + png + " --depth-scale 1000 -o view_masks --intrinsics sweep/intrinsics.txt");
+  const Outcome masks = run("masks view " + png +
+                            " --depth-scale 1000 -o view_masks --intrinsics sweep/intrinsics.txt");
   EXPECT_EQ(masks.code, 0) << masks.err;
 }
 
