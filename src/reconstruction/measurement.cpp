@@ -5,6 +5,7 @@
 
 #include "core/parallel.hpp"
 #include "depth_level.hpp"
+#include "planar_normals.hpp"
 #include "surface_normals.hpp"
 #include "symscene/core/error.hpp"
 
@@ -86,6 +87,7 @@ std::vector<SurfaceImage> surface_pyramid(DepthLevel level, const MeasurementOpt
     level = halve(level, step);
     pyramid.push_back(with_normals(level, 1, step));
   }
+  for (SurfaceImage& image : pyramid) smooth_planar_normals(image, options.noise);
   return pyramid;
 }
 

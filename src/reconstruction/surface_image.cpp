@@ -5,6 +5,7 @@
 
 #include "core/dispatch.hpp"
 #include "core/parallel.hpp"
+#include "planar_normals.hpp"
 #include "surface_normals.hpp"
 
 namespace symscene {
@@ -83,7 +84,9 @@ SurfaceImage find_surface(std::vector<float> depth, const CameraIntrinsics& came
   const auto step = static_cast<float>(options.edge_step);
   const DepthLevel level =
       smooth(bridge_holes({camera, std::move(depth)}, step), smoothing_noise(options));
-  return with_normals(level, normal_reach, step);
+  SurfaceImage image = with_normals(level, normal_reach, step);
+  smooth_planar_normals(image, options.noise);
+  return image;
 }
 
 }  // namespace symscene

@@ -18,7 +18,7 @@ struct TrackingOptions {
   double min_overlap = 0.3;
   double min_inliers = 0.5;
   double min_measured = 0.02;
-  double degenerate_ratio = 1e-4;
+  double degenerate_ratio = 5e-5;
   double max_translation = 0.25;
   double max_rotation = 0.5;
   double max_disagreement = 0.01;
