@@ -137,6 +137,9 @@ TreeModel fit_model(const TrainingSet& set, const BoostingOptions& options) {
   booster.set("eta", fmt::format("{}", options.rate));
   booster.set("lambda", fmt::format("{}", options.regularization));
   booster.set("min_child_weight", fmt::format("{}", options.min_leaf));
+  booster.set("subsample", fmt::format("{}", options.sample_share));
+  booster.set("colsample_bytree", fmt::format("{}", options.feature_share));
+  booster.set("seed", "1");
   booster.set("monotone_constraints", constraints_of(set, options.monotone));
   booster.run(options.rounds);
   return {set.name, set.features, static_cast<float>(std::log(share / (1.0 - share))),

@@ -14,6 +14,8 @@ struct BoostingOptions {
   double min_leaf = 5.0;        ///< least second derivative of the loss in a leaf
   double rate = 0.1;            ///< learning rate: the share of each step that is taken
   double regularization = 2.0;  ///< L2 penalty of leaves, in units of the second derivative
+  double sample_share = 1.0;    ///< share of the samples that a tree sees, drawn at random
+  double feature_share = 1.0;   ///< share of the features that a tree sees, drawn at random
   /// Features in which the estimate may only rise (1) or fall (-1).
   std::map<std::string, int> monotone = {};
 };

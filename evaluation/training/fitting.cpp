@@ -26,6 +26,12 @@ void add_fit_options(CLI::App& app, FitArguments& arguments) {
   app.add_option("--rate", arguments.boosting.rate, "learning rate")->capture_default_str();
   app.add_option("--min-leaf", arguments.boosting.min_leaf, "least number of samples of a leaf")
       ->capture_default_str();
+  app.add_option("--sample-share", arguments.boosting.sample_share,
+                 "share of the samples that a tree sees")
+      ->capture_default_str();
+  app.add_option("--feature-share", arguments.boosting.feature_share,
+                 "share of the features that a tree sees")
+      ->capture_default_str();
   app.add_option("--noise", arguments.noise,
                  "noise of normals [degrees]; each scene is used once with each");
   app.add_option("--without", arguments.without, "features to leave out");

@@ -47,9 +47,22 @@ for sensor in structured stereo tof; do
 done
 make sweeps 2051 14 '{"camera": {"frames": 60}}' $ycb
 
-[ -e "$work/osd.samples" ] || "$build/symscene_make_object_samples" "$data/osd_learn" \
-  -o "$work/osd.samples" --variants as-is
+# Real views: the even scenes are fitted to, the odd ones are held out.
+if [ ! -e "$work/osd.samples" ]; then
+  mkdir -p "$work/osd" "$work/osd_held_out"
+  for n in $(seq 0 44); do
+    folder=$([ $((n % 2)) = 0 ] && echo osd || echo osd_held_out)
+    for kind in depth label; do
+      ln -sf "$(realpath "$data")/osd_learn/learn$n.$kind.png" "$work/$folder/"
+    done
+  done
+  "$build/symscene_make_object_samples" "$work/osd" -o "$work/osd.samples" --variants as-is posed
+fi
+[ -e "$work/osd_held_out.samples" ] || "$build/symscene_make_object_samples" "$work/osd_held_out" \
+  -o "$work/osd_held_out.samples" --variants as-is
 "$build/symscene_fit_object_score" "$work"/single_*.samples "$work"/few_*.samples \
-  "$work"/tracked_*.samples "$work/sweeps.samples" --held-out "$work/osd.samples" --leave-out \
+  "$work"/tracked_*.samples "$work/sweeps.samples" "$work/osd.samples" \
+  --held-out "$work/osd_held_out.samples" --depth 4 --rounds 250 --rate 0.06 --min-leaf 20 \
+  --sample-share 0.6 --feature-share 0.5 \
   --report "$work/reliability.md" -o "$models" \
   --data "evaluation/training/train.sh, scale $scale"

@@ -78,8 +78,7 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
   });
   index_whole_cloud(rest, planes.candidates, reflectional);
   std::vector<ObjectProposal> objects = timer.time("proposals", [&] {  // sections 4.3.3 and 4.4
-    return object_proposals(space, scene.table, rotational, reflectional.hypotheses,
-                            options.proposal_options());
+    return object_proposals(space, rotational, reflectional.hypotheses, options.proposal_options());
   });
   std::vector<FunnelStep> funnel = funnel_of(scene, space, axes, planes, objects.size());
   return {.cloud = std::move(space.cloud),

@@ -6,6 +6,11 @@
 #include "symmetry_fit.hpp"
 
 namespace symscene {
+namespace {
+
+constexpr double min_length = 1e-6;  // [m], of a proposal of one point
+
+}  // namespace
 
 ObjectMeter::ObjectMeter(const MeasuredScene& scene, const ProposalOptions& options)
     : scene_(scene),
@@ -47,11 +52,8 @@ ObjectFeatures ObjectMeter::measure(const MergedHypothesis& merged) const {
           .near_unity = scene_.patches.unity(points),
           .convexity = pairs.convexity,
           .empty = pairs.empty,
-          .length = extent.length,
-          .width = extent.width,
-          .thickness = extent.thickness,
-          .foot = extent.foot,
-          .top = extent.top,
+          .width_ratio = extent.width_ratio,
+          .thickness_ratio = extent.thickness_ratio,
           .near_others = share_near_others(points, inside),
           .axes = symmetry.axes,
           .axis_misfit = symmetry.axis_misfit,
@@ -133,13 +135,8 @@ ObjectMeter::ExtentFeatures ObjectMeter::extent_features(const PointIndices& poi
   const Eigen::Matrix3f axes = principal_axes(positions).cast<float>();
   const Points along = positions * axes;
   const Eigen::RowVector3f extent = along.colwise().maxCoeff() - along.colwise().minCoeff();
-  ExtentFeatures features{double{extent[0]}, double{extent[1]}, double{extent[2]}, 0.0, 0.0};
-  if (!scene_.table) return features;
-  const Eigen::VectorXf heights = (positions * scene_.table->normal.cast<float>()).array() +
-                                  static_cast<float>(scene_.table->offset);
-  features.foot = std::clamp(double{heights.minCoeff()}, 0.0, 0.1);
-  features.top = std::clamp(double{heights.maxCoeff()}, 0.0, 0.3);
-  return features;
+  const double length = std::max(double{extent[0]}, min_length);
+  return {double{extent[1]} / length, double{extent[2]} / length};
 }
 
 /// The share of the largest connected component of the surface graph inside the proposal.

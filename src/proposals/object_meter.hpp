@@ -22,7 +22,6 @@ struct MeasuredScene {
   const DistanceField& field;
   const SurfaceRegions& regions;  ///< smooth regions
   const SurfaceRegions& patches;  ///< patch regions
-  std::optional<Plane> table;
 };
 
 /// Computes the features of proposals of one scene.
@@ -48,7 +47,7 @@ class ObjectMeter {
     double convexity, empty;
   };
   struct ExtentFeatures {
-    double length, width, thickness, foot, top;
+    double width_ratio, thickness_ratio;
   };
 
   bool is_crease(const Neighbor& neighbor) const;

@@ -112,15 +112,13 @@ std::vector<ObjectProposal> final_proposals(std::vector<ProposalDraft> drafts,
 }  // namespace
 
 std::vector<ObjectProposal> object_proposals(const Workspace& space,
-                                             const std::optional<Plane>& table,
                                              const std::vector<Hypothesis>& rotational,
                                              const std::vector<Hypothesis>& reflectional,
                                              const ProposalOptions& options) {
   const SurfaceRegions regions =
       smooth_regions(space.cloud, space.edges, space.neighbors, options.surface_parts);
   const SurfaceRegions patches = patch_regions(space.cloud, space.edges, options.surface_parts);
-  const ObjectMeter meter({space.cloud, space.edges, space.field, regions, patches, table},
-                          options);
+  const ObjectMeter meter({space.cloud, space.edges, space.field, regions, patches}, options);
   const auto continuations = [&](const std::vector<ProposalDraft>& among) {
     return find_continuations(space.cloud, space.field, among, options.continuation);
   };

@@ -24,11 +24,8 @@ ObjectFeatures carton() {
           .near_unity = 1.0,
           .convexity = 0.87,
           .empty = 0.0,
-          .length = 0.22,
-          .width = 0.08,
-          .thickness = 0.06,
-          .foot = 0.0005,
-          .top = 0.21,
+          .width_ratio = 0.36,
+          .thickness_ratio = 0.27,
           .near_others = 0.07,
           .planes = 2.0,
           .plane_inlier = 0.54,
@@ -47,10 +44,8 @@ ObjectFeatures toy() {
   features.seam = 0.3;
   features.convexity = 0.77;
   features.empty = 0.012;
-  features.length = 0.26;
-  features.width = 0.19;
-  features.thickness = 0.13;
-  features.top = 0.25;
+  features.width_ratio = 0.73;
+  features.thickness_ratio = 0.5;
   features.plane_inlier = 0.5;
   return features;
 }
@@ -64,11 +59,10 @@ ObjectFeatures face() {
   features.bend = 0.004;
   features.unity = 1.0;
   features.convexity = 0.92;
-  features.length = 0.23;
-  features.width = 0.2;
-  features.thickness = 0.006;
-  features.foot = 0.07;
-  features.top = 0.28;
+  features.fold_rim = 0.05;
+  features.near_unity = 1.0;
+  features.width_ratio = 0.87;
+  features.thickness_ratio = 0.03;
   features.near_others = 0.36;
   return features;
 }
@@ -82,11 +76,8 @@ ObjectFeatures halves_of_two() {
   features.bend = 0.0125;
   features.convexity = 0.15;
   features.empty = 0.35;
-  features.length = 0.265;
-  features.width = 0.126;
-  features.thickness = 0.11;
-  features.foot = 0.003;
-  features.top = 0.105;
+  features.width_ratio = 0.48;
+  features.thickness_ratio = 0.42;
   features.near_others = 0.55;
   return features;
 }
@@ -96,9 +87,7 @@ ObjectFeatures patch() {
   ObjectFeatures features = face();
   features.broken = 16.0;
   features.torn = 1.0;
-  features.length = 0.05;
-  features.width = 0.05;
-  features.foot = 0.1;
+  features.width_ratio = 1.0;
   features.near_others = 0.93;
   return features;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "segmentation/workspace.hpp"
@@ -11,9 +10,8 @@ namespace symscene {
 
 /// The proposals of a scene: the hypotheses of both streams and the parts of the surface, merged
 /// (section 4.4), pairs that continue each other joined, with features and scores. By falling
-/// score. `table` is that of the scene, where it is known.
+/// score.
 std::vector<ObjectProposal> object_proposals(const Workspace& space,
-                                             const std::optional<Plane>& table,
                                              const std::vector<Hypothesis>& rotational,
                                              const std::vector<Hypothesis>& reflectional,
                                              const ProposalOptions& options);

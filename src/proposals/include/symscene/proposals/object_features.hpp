@@ -19,11 +19,8 @@ struct ObjectFeatures {
   double near_unity = 0.0;       ///< the same of its patches, with small gaps bridged
   double convexity = 0.0;        ///< share of pairs of points that are convex
   double empty = 0.0;            ///< share of places between two points that were seen empty
-  double length = 0.0;           ///< extents along the principal axes, longest first [m]
-  double width = 0.0;            ///< [m]
-  double thickness = 0.0;        ///< [m]
-  double foot = 0.0;             ///< height of the lowest point over the table, 0 to 0.1 [m]
-  double top = 0.0;              ///< height of the highest point, 0 to 0.3 [m]
+  double width_ratio = 0.0;      ///< extent along the second principal axis by the longest
+  double thickness_ratio = 0.0;  ///< the shortest by the longest
   double near_others = 0.0;      ///< share of points that are near a point outside
   double axes = 0.0;             ///< rotational symmetries of its hypotheses
   double axis_misfit = 1.0;      ///< least residual of these (Eq. 3.5)
@@ -50,11 +47,8 @@ struct ObjectFeatures {
     visit("near_unity", self.near_unity);
     visit("convexity", self.convexity);
     visit("empty", self.empty);
-    visit("length", self.length);
-    visit("width", self.width);
-    visit("thickness", self.thickness);
-    visit("foot", self.foot);
-    visit("top", self.top);
+    visit("width_ratio", self.width_ratio);
+    visit("thickness_ratio", self.thickness_ratio);
     visit("near_others", self.near_others);
     visit("axes", self.axes);
     visit("axis_misfit", self.axis_misfit);
@@ -66,7 +60,7 @@ struct ObjectFeatures {
     visit("joined", self.joined);
     visit("confidence", self.confidence);
   }
-  static constexpr std::size_t count = 27;
+  static constexpr std::size_t count = 24;
 };
 
 }  // namespace symscene

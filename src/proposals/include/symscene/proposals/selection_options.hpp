@@ -7,7 +7,7 @@ namespace symscene {
 /// How the objects of a scene are chosen among proposals.
 struct SelectionOptions {
   bool by_score = true;
-  double min_score = 0.45;
+  double min_score = 0.35;
   double max_overlap = 0.5;
   double min_parts_cover = 0.9;
   double score_exponent = 1.0;
