@@ -118,11 +118,12 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
 
 std::vector<ReportMember> SceneOutput::write(const SceneContent& content, const SceneSource& source,
                                              Session& session, StageTimer& timer) const {
-  const auto& [built, occupancy, surface] = content;
+  const BuiltScene& built = content.built;
+  const TriangleMesh& surface = content.surface;
   if (!table.none) report_table(built.table, session);
   timer.time("write", [&] {
     LogOddsMap log_odds;
-    if (!built.scene.cloud.empty()) log_odds = occupancy.log_odds(built.region);
+    if (!built.scene.cloud.empty()) log_odds = content.occupancy.log_odds(built.region);
     const auto truth = scene_truth(input, source.sequence, source.placed, built.scene.cloud);
     write_scene(absolute(output), built.scene,
                 {.scene_json = source.scene_json,
