@@ -114,6 +114,42 @@ std::vector<SceneObject> independent_objects(std::vector<SceneObject> objects,
   return selected;
 }
 
+bool overlaps_any(const SceneObject& object, const std::vector<SceneObject>& others,
+                  double max_overlap) {
+  return std::any_of(others.begin(), others.end(), [&](const SceneObject& other) {
+    return overlap(object, other) > max_overlap;
+  });
+}
+
+/// The median number of points; 0 for no objects.
+double median_size(const std::vector<SceneObject>& objects) {
+  std::vector<std::size_t> sizes;
+  for (const SceneObject& object : objects) sizes.push_back(object.points.size());
+  if (sizes.empty()) return 0.0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return static_cast<double>(*middle);
+}
+
+/// The independent objects whose scores exceed `min_score` by the greatest sum; those that do not
+/// exceed it are appended to `unlikely`.
+std::vector<SceneObject> best_above(double min_score, std::vector<SceneObject> objects,
+                                    const SelectionOptions& options,
+                                    std::vector<SceneObject>& unlikely,
+                                    std::vector<Rejection>& rejected) {
+  std::vector<SceneObject> likely;
+  std::vector<double> weights;
+  for (SceneObject& object : objects) {
+    if (object.score <= min_score) {
+      unlikely.push_back(std::move(object));
+      continue;
+    }
+    weights.push_back(object.score - min_score);
+    likely.push_back(std::move(object));
+  }
+  return independent_objects(std::move(likely), std::move(weights), options, rejected);
+}
+
 }  // namespace
 
 std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
@@ -131,17 +167,26 @@ std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
 std::vector<SceneObject> select_probable(std::vector<SceneObject> objects,
                                          const SelectionOptions& options,
                                          std::vector<Rejection>& rejected) {
-  std::vector<SceneObject> probable;
-  std::vector<double> weights;
-  for (SceneObject& object : objects) {
-    if (object.score <= options.min_score) {
+  std::vector<SceneObject> unlikely, discarded;
+  std::vector<SceneObject> selected =
+      best_above(options.min_score, std::move(objects), options, unlikely, rejected);
+  const double min_score = options.uncovered_ratio * options.min_score;
+  const double min_size = options.uncovered_size * median_size(selected);
+  std::vector<SceneObject> uncovered;
+  for (SceneObject& object : unlikely) {
+    const bool is_candidate = object.score > min_score &&
+                              static_cast<double>(object.points.size()) >= min_size &&
+                              !overlaps_any(object, selected, options.max_overlap);
+    if (is_candidate) {
+      uncovered.push_back(std::move(object));
+    } else {
       rejected.push_back(rejection_of(object, "score", object.score, options.min_score));
-      continue;
     }
-    weights.push_back(object.score - options.min_score);
-    probable.push_back(std::move(object));
   }
-  return independent_objects(std::move(probable), std::move(weights), options, rejected);
+  std::vector<SceneObject> more =
+      best_above(min_score, std::move(uncovered), options, discarded, rejected);
+  std::move(more.begin(), more.end(), std::back_inserter(selected));
+  return selected;
 }
 
 }  // namespace symscene

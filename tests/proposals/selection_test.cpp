@@ -92,10 +92,11 @@ TEST(Selection, OfManyConflictsIsIndependent) {
   }
 }
 
-/// The cases are computed by hand for this minimum.
+/// The cases are computed by hand for this minimum, which holds for uncovered objects too.
 SelectionOptions min_score_of_three_tenths() {
   SelectionOptions options;
   options.min_score = 0.3;
+  options.uncovered_ratio = 1.0;
   return options;
 }
 
@@ -203,6 +204,36 @@ TEST(Probable, ChoosesEverySecondLinkOfALongChain) {
   ASSERT_EQ(selected.size(), 21U);
   for (Index k = 0; k < 21; ++k) EXPECT_EQ(selected[k].points, range(20 * k, 20 * k + 25));
   EXPECT_EQ(rejected.size(), 20U);
+}
+
+TEST(Probable, ChoosesALessLikelyObjectWhereNoOtherCoversIt) {
+  SelectionOptions options;
+  options.min_score = 0.4;
+  options.uncovered_ratio = 0.5;
+  options.uncovered_size = 0.25;
+  std::vector<Rejection> rejected;
+  const auto selected = select_probable(
+      {object(range(0, 100), 0.9), object(range(200, 300), 0.3),  // nothing else covers it
+       object(range(40, 130), 0.3),                               // mostly covered by the first
+       object(range(150, 320), 0.25),                             // less likely than the second
+       object(range(400, 424), 0.39),                             // a fragment
+       object(range(500, 600), 0.2)},                             // not above 0.5 * 0.4
+      options, rejected);
+  ASSERT_EQ(selected.size(), 2U);
+  EXPECT_EQ(selected[0].points, range(0, 100));
+  EXPECT_EQ(selected[1].points, range(200, 300));
+  EXPECT_EQ(rejected.size(), 4U);
+}
+
+TEST(Probable, ChoosesUncoveredObjectsOfAnySizeWithoutLikelierOnes) {
+  std::vector<Rejection> rejected;
+  SelectionOptions options;
+  options.min_score = 0.4;
+  options.uncovered_ratio = 0.5;
+  const auto selected =
+      select_probable({object(range(0, 100), 0.3), object(range(0, 50), 0.25)}, options, rejected);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_EQ(selected[0].points, range(0, 100));
 }
 
 TEST(Probable, KeepsTheOrder) {

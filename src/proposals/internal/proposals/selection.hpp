@@ -18,8 +18,10 @@ std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
 
 /// Chooses the subset that maximises sum(score - min_score) such that no two members share more
 /// than `max_overlap` of the smaller one's points. This is the greatest expected gain if a wrong
-/// object costs `min_score`. The others are rejected with the reason "score" or "overlap". The
-/// order is kept.
+/// object costs `min_score`. Where this subset leaves points uncovered, less likely objects are
+/// chosen in the same way with a bound of uncovered_ratio * min_score, unless they are fragments
+/// (`uncovered_size`): what stands on a table belongs to some object. The others are rejected with
+/// the reason "score" or "overlap". The order is kept, less likely objects last.
 std::vector<SceneObject> select_probable(std::vector<SceneObject> objects,
                                          const SelectionOptions& options,
                                          std::vector<Rejection>& rejected);

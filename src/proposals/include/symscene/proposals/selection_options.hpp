@@ -8,6 +8,8 @@ namespace symscene {
 struct SelectionOptions {
   bool by_score = true;
   double min_score = 0.35;
+  double uncovered_ratio = 0.5;
+  double uncovered_size = 0.25;
   double max_overlap = 0.5;
   double min_parts_cover = 0.9;
   double score_exponent = 1.0;
@@ -22,6 +24,12 @@ struct SelectionOptions {
           "bounds of section 4.3.3, by size and confidence");
     visit("min_score", self.min_score, "", between(0.0, 1.0),
           "least probability of an object, with by_score");
+    visit("uncovered_ratio", self.uncovered_ratio, "", between(0.0, 1.0),
+          "share of min_score that an object needs where no likelier one covers it, as what stands "
+          "on a table belongs to some object; 1 to require min_score everywhere");
+    visit("uncovered_size", self.uncovered_size, "", at_least(0.0),
+          "size of the smallest such object, as a share of the median size of the likelier ones: "
+          "smaller ones are fragments");
     visit("max_overlap", self.max_overlap, "", between(0.0, 1.0),
           "two objects that share more of the smaller one's points exclude each other");
     visit("min_parts_cover", self.min_parts_cover, "", between(0.0, 1.0),
