@@ -81,6 +81,7 @@ struct Segment {
     if (!scene.cloud.empty()) return naming(source.path, [&] { return segment(scene, session); });
     SegmentationResult nothing;
     nothing.table = scene.table;
+    nothing.warnings = scene.warnings;
     return nothing;
   }
 
@@ -108,9 +109,9 @@ struct Segment {
     session.warn(std::span(result.warnings).subspan(input.scene.warnings.size()));
     result.timings.insert(result.timings.begin(), input.stages.begin(), input.stages.end());
     session.on_begin()("write");
-    write_masks(input, result);
     write_outputs(result,
                   {surface_around(input.surface, result, session), std::move(input.trajectory)});
+    write_masks(input, result);
     session.print_line(format_objects(result));
     session.finish({{"output", shared.output},
                     {"objects", result.objects.size()},

@@ -31,7 +31,8 @@ bool is_scene_folder(const fs::path& path) {
 
 /// Depth images alone do not tell their unit. Nearly all cameras write millimetres.
 SequenceOptions in_millimetres(SequenceOptions options, const fs::path& path) {
-  if (fs::is_regular_file(path) && !options.depth_scale) options.depth_scale = 1000.0;
+  const bool is_image = fs::is_regular_file(path) && path.extension() == ".png";
+  if (is_image && !options.depth_scale) options.depth_scale = 1000.0;
   return options;
 }
 
@@ -59,8 +60,7 @@ SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Sessi
     });
   });
   if (!table.none) report_table(built.table, session);
-  return {std::move(built.scene), {}, {{0.0, Eigen::Isometry3d::Identity()}},
-          timer.stages(),         {}, {}};
+  return {std::move(built.scene), {}, {}, timer.stages(), {}, {}};
 }
 
 SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& session) const {

@@ -241,6 +241,10 @@ TEST_F(ReconstructCommand, WithoutATableEverythingIsWrittenAllTheSame) {
   ASSERT_EQ(aside.code, 0) << aside.err;
   EXPECT_NE(aside.err.find("bare"), std::string::npos) << aside.err;
   EXPECT_GT(fs::file_size(file("aside") / "mesh.ply"), 10000U);
+  const Outcome nothing = run("segment aside -o nothing");
+  ASSERT_EQ(nothing.code, 0) << nothing.err;
+  EXPECT_EQ(nlohmann::json::parse(contents(file("nothing") / "objects.json")).at("objects").size(),
+            0U);
 }
 
 TEST_F(ReconstructCommand, SegmentFindsTheTableInACloud) {

@@ -305,6 +305,21 @@ TEST(ViewScene, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.built.scene.cloud.positions, two.built.scene.cloud.positions);
 }
 
+TEST(ViewScene, MovesWithTheCameraAndKeepsThePointsInItsFrame) {
+  const Image image = render(table_on_floor(), looking({0, -1, 1.6}, {0, 0, 0.8}), noise);
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  T_world_camera.rotate(Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()));
+  T_world_camera.pretranslate(Eigen::Vector3d(0.3, -0.2, -2.0));
+  const ViewScene at_origin = view_scene({image.frame, image.camera});
+  const ViewScene placed = view_scene({image.frame, image.camera, T_world_camera});
+  EXPECT_EQ(placed.points.cloud.positions, at_origin.points.cloud.positions);
+  EXPECT_EQ(view_mesh(placed.points).triangles, view_mesh(at_origin.points).triangles);
+  const auto center = [](const ViewScene& scene) -> Eigen::Vector3d {
+    return scene.built.scene.cloud.positions.colwise().mean().transpose().cast<double>();
+  };
+  EXPECT_LT((center(placed) - T_world_camera * center(at_origin)).norm(), 0.01);
+}
+
 TEST(ViewScene, RefusesBadInput) {
   const Image image = render(table_on_floor(), looking({0, -1, 1.6}, {0, 0, 0.8}));
   CameraIntrinsics other = image.camera;

@@ -75,6 +75,7 @@ struct Evaluate {
     OptionFields fields = configure_options(stages, shared.config,
                                             [&] { read_score_models(stages.pipeline.models); });
     options.pipeline = stages.pipeline;
+    options.labels = stages.masks;
     return fields;
   }
 

@@ -32,7 +32,7 @@ struct DepthView {
 /// A scene from one depth image, in the world frame.
 struct ViewScene {
   BuiltScene built;
-  ViewPoints points;              ///< of the whole image
+  ViewPoints points;              ///< of the whole image, in the camera's frame
   OccupancyVolume occupancy;      ///< of the whole image
   std::vector<StageTime> stages;  ///< wall time
 };
