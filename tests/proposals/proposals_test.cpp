@@ -131,7 +131,8 @@ TEST(Choice, FindsTheAxisOfAVaseAndNoPlaneThroughIt) {
 }
 
 TEST(Choice, LeavesAnImprobableProposalOut) {
-  const SegmentationResult result = choose_objects(proposal_of(testing::box({0.1, 0.1, 0.1}), 0.15));
+  const SegmentationResult result =
+      choose_objects(proposal_of(testing::box({0.1, 0.1, 0.1}), 0.15));
   EXPECT_TRUE(result.objects.empty());
   ASSERT_EQ(result.rejected.size(), 1U);
   EXPECT_EQ(result.rejected[0].reason, "score");
