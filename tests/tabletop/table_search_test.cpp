@@ -193,8 +193,10 @@ TEST(SupportPlanes, TwoTablesAreAmbiguous) {
   }
   const SupportPlanes planes = find_support_planes(builder.cloud());
   ASSERT_EQ(planes.status, SupportStatus::several);
+  ASSERT_GE(planes.supports.size(), 2U);
+  EXPECT_GT(planes.supports[0].area, 0.9);
   EXPECT_GT(planes.supports[1].area, 0.9);
-  EXPECT_LT(planes.supports[2].area, 0.1);
+  for (std::size_t k = 2; k < planes.supports.size(); ++k) EXPECT_LT(planes.supports[k].area, 0.1);
 }
 
 TEST(SupportPlanes, SeenFromAboveANearTableOutweighsALargerFloor) {
