@@ -221,7 +221,7 @@ TEST(SupportPlanes, TheOutlineHoldsAllPatchesThatShadowsCut) {
   builder.add_rectangle({-0.4, 0, 0}, {0.5, 0, 0}, {0, 0.8, 0});
   builder.add_rectangle({0.4, 0, 0}, {0.5, 0, 0}, {0, 0.8, 0});      // behind 0.3 m of shadow
   builder.add_rectangle({0.0, 0.1, 0}, {0.08, 0, 0}, {0, 0.08, 0});  // between
-  builder.add_rectangle({2.0, 0, 0}, {0.5, 0, 0}, {0, 0.8, 0});      // another table
+  builder.add_rectangle({2.0, 0, 0}, {0.3, 0, 0}, {0, 0.5, 0});      // another table
   builder.add_box({0.5, 0.2, 0}, {0.1, 0.1, 0.1});
   const TableScene scene = find_table_scene(builder.cloud());
   ASSERT_FALSE(scene.planes.supports.empty());
