@@ -65,9 +65,8 @@ struct ViewPoints {
 ViewPoints unproject(const DepthFrame& frame, const CameraIntrinsics& camera,
                      const ViewPointOptions& options = {});
 
-/// Triangles between neighbouring points that are on one surface. Every `stride`-th pixel of every
-/// `stride`-th row is a vertex.
-TriangleMesh view_mesh(const ViewPoints& points, const ViewPointOptions& options = {},
-                       Index stride = 1);
+/// Triangles between the points of neighbouring pixels that are on one surface, in the frame of the
+/// points.
+TriangleMesh view_mesh(const ViewPoints& points, const ViewPointOptions& options = {});
 
 }  // namespace symscene
