@@ -1,4 +1,4 @@
-// Fits the models object_alone and object_among_others to samples of symscene_object_samples
+// Fits the models object_alone and object_among_others to samples of symscene_make_object_samples
 // (benchmarks/README.md).
 #include <array>
 
@@ -124,7 +124,8 @@ std::vector<double> scores_of(const ObjectModels& models, const Kind& kind,
   return scores;
 }
 
-/// The proposals that are selected with the default options, as in select_probable().
+/// The proposals that select_probable() selects above `min_score`, without those that it adds where
+/// these leave points uncovered.
 std::vector<std::size_t> selected(const SceneSamples& scene, const std::vector<double>& scores,
                                   double min_score) {
   const SelectionOptions options;
@@ -333,7 +334,8 @@ void run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   symscene::bench::Arguments arguments;
   CLI::App app{
-      "Fits the probability that a proposal is an object to samples of symscene_object_samples, "
+      "Fits the probability that a proposal is an object to samples of "
+      "symscene_make_object_samples, "
       "one "
       "file per kind of input."};
   symscene::bench::add_fit_options(app, arguments);

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
     symscene::bench::run(arguments);
     return 0;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "symscene_object_samples: %s\n", error.what());
+    std::fprintf(stderr, "symscene_make_object_samples: %s\n", error.what());
     return 1;
   }
 }
