@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/rigid_motion.hpp"
 #include "frame_log.hpp"
 #include "scene_output.hpp"
 #include "session.hpp"
@@ -14,15 +15,6 @@
 
 namespace symscene::app {
 namespace {
-
-/// The mesh with its vertices and normals in another frame.
-TriangleMesh moved(TriangleMesh mesh, const Eigen::Isometry3d& T) {
-  const Eigen::Isometry3f motion = T.cast<float>();
-  mesh.vertices = (mesh.vertices * motion.linear().transpose()).eval();
-  mesh.vertices.rowwise() += motion.translation().transpose();
-  mesh.normals = (mesh.normals * motion.linear().transpose()).eval();
-  return mesh;
-}
 
 /// The options of all stages, in the groups of a configuration file.
 struct ReconstructOptions {
@@ -154,7 +146,7 @@ struct Reconstruct {
     });
     for (const StageTime& time : view.stages) timer.add(time.stage, time.seconds);
     const TriangleMesh surface = timer.time(
-        "extract surface", [&] { return moved(view_mesh(view.points, options.view), pose); });
+        "extract surface", [&] { return transformed(view_mesh(view.points, options.view), pose); });
     std::vector<ReportMember> members{{"output", shared.output}, {"frames", 1}, {"fused", 1}};
     const std::vector<ReportMember> written =
         output().write({view.built, view.occupancy, surface},

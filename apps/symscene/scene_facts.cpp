@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "core/spacing.hpp"
 #include "facts.hpp"
 #include "models.hpp"
-#include "symscene/core/neighbors.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
 #include "symscene/io/octomap.hpp"
@@ -30,21 +30,6 @@ void add_box(Facts& facts, const Points& points) {
             "box", {{"min", coordinates(box.min)}, {"max", coordinates(box.max)}});
 }
 
-/// Median distance from a point to its nearest neighbour. [m]
-double median_spacing(const Points& points) {
-  const NeighborLists nearest = nearest_neighbors(points, 1);
-  std::vector<float> distances;
-  for (std::size_t i = 0; i < nearest.size(); ++i) {
-    for (const Index j : nearest.of(i)) {
-      distances.push_back((points.row(static_cast<Eigen::Index>(i)) - points.row(j)).norm());
-    }
-  }
-  if (distances.empty()) return 0.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
 void add_cloud(Facts& facts, const PointCloud& cloud) {
   const PointIndices finite = finite_points(cloud.positions);
   std::string text = fmt::format("{}, {} normals, {} colour", cloud.size(),
@@ -59,7 +44,7 @@ void add_cloud(Facts& facts, const PointCloud& cloud) {
   if (finite.size() < 2) return;
   const Points points = select(cloud, finite).positions;
   add_box(facts, points);
-  const double spacing = median_spacing(points);
+  const double spacing = median_spacing(points).value_or(0.0F);
   facts.add("spacing", fmt::format("{:.2f} mm to the nearest other point (median)", 1e3 * spacing),
             "spacing", spacing);
 }

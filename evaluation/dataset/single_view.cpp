@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "symscene/core/error.hpp"
+#include "core/image_checks.hpp"
 
 namespace symscene {
 namespace {
@@ -69,18 +69,12 @@ std::vector<std::string> losses_of(const LabeledFrame& labeled, const SceneTruth
   return losses;
 }
 
-void require_size(std::size_t values, const CameraIntrinsics& camera, const char* what) {
-  if (values == camera.pixels()) return;
-  throw InputError(what, fmt::format("{}×{} values", camera.width, camera.height),
-                   fmt::format("{}", values));
-}
-
 }  // namespace
 
 SingleViewScene single_view_scene(const LabeledFrame& labeled, const SingleViewOptions& options) {
   options.validate();
-  require_size(labeled.frame.depth.size(), labeled.camera, "depth image");
-  require_size(labeled.labels.size(), labeled.camera, "label image");
+  require_pixels(labeled.frame.depth.size(), labeled.camera, "depth image");
+  require_pixels(labeled.labels.size(), labeled.camera, "label image");
   SingleViewScene result;
   ViewScene view = view_scene({labeled.frame, labeled.camera}, options.view);
   result.scene = std::move(view.built.scene);

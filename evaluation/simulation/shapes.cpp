@@ -130,16 +130,6 @@ TriangleMesh make_revolution(std::span<const ProfilePoint> profile, int segments
   return mesh.take();
 }
 
-TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& transform) {
-  for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
-    const Eigen::Vector3d p = mesh.vertices.row(i).transpose().cast<double>();
-    mesh.vertices.row(i) = (transform * p).cast<float>().transpose();
-  }
-  const Eigen::Matrix3f rotation = transform.linear().cast<float>();
-  mesh.normals = (mesh.normals * rotation.transpose()).eval();
-  return mesh;
-}
-
 Eigen::Vector3d volume_centroid(const TriangleMesh& mesh) {
   double volume = 0.0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();

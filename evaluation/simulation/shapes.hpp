@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "symscene/core/triangle_mesh.hpp"
+#include "core/rigid_motion.hpp"
 
 namespace symscene {
 
@@ -35,9 +35,6 @@ struct Ellipsoid {
 /// to the last bit. `blend` is the width over which parts blend, `cell` the edge of
 /// the grid. [m]
 TriangleMesh make_mirrored_body(std::span<const Ellipsoid> parts, double blend, double cell);
-
-/// The mesh with its vertices and normals transformed.
-TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& transform);
 
 /// The centre of mass of a closed mesh of uniform density. [m]
 Eigen::Vector3d volume_centroid(const TriangleMesh& mesh);

@@ -14,11 +14,6 @@
 namespace symscene {
 namespace {
 
-Plane transformed(const Plane& plane, const Eigen::Isometry3d& T) {
-  const Eigen::Vector3d normal = T.linear() * plane.normal;
-  return {normal, plane.offset - normal.dot(T.translation())};
-}
-
 /// Per point the object whose surface it is on, or none.
 std::vector<Index> nearest_objects(const Points& points_truth, const SceneTruth& truth,
                                    const TrueSurface& surface, double tolerance) {

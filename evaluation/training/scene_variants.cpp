@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "core/rigid_motion.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/options.hpp"
 
@@ -23,19 +24,10 @@ Eigen::Isometry3d random_motion(std::uint64_t seed) {
   return motion;
 }
 
-void move(const Eigen::Isometry3d& motion, Plane& plane) {
-  plane.normal = motion.linear() * plane.normal;
-  plane.offset -= plane.normal.dot(motion.translation());
-}
-
 void move(const Eigen::Isometry3d& motion, Scene& scene, SceneTruth& truth) {
-  const Eigen::Isometry3f m = motion.cast<float>();
-  PointCloud& cloud = scene.cloud;
-  cloud.positions =
-      ((cloud.positions * m.linear().transpose()).rowwise() + m.translation().transpose()).eval();
-  if (cloud.has_normals()) cloud.normals = (cloud.normals * m.linear().transpose()).eval();
-  if (scene.table) move(motion, *scene.table);
-  move(motion, truth.table);
+  scene.cloud = transformed(std::move(scene.cloud), motion);
+  if (scene.table) scene.table = transformed(*scene.table, motion);
+  truth.table = transformed(truth.table, motion);
   // Axes and planes of the ground truth are not moved: samples of objects use its masks alone.
 }
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
 
 #include <fmt/format.h>
 
+#include "core/image_checks.hpp"
 #include "core/parallel.hpp"
+#include "core/spacing.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -16,23 +19,10 @@ namespace {
 /// A pixel that shows the table.
 constexpr Index on_table = PointsInView::none - 1;
 
-/// Median distance to the nearest other point. [m]
+/// The spacing of a cloud. [m]
 double spacing_of(const Points& points) {
-  const NeighborLists nearest = nearest_neighbors(points, 1);
-  std::vector<float> distances;
-  for (Index i = 0; i < nearest.size(); ++i) {
-    for (const Index j : nearest.of(i)) distances.push_back((points.row(i) - points.row(j)).norm());
-  }
-  if (distances.empty()) return 0.005;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return std::max(1e-4, static_cast<double>(*middle));
-}
-
-void require_pixels(std::size_t count, const CameraIntrinsics& camera, const char* what) {
-  if (count == camera.pixels()) return;
-  throw InputError(what, fmt::format("{}×{} values", camera.width, camera.height),
-                   fmt::format("{}", count));
+  const std::optional<float> spacing = median_spacing(points);
+  return spacing ? std::max(1e-4, double{*spacing}) : 0.005;
 }
 
 Eigen::Vector3d point_of(const CameraIntrinsics& camera, std::span<const float> depth,

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "symscene/core/error.hpp"
+#include "core/image_checks.hpp"
 #include "symscene/labels/label_image.hpp"
 
 namespace symscene {
@@ -40,9 +38,8 @@ Colors grey_depths(const std::vector<float>& depth) {
 
 Colors overlay(const CameraIntrinsics& camera, const DepthFrame& frame,
                std::span<const std::uint16_t> labels) {
-  if (labels.size() != camera.pixels() || frame.depth.size() != camera.pixels())
-    throw InputError("labels", fmt::format("{}×{} values", camera.width, camera.height),
-                     fmt::format("{}", labels.size()));
+  require_pixels(labels.size(), camera, "labels");
+  require_pixels(frame.depth.size(), camera, "depth image");
   Colors colors = frame.colors.rows() == 0 ? grey_depths(frame.depth) : frame.colors;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] == 0) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/median.hpp"
 #include "independent_set.hpp"
 
 namespace symscene {
@@ -125,10 +126,7 @@ bool overlaps_any(const SceneObject& object, const std::vector<SceneObject>& oth
 double median_size(const std::vector<SceneObject>& objects) {
   std::vector<std::size_t> sizes;
   for (const SceneObject& object : objects) sizes.push_back(object.points.size());
-  if (sizes.empty()) return 0.0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return static_cast<double>(*middle);
+  return static_cast<double>(median(std::move(sizes)).value_or(0));
 }
 
 /// The independent objects whose scores exceed `min_score` by the greatest sum; those that do not

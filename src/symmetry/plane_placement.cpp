@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
+
 namespace symscene {
 namespace {
 
@@ -81,10 +83,7 @@ class OffsetVotes {
         if (cosine > min_cosine_) offsets.push_back(0.5F * (heights[i] + heights[j]));
       }
     }
-    if (offsets.empty()) return 0.0;
-    const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
-    std::nth_element(offsets.begin(), middle, offsets.end());
-    return double{*middle};
+    return double{symscene::median(std::move(offsets)).value_or(0.0F)};
   }
 
  private:

@@ -51,6 +51,12 @@ double ConvexOutline::distance(const Eigen::Vector2d& point) const {
   return farthest;
 }
 
+ConvexOutline outline_of(const std::vector<Eigen::Vector3d>& corners, const PlaneFrame& frame) {
+  std::vector<Eigen::Vector2d> within;
+  for (const Eigen::Vector3d& corner : corners) within.push_back(frame.within(corner));
+  return ConvexOutline(std::move(within));
+}
+
 PlaneCells::PlaneCells(const std::vector<Eigen::Vector2d>& points, double edge) : edge_(edge) {
   if (points.empty()) return;
   low_ = points[0];

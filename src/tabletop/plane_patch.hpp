@@ -41,6 +41,9 @@ class ConvexOutline {
   std::vector<Eigen::Vector2d> corners_;
 };
 
+/// The outline with these corners, given in the space around the plane.
+ConvexOutline outline_of(const std::vector<Eigen::Vector3d>& corners, const PlaneFrame& frame);
+
 /// A grid over a plane; a cell is occupied if it holds points.
 class PlaneCells {
  public:

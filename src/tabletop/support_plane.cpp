@@ -173,9 +173,7 @@ PlaneCells covered_cells(const PointCloud& cloud, const PointIndices& usable,
                          const SupportPlane& plane, const std::vector<bool>& walls,
                          const SupportPlaneOptions& options) {
   const PlaneFrame frame(plane.plane);
-  std::vector<Eigen::Vector2d> corners;
-  for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
-  const ConvexOutline outline(std::move(corners));
+  const ConvexOutline outline = outline_of(plane.outline, frame);
   const double clearance = std::max(options.min_clearance, options.inlier_distance);
   std::vector<Eigen::Vector2d> above;
   for (const Index i : usable) {
@@ -196,9 +194,7 @@ std::size_t points_beneath(const PointCloud& cloud, const PointIndices& usable,
   constexpr double depth = 0.2, margin = 0.05;  // [m]
   constexpr double parallel = 0.7;              // cosine of the angle between normals
   const PlaneFrame frame(plane.plane);
-  std::vector<Eigen::Vector2d> corners;
-  for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
-  const ConvexOutline outline(std::move(corners));
+  const ConvexOutline outline = outline_of(plane.outline, frame);
   return static_cast<std::size_t>(std::count_if(usable.begin(), usable.end(), [&](Index i) {
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
     const double below = -plane.plane.signed_distance(point);

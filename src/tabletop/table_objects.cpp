@@ -5,6 +5,7 @@
 
 #include "bent_plane.hpp"
 #include "core/parallel.hpp"
+#include "core/spacing.hpp"
 #include "core/voxel_sampling.hpp"
 #include "symscene/core/neighbors.hpp"
 
@@ -13,18 +14,12 @@ namespace {
 
 constexpr Index points_for_bend = 20000;
 
-ConvexOutline outline_of(const SupportPlane& plane, const PlaneFrame& frame) {
-  std::vector<Eigen::Vector2d> corners;
-  for (const Eigen::Vector3d& corner : plane.outline) corners.push_back(frame.within(corner));
-  return ConvexOutline(std::move(corners));
-}
-
 /// Whether a point is of a wall.
 class WallTest {
  public:
   WallTest(const SupportPlane& wall, const SupportPlaneOptions& options)
       : frame_(wall.plane),
-        outline_(outline_of(wall, frame_)),
+        outline_(outline_of(wall.outline, frame_)),
         distance_(options.inlier_distance),
         cosine_(std::cos(options.normal_angle)) {}
 
@@ -93,15 +88,9 @@ struct FragmentBounds {
 FragmentBounds bounds_for(const Points& points, const TableCropOptions& options) {
   constexpr double diagonal = 1.5;
   constexpr std::size_t least = 8;
-  const NeighborLists nearest = nearest_neighbors(points, 1);
-  std::vector<float> distances;
-  for (Index i = 0; i < nearest.size(); ++i) {
-    for (const Index j : nearest.of(i)) distances.push_back((points.row(i) - points.row(j)).norm());
-  }
-  if (distances.empty()) return {options.link, static_cast<std::size_t>(options.min_fragment)};
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  const double ratio = std::max(diagonal * *middle / options.voxel_size, 1.0);
+  const std::optional<float> spacing = median_spacing(points);
+  if (!spacing) return {options.link, static_cast<std::size_t>(options.min_fragment)};
+  const double ratio = std::max(diagonal * *spacing / options.voxel_size, 1.0);
   const auto count = static_cast<std::size_t>(options.min_fragment / (ratio * ratio));
   return {ratio * options.link,
           std::max(count, std::min(least, static_cast<std::size_t>(options.min_fragment)))};
@@ -160,7 +149,7 @@ TableObjects objects_on(const PointCloud& cloud, const FoundPlanes& planes,
     some.push_back(table.inliers[k]);
   const BentPlane surface =
       crop.follow_bend ? BentPlane(table.plane, planes.searched, some) : BentPlane(table.plane);
-  const ConvexOutline outline = outline_of(table, surface.frame());
+  const ConvexOutline outline = outline_of(table.outline, surface.frame());
   TableObjects objects;
   objects.clearance = std::clamp(crop.clearance_sigmas * surface.residual(planes.searched, some),
                                  crop.min_clearance, crop.max_clearance);

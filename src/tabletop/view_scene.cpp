@@ -1,21 +1,9 @@
 #include "symscene/tabletop/view_scene.hpp"
 
+#include "core/rigid_motion.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
-namespace {
-
-PointCloud moved(PointCloud cloud, const Eigen::Isometry3d& T) {
-  if (T.matrix().isIdentity(0.0)) return cloud;
-  const Eigen::Isometry3f motion = T.cast<float>();
-  cloud.positions = (cloud.positions * motion.linear().transpose()).eval();
-  cloud.positions.rowwise() += motion.translation().transpose();
-  cloud.normals = (cloud.normals * motion.linear().transpose()).eval();
-  return cloud;
-}
-
-}  // namespace
-
 ViewScene view_scene(const DepthView& view, const TablePrior& known,
                      const ViewSceneOptions& options) {
   options.validate();
@@ -28,9 +16,13 @@ ViewScene view_scene(const DepthView& view, const TablePrior& known,
   made.occupancy = OccupancyVolume(options.occupancy);
   timer.time("map space",
              [&] { made.occupancy.integrate(view.frame, view.camera, view.T_world_camera); });
+  const auto build = [&](const PointCloud& points_world) {
+    return build_scene(points_world, made.occupancy, known, options.scene);
+  };
+  const PointCloud& points = made.points.cloud;
+  const bool is_at_origin = view.T_world_camera.matrix().isIdentity(0.0);
   made.built = timer.time("find table", [&] {
-    return build_scene(moved(made.points.cloud, view.T_world_camera), made.occupancy, known,
-                       options.scene);
+    return is_at_origin ? build(points) : build(transformed(points, view.T_world_camera));
   });
   made.stages = timer.stages();
   return made;
