@@ -107,6 +107,15 @@ double deviation_at(const SweepOptions& sweep, double z) {
   return sensor.axial * z * z;
 }
 
+/// Distance from its true surface up to which a measured point is on it, at distance z. [m]
+double greatest_error_at(const SweepOptions& sweep, double z) {
+  constexpr double by_multipath = 0.03;  // [m], where an object meets the table
+  const SensorNoiseOptions& sensor = sweep.sensor;
+  const bool multipath = parse_simulated_sensor(sensor.model) == SimulatedSensor::time_of_flight &&
+                         sensor.tof.multipath > 0.0;
+  return 3.0 * deviation_at(sweep, z) + (multipath ? by_multipath : 0.0);
+}
+
 /// Radius of the ball about the point that the camera looks at, and of the disc on the table about
 /// its middle, that hold all objects. [m]
 struct ObjectExtent {
@@ -173,7 +182,7 @@ void fit_to_objects(const SceneVariationOptions& options, Tabletop& tabletop, Sc
   camera.radius = std::max(camera.radius, extent.ball + options.clearance);
   // Points of a noisy surface belong to the object that they were measured on.
   TruthTransferOptions& truth = plan.making.truth;
-  truth.tolerance = std::max(truth.tolerance, 3.0 * deviation_at(plan.sweep, camera.radius));
+  truth.tolerance = std::max(truth.tolerance, greatest_error_at(plan.sweep, camera.radius));
 }
 
 }  // namespace symscene

@@ -51,6 +51,12 @@ FusedPoses add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool 
   return poses;
 }
 
+BuiltScene scene_of(const TriangleMesh& surface, const Reconstruction& reconstruction,
+                    const Trajectory& tracked, const SceneBuildingOptions& options) {
+  return build_scene({surface.vertices, surface.normals, surface.colors},
+                     reconstruction.occupancy(), prior_of(tracked), options);
+}
+
 /// Tracks and fuses the frames.
 void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
                     const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
@@ -61,33 +67,38 @@ void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
   result.trajectory = trajectory_error(poses.estimated, poses.truth);
   result.T_scene_world = align_poses(poses.estimated, poses.truth);
   result.surface = timer.time("surface", [&] { return reconstruction.surface(); });
-  if (result.surface.vertices.rows() == 0) return;
-  timer.time("scene", [&] {
-    const TriangleMesh& mesh = result.surface;
-    const BuiltScene built =
-        build_scene({mesh.vertices, mesh.normals, mesh.colors}, reconstruction.occupancy(),
-                    prior_of(poses.tracked), options.scene);
-    if (built.scene.table) result.scene = built.scene;
+  if (result.surface.vertices.rows() != 0) {
+    BuiltScene built = timer.time("scene", [&] {
+      return scene_of(result.surface, reconstruction, poses.tracked, options.scene);
+    });
+    if (built.scene.table) result.scene = std::move(built.scene);
+  }
+  result.truth = timer.time("ground truth", [&] {
+    return transfer_truth(tabletop_truth(tabletop), meshes_of(tabletop), result.scene.cloud,
+                          result.T_scene_world, options.truth);
   });
 }
 
 /// Makes the scene of the only frame, in the frame of its camera.
 void make_of_view(const Tabletop& tabletop, const SweepOptions& sweep,
                   const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
-  DepthFrame frame;
+  SensorFrame seen;
   timer.time("render", [&] {
-    capture_sweep(tabletop, sweep, [&](const DepthFrame& only, const Eigen::Isometry3d& pose) {
-      frame = only;
-      result.T_scene_world = pose.inverse();
-    });
+    capture_sensor_frames(tabletop, sweep,
+                          [&](double, SensorFrame&& only) { seen = std::move(only); });
   });
+  result.T_scene_world = seen.T_world_camera.inverse();
   result.frames = result.fused = 1;
+  const CameraIntrinsics camera = sweep.camera.intrinsics();
   const ViewScene view =
-      view_scene({frame, sweep.camera.intrinsics()},
+      view_scene({{0.0, seen.depth, seen.colors}, camera},
                  {options.view, options.reconstruction.occupancy, options.scene});
   for (const StageTime& stage : view.stages) timer.add(stage.stage, stage.seconds);
   result.surface = view_mesh(view.points, options.view);
   if (view.built.scene.table) result.scene = view.built.scene;
+  result.truth = timer.time("ground truth", [&] {
+    return view_truth(tabletop_truth(tabletop), seen, camera, result.scene.cloud, options.truth);
+  });
 }
 
 }  // namespace
@@ -105,10 +116,6 @@ SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep
   StageTimer timer;
   const auto make = sweep.camera.frames == 1 ? make_of_view : make_of_frames;
   make(tabletop, sweep, options, result, timer);
-  timer.time("ground truth", [&] {
-    result.truth = transfer_truth(tabletop_truth(tabletop), meshes_of(tabletop), result.scene.cloud,
-                                  result.T_scene_world, options.truth);
-  });
   result.stages = timer.stages();
   return result;
 }

@@ -49,7 +49,8 @@ void make_in_parallel_use_in_order(std::size_t count, const Make& make, const Us
 
 }  // namespace
 
-void capture_sweep(const Tabletop& tabletop, const SweepOptions& options, const FrameSink& sink) {
+void capture_sensor_frames(const Tabletop& tabletop, const SweepOptions& options,
+                           const SensorFrameSink& sink) {
   options.validate();
   const CameraIntrinsics camera = options.camera.intrinsics();
   const std::vector<Eigen::Isometry3d> poses =
@@ -60,12 +61,16 @@ void capture_sweep(const Tabletop& tabletop, const SweepOptions& options, const 
     SensorFrame seen =
         add_sensor_noise(renderer.render(camera, tabletop.T_world_table * poses[i]), camera,
                          options.sensor, Random(options.tabletop.seed, i + 2));
-    const double time = static_cast<double>(i) / options.frame_rate;
-    return std::pair(DepthFrame{time, std::move(seen.depth), std::move(seen.colors)},
-                     seen.T_world_camera);
+    return std::pair(static_cast<double>(i) / options.frame_rate, std::move(seen));
   };
   make_in_parallel_use_in_order(poses.size(), capture,
-                                [&](const auto& item) { sink(item.first, item.second); });
+                                [&](auto& item) { sink(item.first, std::move(item.second)); });
+}
+
+void capture_sweep(const Tabletop& tabletop, const SweepOptions& options, const FrameSink& sink) {
+  capture_sensor_frames(tabletop, options, [&](double time, SensorFrame&& seen) {
+    sink({time, std::move(seen.depth), std::move(seen.colors)}, seen.T_world_camera);
+  });
 }
 
 std::vector<std::string> mesh_names(const Tabletop& tabletop) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <Eigen/SVD>
 
+#include "core/image_checks.hpp"
 #include "core/parallel.hpp"
 #include "core/thinned_size.hpp"
 #include "shapes.hpp"
@@ -34,6 +35,37 @@ std::vector<Index> nearest_objects(const Points& points_truth, const SceneTruth&
 Points in_truth_frame(const Points& points, const Eigen::Isometry3d& T) {
   return ((points.cast<double>() * T.linear().transpose()).rowwise() + T.translation().transpose())
       .cast<float>();
+}
+
+/// `truth` in the frame of `cloud`, with the points of each object that has enough of them.
+/// `objects` is the index of each point's object, or a greater one.
+SceneTruth with_masks(SceneTruth truth, const std::vector<Index>& objects, const PointCloud& cloud,
+                      const TruthTransferOptions& options) {
+  std::vector<PointIndices> masks(truth.objects.size());
+  for (Index i = 0; i < objects.size(); ++i) {
+    if (objects[i] < masks.size()) masks[objects[i]].push_back(i);
+  }
+  std::vector<TrueObject> seen;
+  for (std::size_t k = 0; k < masks.size(); ++k) {
+    if (thinned_size(cloud.positions, masks[k]) <
+        static_cast<std::size_t>(options.min_object_points)) {
+      continue;
+    }
+    seen.push_back(std::move(truth.objects[k]));
+    seen.back().points = std::move(masks[k]);
+  }
+  truth.objects = std::move(seen);
+  return truth;
+}
+
+/// What the pixel of a point shows.
+Index object_at(const SensorFrame& frame, const CameraIntrinsics& camera,
+                const Eigen::Vector3d& point_camera) {
+  if (!(point_camera.z() > 0.0)) return SensorFrame::nothing;
+  const Eigen::Vector2d pixel = camera.project(point_camera);
+  const double u = std::round(pixel.x()), v = std::round(pixel.y());
+  if (!(u >= 0.0 && v >= 0.0 && u < camera.width && v < camera.height)) return SensorFrame::nothing;
+  return frame.objects[static_cast<std::size_t>(v) * camera.width + static_cast<std::size_t>(u)];
 }
 
 }  // namespace
@@ -99,22 +131,19 @@ SceneTruth transfer_truth(const SceneTruth& truth, std::span<const TriangleMesh>
   const TrueSurface surface(placed_meshes(truth, meshes));
   const std::vector<Index> objects = nearest_objects(
       in_truth_frame(cloud.positions, T_cloud_truth.inverse()), truth, surface, options.tolerance);
-  std::vector<PointIndices> masks(truth.objects.size());
-  for (Index i = 0; i < objects.size(); ++i) {
-    if (objects[i] < masks.size()) masks[objects[i]].push_back(i);
-  }
-  SceneTruth result = transformed(truth, T_cloud_truth);
-  std::vector<TrueObject> seen;
-  for (std::size_t k = 0; k < masks.size(); ++k) {
-    if (thinned_size(cloud.positions, masks[k]) <
-        static_cast<std::size_t>(options.min_object_points)) {
-      continue;
-    }
-    seen.push_back(std::move(result.objects[k]));
-    seen.back().points = std::move(masks[k]);
-  }
-  result.objects = std::move(seen);
-  return result;
+  return with_masks(transformed(truth, T_cloud_truth), objects, cloud, options);
+}
+
+SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
+                      const CameraIntrinsics& camera, const PointCloud& cloud_camera,
+                      const TruthTransferOptions& options) {
+  options.validate();
+  require_pixels(frame.objects.size(), camera, "image of objects");
+  std::vector<Index> objects(cloud_camera.size(), SensorFrame::nothing);
+  for (Index i = 0; i < cloud_camera.size(); ++i)
+    objects[i] = object_at(frame, camera, cloud_camera.position(i).cast<double>());
+  return with_masks(transformed(truth, frame.T_world_camera.inverse()), objects, cloud_camera,
+                    options);
 }
 
 }  // namespace symscene

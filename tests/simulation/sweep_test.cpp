@@ -43,6 +43,26 @@ std::vector<Eigen::Isometry3d> standing_still(std::size_t frames) {
   return std::vector<Eigen::Isometry3d>(frames, Eigen::Isometry3d::Identity());
 }
 
+TEST(CaptureSensorFrames, ShowTheObjectsOfTheDepthImages) {
+  const SweepOptions options = small_sweep(2);
+  const std::vector<Taken> taken = take(options);
+  std::size_t next = 0;
+  std::set<Index> shown;
+  capture_sensor_frames(arrange_tabletop(options.tabletop), options,
+                        [&](double time, SensorFrame&& seen) {
+                          const Taken& same = taken.at(next++);
+                          EXPECT_EQ(time, same.frame.time);
+                          EXPECT_EQ(seen.depth, same.frame.depth);
+                          for (std::size_t i = 0; i < seen.depth.size(); ++i) {
+                            const bool is_measured = seen.depth[i] > 0.0F;
+                            EXPECT_EQ(is_measured, seen.objects[i] != SensorFrame::nothing);
+                            if (is_measured) shown.insert(seen.objects[i]);
+                          }
+                        });
+  EXPECT_EQ(next, 2U);
+  EXPECT_EQ(shown, (std::set<Index>{0, 1, 2, 3})) << "three objects and the table";
+}
+
 TEST(HandShake, IsSmoothAndBounded) {
   const HandShakeOptions options;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {

@@ -93,6 +93,49 @@ TEST(TransferTruth, MovesTheGroundTruthIntoTheFrameOfTheCloud) {
       T * before.objects[1].reflectional.at(0).plane.reflect_point(p), 1e-12));
 }
 
+constexpr Index seen_pixels = 30 * 20;
+
+/// An image of 30 by 20 pixels whose left half shows the first object, 5 cm farther than it is.
+SensorFrame half_an_image(const Tabletop& tabletop) {
+  SensorFrame frame;
+  frame.T_world_camera = some_motion();
+  for (Index pixel = 0; pixel < seen_pixels; ++pixel) {
+    frame.objects.push_back(pixel % 30 < 15 ? 0 : static_cast<Index>(tabletop.objects.size()));
+    frame.depth.push_back(1.05F);
+  }
+  return frame;
+}
+
+PointCloud points_of(const SensorFrame& frame, const CameraIntrinsics& camera) {
+  PointCloud cloud;
+  cloud.positions.resize(seen_pixels, 3);
+  for (Index pixel = 0; pixel < seen_pixels; ++pixel)
+    cloud.positions.row(pixel) =
+        (double{frame.depth[pixel]} * camera.ray(pixel % 30, pixel / 30)).cast<float>().transpose();
+  return cloud;
+}
+
+TEST(ViewTruth, GivesEachPointTheObjectOfItsPixelWhereverTheErrorOfTheSensorMovesIt) {
+  const Tabletop tabletop = three_boxes();
+  const CameraIntrinsics camera{30, 20, 100.0, 100.0, 14.5, 9.5};
+  const SensorFrame frame = half_an_image(tabletop);
+  const SceneTruth before = tabletop_truth(tabletop);
+  const SceneTruth truth = view_truth(before, frame, camera, points_of(frame, camera));
+  ASSERT_EQ(truth.objects.size(), 1U);
+  EXPECT_EQ(truth.objects[0].name, "left");
+  ASSERT_EQ(truth.objects[0].points.size(), seen_pixels / 2);
+  for (const Index point : truth.objects[0].points) EXPECT_LT(point % 30, 15U);
+  EXPECT_TRUE(truth.objects[0].centroid.isApprox(
+      some_motion().inverse() * before.objects[0].centroid, 1e-12));
+}
+
+TEST(ViewTruth, RefusesAnImageOfAnotherSize) {
+  const Tabletop tabletop = three_boxes();
+  const SensorFrame frame = half_an_image(tabletop);
+  EXPECT_THROW(view_truth(tabletop_truth(tabletop), frame, {31, 20, 100.0, 100.0, 14.5, 9.5}, {}),
+               InputError);
+}
+
 TEST(TransferTruth, RefusesGroundTruthWithoutMeshesOrPoses) {
   const Tabletop tabletop = three_boxes();
   SceneTruth truth = tabletop_truth(tabletop);

@@ -5,6 +5,7 @@
 
 #include "symscene/core/depth_frame.hpp"
 #include "symscene/simulation/camera_path.hpp"
+#include "symscene/simulation/sensor_frame.hpp"
 #include "symscene/simulation/sensor_noise.hpp"
 #include "symscene/simulation/settling.hpp"
 
@@ -40,6 +41,14 @@ using FrameSink =
 /// holds two frames more than there are threads. The same options give the same frames for any
 /// number of threads. Throws InputError if an option is out of range.
 void capture_sweep(const Tabletop& tabletop, const SweepOptions& options, const FrameSink& sink);
+
+/// What the camera measured and the time, with the object that each pixel shows: its index in the
+/// tabletop, or a greater one for all else.
+using SensorFrameSink = std::function<void(double time, SensorFrame&& frame)>;
+
+/// The same frames with what each pixel shows. Throws as capture_sweep() does.
+void capture_sensor_frames(const Tabletop& tabletop, const SweepOptions& options,
+                           const SensorFrameSink& sink);
 
 /// A unique name for the mesh of each object: the object's name, with a number where it is taken.
 std::vector<std::string> mesh_names(const Tabletop& tabletop);

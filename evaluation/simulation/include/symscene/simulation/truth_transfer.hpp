@@ -7,6 +7,7 @@
 #include "symscene/core/options.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/core/triangle_mesh.hpp"
+#include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {
 
@@ -43,6 +44,14 @@ Eigen::Isometry3d align_poses(std::span<const Eigen::Isometry3d> poses_target,
 SceneTruth transfer_truth(const SceneTruth& truth, std::span<const TriangleMesh> meshes,
                           const PointCloud& cloud, const Eigen::Isometry3d& T_cloud_truth,
                           const TruthTransferOptions& options = {});
+
+/// The ground truth of the points of a single image, in the frame of its camera: each point belongs
+/// to the object that its pixel shows, wherever the error of the sensor moves it, as in a labelled
+/// image of a real camera. `truth` is in the frame of `frame`'s pose. Throws InputError if the
+/// image is not of the camera's size or an option is out of range.
+SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
+                      const CameraIntrinsics& camera, const PointCloud& cloud_camera,
+                      const TruthTransferOptions& options = {});
 
 /// The meshes of the objects at their poses, in the frame of `truth`.
 /// Throws InputError as transfer_truth() does.
