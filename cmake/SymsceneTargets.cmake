@@ -29,9 +29,6 @@ if(SYMSCENE_SANITIZE)
   target_link_options(symscene_flags INTERFACE -fsanitize=${SYMSCENE_SANITIZE})
   target_compile_definitions(symscene_flags INTERFACE SYMSCENE_SANITIZED)
 endif()
-if(SYMSCENE_BUILD_FUZZERS)
-  target_compile_options(symscene_flags INTERFACE -fsanitize=fuzzer-no-link)
-endif()
 
 # symscene_library(ROOM [EVALUATION] LINK public... PRIVATE_LINK private...)
 # The static library symscene_ROOM, alias symscene::ROOM, of every source in src/ROOM (evaluation/ROOM). Its headers:
