@@ -9,7 +9,7 @@ namespace symscene::app {
 namespace {
 
 bool belongs_to_masks(const std::string& file) {
-  return file == "masks.json" ||
+  return file == "masks.json" || file == "labels/" || file == "overlays/" ||
          ((file.starts_with("labels/") || file.starts_with("overlays/")) && file.ends_with(".png"));
 }
 
