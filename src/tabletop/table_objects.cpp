@@ -7,6 +7,7 @@
 #include "core/parallel.hpp"
 #include "core/spacing.hpp"
 #include "core/voxel_sampling.hpp"
+#include "enclosed_floors.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
@@ -125,6 +126,23 @@ void drop_stray_fragments(TableObjects& objects, const PlaneFrame& frame,
   objects.cloud = select(objects.cloud, points);
 }
 
+/// Those of the points that are above the clearance or on the floor of what stands on the table.
+PointIndices standing_points(const PointCloud& cloud, const PointIndices& points,
+                             const BentPlane& surface, double clearance, double cell) {
+  std::vector<PlaneSample> samples(points.size());
+  parallel_for_each(points.size(), [&](std::size_t k) {
+    const Eigen::Vector3d point = cloud.position(points[k]).cast<double>();
+    samples[k] = {surface.frame().within(point), surface.height(point)};
+  });
+  std::vector<std::uint8_t> stands(points.size(), 0);
+  for (const std::size_t k : enclosed_floors(samples, clearance, cell)) stands[k] = 1;
+  PointIndices standing;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (stands[k] != 0 || samples[k].height > clearance) standing.push_back(points[k]);
+  }
+  return standing;
+}
+
 }  // namespace
 
 PointIndices points_in_fragments(const Points& points, const TableCropOptions& options) {
@@ -155,17 +173,19 @@ TableObjects objects_on(const PointCloud& cloud, const FoundPlanes& planes,
                                  crop.min_clearance, crop.max_clearance);
   std::vector<WallTest> walls;
   for (const SupportPlane& wall : planes.walls) walls.emplace_back(wall, options.plane);
-  const auto stands_on = [&](Index i) {
+  const auto is_over_table = [&](Index i) {
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
-    const double height = surface.height(point);  // NaN is not above the clearance
-    if (!(height > objects.clearance && height < crop.max_height)) return false;
+    const double height = surface.height(point);  // NaN is over no table
+    if (!(height > -objects.clearance && height < crop.max_height)) return false;
     if (!(outline.distance(surface.frame().within(point)) < crop.overhang)) return false;
     const Eigen::Vector3d normal = cloud.normal(i).cast<double>();
     return std::none_of(walls.begin(), walls.end(),
                         [&](const WallTest& wall) { return wall.holds(point, normal); });
   };
-  objects.cloud =
-      voxel_downsample(select(cloud, indices_where(cloud.size(), stands_on)), crop.voxel_size);
+  const PointIndices over_table = indices_where(cloud.size(), is_over_table);
+  const PointIndices standing =
+      standing_points(cloud, over_table, surface, objects.clearance, 2.0 * crop.voxel_size);
+  objects.cloud = voxel_downsample(select(cloud, standing), crop.voxel_size);
   drop_stray_fragments(objects, surface.frame(), outline, crop);
   return objects;
 }
