@@ -129,6 +129,21 @@ TEST(ViewTruth, GivesEachPointTheObjectOfItsPixelWhereverTheErrorOfTheSensorMove
       some_motion().inverse() * before.objects[0].centroid, 1e-12));
 }
 
+TEST(ViewTruth, GivesPointsThatBridgeAHoleTheObjectAtItsBorder) {
+  const Tabletop tabletop = three_boxes();
+  const CameraIntrinsics camera{30, 20, 100.0, 100.0, 14.5, 9.5};
+  SensorFrame frame = half_an_image(tabletop);
+  const PointCloud cloud = points_of(frame, camera);
+  for (Index pixel = 2; pixel < seen_pixels; pixel += 3) {
+    frame.objects[pixel] = SensorFrame::nothing;
+    frame.depth[pixel] = 0.0F;
+  }
+  const SceneTruth truth = view_truth(tabletop_truth(tabletop), frame, camera, cloud);
+  ASSERT_EQ(truth.objects.size(), 1U);
+  EXPECT_GE(truth.objects[0].points.size(), seen_pixels / 2);
+  for (const Index point : truth.objects[0].points) EXPECT_LT(point % 30, 16U);
+}
+
 TEST(ViewTruth, RefusesAnImageOfAnotherSize) {
   const Tabletop tabletop = three_boxes();
   const SensorFrame frame = half_an_image(tabletop);

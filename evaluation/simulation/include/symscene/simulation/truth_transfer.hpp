@@ -47,8 +47,8 @@ SceneTruth transfer_truth(const SceneTruth& truth, std::span<const TriangleMesh>
 
 /// The ground truth of the points of a single image, in the frame of its camera: each point belongs
 /// to the object that its pixel shows, wherever the error of the sensor moves it, as in a labelled
-/// image of a real camera. `truth` is in the frame of `frame`'s pose. Throws InputError if the
-/// image is not of the camera's size or an option is out of range.
+/// image of a real camera; in a hole, to that at the border. `truth` is in the frame of `frame`'s
+/// pose. Throws InputError if the image is not of the camera's size or an option is out of range.
 SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
                       const CameraIntrinsics& camera, const PointCloud& cloud_camera,
                       const TruthTransferOptions& options = {});
