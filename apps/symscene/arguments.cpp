@@ -68,6 +68,10 @@ void Arguments::input(fs::path& value, const char* name, const char* help) {
   command_.add_option(name, value, help)->required()->type_name("");
 }
 
+void Arguments::inputs(std::vector<fs::path>& values, const char* name, const char* help) {
+  command_.add_option(name, values, help)->required()->type_name("");
+}
+
 void Arguments::required_output(SharedOptions& shared, const char* help) {
   command_.add_option("-o,--output", shared.output, help)->required()->type_name("OUT");
 }

@@ -45,6 +45,8 @@ class Arguments {
   Arguments(CommandLine& line, const char* name, const char* summary, const char* example);
 
   void input(std::filesystem::path& value, const char* name, const char* help);
+  /// One or more.
+  void inputs(std::vector<std::filesystem::path>& values, const char* name, const char* help);
   void required_output(SharedOptions& shared, const char* help);
   void optional_output(SharedOptions& shared, const char* help);
   void file(const char* flag, std::filesystem::path& value, const char* help);

@@ -1,100 +1,144 @@
+#include <charconv>
 #include <memory>
-#include <utility>
+#include <set>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "core/surface_sampling.hpp"
 #include "io/atomic_file.hpp"
 #include "models.hpp"
 #include "session.hpp"
+#include "symmetry_formats.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
-#include "symscene/symmetry/single_object.hpp"
 
 namespace symscene::app {
 namespace {
 
-constexpr std::size_t sampled_points = 40000;
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
-nlohmann::ordered_json coordinates(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+constexpr std::size_t sampled_points = 20000;
 
-nlohmann::ordered_json to_json(const ScoredAxis& found) {
-  return {{"point", coordinates(found.axis.point)},
-          {"direction", coordinates(found.axis.direction)},
-          {"score", found.residual}};
+/// A model as points of even density with normals, and the points that give its extent.
+struct Model {
+  std::string name;
+  PointCloud surface;
+  Points vertices;
+};
+
+Model model_of(const NamedMesh& named) {
+  return {named.name, sample_surface(named.mesh, sampled_points), named.mesh.vertices};
 }
 
-nlohmann::ordered_json to_json(const ScoredPlane& found) {
-  return {{"point", coordinates(found.plane.point)},
-          {"normal", coordinates(found.plane.normal)},
-          {"score", found.residual}};
-}
-
-template <class Symmetries>
-nlohmann::ordered_json list_json(const Symmetries& symmetries) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& found : symmetries) list.push_back(to_json(found));
-  return list;
-}
-
-/// A list with one entry per line.
-std::string format_list(const nlohmann::ordered_json& list) {
-  std::string text = "[";
-  const char* separator = "\n    ";
-  for (const auto& entry : list) text += std::exchange(separator, ",\n    ") + entry.dump();
-  return text + "]";
-}
-
-std::string format_symmetries(const ObjectSymmetries& found) {
-  return fmt::format(
-      "{{\n  \"version\": 1,\n  \"sphere\": {},\n  \"centroid\": {},\n  \"rotational\": {},\n"
-      "  \"reflectional\": {}\n}}\n",
-      found.sphere, coordinates(found.centroid).dump(), format_list(list_json(found.rotational)),
-      format_list(list_json(found.reflectional)));
+/// The number in a name like obj_000012; 0 in others.
+int bop_number(const std::string& name) {
+  constexpr std::string_view prefix = "obj_";
+  int number = 0;
+  if (!name.starts_with(prefix)) return 0;
+  const char* const end = name.data() + name.size();
+  const auto [after, error] = std::from_chars(name.data() + prefix.size(), end, number);
+  return error == std::errc{} && after == end ? std::max(number, 0) : 0;
 }
 
 struct Symmetry {
   SharedOptions shared;
-  SingleObjectOptions options;
-  std::filesystem::path model;
+  SymmetryGroupOptions whole;
+  SingleObjectOptions partial;
+  std::vector<fs::path> inputs;
+  std::string format = "json", units = "m";
+  bool is_partial = false;
 
-  OptionFields configure() { return configure_options(options, shared.config); }
-
-  /// The points of a cloud, or points sampled evenly on a mesh.
-  PointCloud read_model() const {
-    if (is_cloud_file(model)) return read_cloud(model);
-    return sample_surface(read_mesh(model), sampled_points);
+  OptionFields configure() {
+    return is_partial ? configure_options(partial, shared.config)
+                      : configure_options(whole, shared.config);
   }
 
   void run() {
     configure();
-    if (!shared.output.empty()) require_not_input(shared.output, model);
+    if (is_partial && format == "bop")
+      throw InputError("--format bop", "whole models", "--partial");
+    if (!shared.output.empty()) {
+      for (const fs::path& input : inputs) require_not_input(shared.output, input);
+    }
     Session session("symmetry", shared);
     StageTimer timer(session.on_begin());
-    const PointCloud cloud = timer.time("read", [&] { return read_model(); });
-    const ObjectSymmetries found = timer.time("detect", [&] {
-      return naming(model, [&] { return detect_object_symmetries(cloud, options); });
+    const std::vector<Model> models = timer.time("read", [&] { return read_models(session); });
+    Json list = Json::array();
+    std::vector<ModelSymmetries> groups;
+    timer.time("detect", [&] {
+      for (const Model& model : models) {
+        naming(model.name, [&] {
+          if (is_partial) {
+            list.push_back(
+                partial_json(model.name, detect_object_symmetries(model.surface, partial)));
+          } else {
+            groups.push_back(symmetries_of(model));
+            list.push_back(group_json(groups.back()));
+          }
+        });
+      }
     });
-    write(found, session);
+    write(format == "bop" ? models_info(groups, session) : Json{{"version", 2}, {"models", list}},
+          session);
     session.finish({{"output", shared.output},
-                    {"points", cloud.size()},
-                    ReportMember::raw("sphere", found.sphere ? "true" : "false"),
-                    ReportMember::raw("centroid", coordinates(found.centroid).dump()),
-                    ReportMember::raw("rotational", list_json(found.rotational).dump()),
-                    ReportMember::raw("reflectional", list_json(found.reflectional).dump())},
+                    {"count", models.size()},
+                    ReportMember::raw("models", list.dump())},
                    timer.stages());
   }
 
+ private:
+  std::vector<Model> read_models(Session& session) const {
+    std::vector<Model> models;
+    for (const fs::path& input : inputs) {
+      if (fs::is_directory(input)) {
+        const MeshFolder folder = read_mesh_folder(input);
+        session.warn(folder.warnings);
+        for (const NamedMesh& mesh : folder.meshes) models.push_back(model_of(mesh));
+      } else if (is_cloud_file(input)) {
+        const PointCloud cloud = read_cloud(input);
+        models.push_back({input.stem().string(), cloud, cloud.positions});
+      } else {
+        models.push_back(model_of({input.stem().string(), read_mesh(input)}));
+      }
+      if (!is_partial && is_cloud_file(input)) {
+        PointCloud& surface = models.back().surface;
+        surface = naming(input, [&] { return even_surface(surface); });
+      }
+    }
+    return models;
+  }
+
+  ModelSymmetries symmetries_of(const Model& model) const {
+    return {model.name, units == "mm" ? 1.0 : 1000.0, bounding_box(model.vertices),
+            greatest_distance(model.vertices), find_symmetry_group(model.surface, whole)};
+  }
+
+  /// models_info.json: entries by the numbers of obj_NNNNNN, or in order.
+  static Json models_info(const std::vector<ModelSymmetries>& models, Session& session) {
+    std::set<int> numbers;
+    for (const ModelSymmetries& model : models) numbers.insert(bop_number(model.name));
+    const bool are_numbered = numbers.size() == models.size() && !numbers.contains(0);
+    Json json;
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      const int number = are_numbered ? bop_number(models[k].name) : static_cast<int>(k) + 1;
+      if (!are_numbered)
+        session.warn(fmt::format("{} is model {}, as not all names are like obj_000001",
+                                 models[k].name, number));
+      json[std::to_string(number)] = bop_json(models[k]);
+    }
+    return json;
+  }
+
   /// Writes the file or, without one, standard output, unless --json prints the same there.
-  void write(const ObjectSymmetries& found, Session& session) const {
+  void write(const Json& json, Session& session) const {
+    const std::string text = format == "yaml" ? format_yaml(json) : format_json(json);
     if (!shared.output.empty()) {
-      write_file_atomically(shared.output, format_symmetries(found));
-      session.print_line(fmt::format("{}: {} axes, {} planes", shared.output.string(),
-                                     found.rotational.size(), found.reflectional.size()));
+      write_file_atomically(shared.output, text);
+      session.print_line(shared.output.string());
     } else if (!shared.json) {
-      session.print(format_symmetries(found));
+      session.print(text);
     }
   }
 };
@@ -104,13 +148,23 @@ struct Symmetry {
 void add_symmetry(CommandLine& line) {
   const auto state = std::make_shared<Symmetry>();
   Arguments arguments(line, "symmetry",
-                      "Find the symmetries of a single mesh or cloud (PLY, OBJ, STL, GLB, PCD)",
-                      "symscene symmetry mug.obj -o symmetries.json");
-  arguments.input(state->model, "MODEL", "file with a mesh or a point cloud");
-  arguments.optional_output(state->shared, "JSON file to write (default: standard output)");
+                      "Find the symmetry groups of whole models (PLY, OBJ, STL, GLB, PCD)",
+                      "symscene symmetry mug.obj -o symmetries.json\n"
+                      "  symscene symmetry models --units mm --format bop -o models_info.json\n"
+                      "  symscene symmetry scan.ply --partial");
+  arguments.inputs(state->inputs, "MODEL", "files with a mesh or a point cloud, folders of meshes");
+  arguments.optional_output(state->shared, "file to write (default: standard output)");
+  arguments.choice("--format", state->format, {"json", "yaml", "bop"},
+                   "what is written; bop is models_info.json of the BOP benchmark (default json)");
+  arguments.choice("--units", state->units, {"m", "mm"}, "unit of the models (default m)");
+  arguments.flag("--partial", state->is_partial,
+                 "the model is a partial scan: find what speaks for an axis and planes of it");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });
+  const auto partial = std::make_shared<Symmetry>();
+  partial->is_partial = true;
+  arguments.config_with("--partial", [partial] { return partial->configure(); });
   arguments.run([state] { state->run(); });
 }
 

@@ -1,0 +1,105 @@
+// `symscene symmetry` from outside: its formats, and models that it cannot read.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+
+namespace symscene::testing {
+namespace {
+
+/// A box of 100 × 160 × 230 about the origin, in millimetres.
+std::string box_obj() {
+  std::string text;
+  for (const char* x : {"-50", "50"}) {
+    for (const char* y : {"-80", "80"}) {
+      for (const char* z : {"-115", "115"})
+        text += std::string("v ") + x + " " + y + " " + z + "\n";
+    }
+  }
+  return text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
+}
+
+class SymmetryCommand : public ::testing::Test {
+ protected:
+  SymmetryCommand() {
+    fs::create_directory(workspace_ / "models");
+    for (const char* name : {"obj_000003.obj", "obj_000007.obj"})
+      write(workspace_ / "models" / name, box_obj());
+  }
+  Outcome run(const std::string& line) const { return workspace_.run("symmetry " + line); }
+
+  Workspace workspace_;
+};
+
+TEST_F(SymmetryCommand, DescribesTheGroupOfAModel) {
+  const Outcome outcome = run("models/obj_000003.obj --units mm");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& model = json.at("models").at(0);
+  EXPECT_EQ(model.at("name"), "obj_000003");
+  EXPECT_NEAR(model.at("diameter").get<double>(), 297.4, 0.3);
+  EXPECT_EQ(model.at("planes").size(), 3U);
+  EXPECT_EQ(model.at("axes").size(), 3U);
+  EXPECT_EQ(model.at("rotations").size(), 3U);
+  for (const auto& plane : model.at("planes"))
+    EXPECT_LT(plane.at("residual_mm").get<double>(), 1.0);
+}
+
+TEST_F(SymmetryCommand, WritesModelsInfoOfAFolder) {
+  const Outcome outcome = run("models --units mm --format bop -o models_info.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const auto json = nlohmann::json::parse(contents(workspace_ / "models_info.json"));
+  ASSERT_EQ(json.size(), 2U);
+  const auto& entry = json.at("7");
+  EXPECT_NEAR(entry.at("diameter").get<double>(), 297.4, 0.3);
+  EXPECT_NEAR(entry.at("min_z").get<double>(), -115.0, 1e-3);
+  EXPECT_NEAR(entry.at("size_y").get<double>(), 160.0, 1e-3);
+  ASSERT_EQ(entry.at("symmetries_discrete").size(), 3U);
+  for (const auto& matrix : entry.at("symmetries_discrete")) {
+    ASSERT_EQ(matrix.size(), 16U);
+    // Half turns about the middle, the origin.
+    EXPECT_NEAR(matrix[0].get<double>() + matrix[5].get<double>() + matrix[10].get<double>(), -1.0,
+                1e-6);
+    EXPECT_NEAR(matrix[3].get<double>(), 0.0, 1.0);
+    EXPECT_EQ(matrix[15], 1.0);
+  }
+  EXPECT_FALSE(entry.contains("symmetries_continuous"));
+}
+
+TEST_F(SymmetryCommand, NumbersModelsWithOtherNamesAndSaysSo) {
+  fs::rename(workspace_ / "models/obj_000003.obj", workspace_ / "models/box.obj");
+  const Outcome outcome = run("models --format bop");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("box is model 1"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(nlohmann::json::parse(outcome.out).contains("2"));
+}
+
+TEST_F(SymmetryCommand, WritesYaml) {
+  const Outcome outcome = run("models/obj_000003.obj --format yaml");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out.rfind("version: 2\nmodels:\n", 0), 0U) << outcome.out;
+  EXPECT_NE(outcome.out.find("order: 2\n"), std::string::npos);
+}
+
+TEST_F(SymmetryCommand, SearchesPartialScansByScores) {
+  const Outcome outcome = run("models/obj_000003.obj --partial");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_FALSE(json.at("models").at(0).at("planes").empty());
+  EXPECT_TRUE(json.at("models").at(0).at("planes").at(0).contains("score"));
+  EXPECT_EQ(run("models/obj_000003.obj --partial --format bop").code, 1);
+}
+
+TEST_F(SymmetryCommand, RefusesWhatIsNoModel) {
+  write(workspace_ / "no.obj", "v 0 0 0\n");
+  for (const char* line : {"no.obj", "nowhere", "models/obj_000003.obj -o models/obj_000003.obj"}) {
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.code, 1) << line;
+    EXPECT_NE(outcome.err.find("symscene symmetry: "), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace symscene::testing
