@@ -12,6 +12,7 @@
 #include "io/atomic_file.hpp"
 #include "object_samples.hpp"
 #include "proposals/independent_set.hpp"
+#include "proposals/object_score.hpp"
 #include "proposals/proposal_context.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
 #include "symscene/proposals/object_features.hpp"
@@ -117,10 +118,13 @@ ObjectModels fit(const std::vector<const Kind*>& kinds, const Arguments& argumen
 
 std::vector<double> scores_of(const ObjectModels& models, const Kind& kind,
                               const SceneSamples& scene, const Arguments& arguments) {
+  const std::vector<Sample> alone = samples_alone(kind, scene, arguments.without);
+  const std::vector<Sample> among_others = samples_among_others(alone, scene, models.alone);
   std::vector<double> scores;
-  for (const Sample& sample :
-       samples_among_others(samples_alone(kind, scene, arguments.without), scene, models.alone))
-    scores.push_back(models.among_others.probability(sample.features));
+  for (std::size_t k = 0; k < alone.size(); ++k)
+    scores.push_back(pooled_probability(models.alone.probability(alone[k].features),
+                                        models.among_others.probability(among_others[k].features),
+                                        ProposalContextOptions{}.own_weight));
   return scores;
 }
 

@@ -98,7 +98,9 @@ std::vector<ObjectProposal> final_proposals(std::vector<ProposalDraft> drafts,
       contexts_of(drafts, estimates, options.proposal_context);
   std::vector<ObjectProposal> proposals;
   for (std::size_t k = 0; k < drafts.size(); ++k) {
-    const double score = estimated_probability(features[k], contexts[k], among_others);
+    const double score = pooled_probability(
+        estimates[k], estimated_probability(features[k], contexts[k], among_others),
+        options.proposal_context.own_weight);
     proposals.push_back({object_of(std::move(drafts[k].merged), cloud, score), features[k],
                          drafts[k].own_score, estimates[k]});
   }

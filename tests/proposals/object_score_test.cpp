@@ -161,5 +161,26 @@ TEST(ObjectScore, AmongOthersIsLowForAPartOfALikelyWhole) {
   EXPECT_LT(estimated_probability(carton(), part), estimated_probability(carton(), alone));
 }
 
+TEST(PooledProbability, LiesBetweenBothAndIsOneOfThemWithAllTheWeight) {
+  Random random(11);
+  for (int k = 0; k < 200; ++k) {
+    const double a = random.uniform(), b = random.uniform(), weight = random.uniform();
+    const double pooled = pooled_probability(a, b, weight);
+    EXPECT_GE(pooled, std::min(a, b) - 1e-12);
+    EXPECT_LE(pooled, std::max(a, b) + 1e-12);
+    EXPECT_NEAR(pooled_probability(a, b, 1.0), a, 1e-12);
+    EXPECT_NEAR(pooled_probability(a, b, 0.0), b, 1e-12);
+  }
+}
+
+TEST(PooledProbability, TreatsAnEventAndItsOppositeAlike) {
+  EXPECT_NEAR(pooled_probability(0.9, 0.2, 0.3), 1.0 - pooled_probability(0.1, 0.8, 0.3), 1e-12);
+}
+
+TEST(PooledProbability, IsAProbabilityForCertainEvents) {
+  EXPECT_NEAR(pooled_probability(0.0, 1.0, 0.5), 0.5, 1e-9);
+  EXPECT_LT(pooled_probability(0.0, 0.0, 0.2), 1e-9);
+}
+
 }  // namespace
 }  // namespace symscene

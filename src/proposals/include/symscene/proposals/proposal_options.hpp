@@ -66,6 +66,7 @@ struct ProposalContextOptions {
   double min_piece_estimate = 0.2;
   double max_piece_overlap = 0.1;
   int max_pieces = 9;
+  double own_weight = 0.15;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -82,6 +83,9 @@ struct ProposalContextOptions {
     visit("max_piece_overlap", self.max_piece_overlap, "", between(0.0, 1.0),
           "greatest share of a piece's points that lie in a better piece");
     visit("max_pieces", self.max_pieces, "", between(0, 1000), "greatest number of pieces");
+    visit("own_weight", self.own_weight, "", between(0.0, 1.0),
+          "weight of a proposal's own estimate in its score, beside that from its relations to "
+          "others, which varies more from camera to camera (Genest and Zidek 1986)");
   }
   void validate() const { check_fields(*this); }
 };

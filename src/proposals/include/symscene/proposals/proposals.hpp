@@ -16,7 +16,7 @@ namespace symscene {
 /// A candidate object: a set of points with the symmetries of its hypotheses, if any, its features
 /// and its scores, each in [0, 1].
 struct ObjectProposal {
-  SceneObject object;  ///< its score is the probability from its relations to others too
+  SceneObject object;  ///< its score is `estimate` pooled with that from its relations to others
   ObjectFeatures features;
   double own_score = 0.0;  ///< from its features but `continued` and `joined`
   double estimate = 0.0;   ///< probability from all its features
