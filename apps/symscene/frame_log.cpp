@@ -10,6 +10,7 @@ void FrameLog::add(std::size_t frame, const FrameReport& report) {
   const TrackingResult& tracking = report.tracking;
   fused_ += report.fused ? 1 : 0;
   relocalized_ += report.relocalized ? 1 : 0;
+  doubtful_ += tracking.status != TrackingStatus::converged && tracking.searchable ? 1 : 0;
   const bool free = tracking.status == TrackingStatus::degenerate;
   add(frame, to_string(tracking.status),
       free ? fmt::format("unconstrained motions: {}", fmt::join(tracking.unconstrained, ", "))
@@ -20,6 +21,11 @@ void FrameLog::add_unreadable(std::size_t frame) { add(frame, "unreadable", "");
 
 void FrameLog::add_lost(std::size_t frame, const std::string& reason) {
   add(frame, "lost", reason);
+}
+
+void FrameLog::add_stitched(std::size_t frame) {
+  ++fused_;
+  add(frame, "stitched", "");
 }
 
 void FrameLog::add(std::size_t frame, const std::string& status, const std::string& detail) {
@@ -55,7 +61,7 @@ std::vector<std::string> FrameLog::lines() const {
       "{} frames: {} fused, {} of them degenerate; {} lost, {} unreadable; found again {} times",
       frames_, fused_, count("degenerate"), count("lost"), count("unreadable"), relocalized_)};
   for (const Run& run : runs_) {
-    if (run.status == "converged") continue;
+    if (run.status == "converged" || run.status == "stitched") continue;
     if (lines.size() > most) {
       lines.emplace_back("  ... (all in scene.json)");
       break;
@@ -73,13 +79,15 @@ std::string FrameLog::json() const {
     if (!run.detail.empty()) entry["detail"] = run.detail;
     runs.push_back(std::move(entry));
   }
-  const nlohmann::ordered_json object = {{"count", frames_},
-                                         {"fused", fused_},
-                                         {"degenerate", count("degenerate")},
-                                         {"lost", count("lost")},
-                                         {"unreadable", count("unreadable")},
-                                         {"relocalized", relocalized_},
-                                         {"runs", std::move(runs)}};
+  nlohmann::ordered_json object = {{"count", frames_},
+                                   {"fused", fused_},
+                                   {"degenerate", count("degenerate")},
+                                   {"lost", count("lost")},
+                                   {"unreadable", count("unreadable")},
+                                   {"relocalized", relocalized_},
+                                   {"runs", std::move(runs)}};
+  if (const std::size_t stitched = count("stitched")) object["stitched"] = stitched;
+  if (!warnings_.empty()) object["warnings"] = warnings_;
   return object.dump();
 }
 

@@ -13,8 +13,16 @@ class FrameLog {
   void add(std::size_t frame, const FrameReport& report);
   void add_unreadable(std::size_t frame);
   void add_lost(std::size_t frame, const std::string& reason);
+  void add_stitched(std::size_t frame);
+
+  /// A warning about the frames.
+  void warn(const std::string& warning) { warnings_.push_back(warning); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
   std::size_t fused() const { return fused_; }
+  /// Frames that show enough, but are lost or degenerate.
+  std::size_t doubtful() const { return doubtful_; }
+  std::size_t count(const std::string& status) const;
 
   /// Describes the first run.
   std::string first_run() const;
@@ -34,12 +42,13 @@ class FrameLog {
   };
 
   void add(std::size_t frame, const std::string& status, const std::string& detail);
-  std::size_t count(const std::string& status) const;
   static std::string describe(const Run& run);
 
   std::vector<Run> runs_;
+  std::vector<std::string> warnings_;
   std::size_t frames_ = 0;
   std::size_t fused_ = 0;
+  std::size_t doubtful_ = 0;
   std::size_t relocalized_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "frame_log.hpp"
 #include "scene_output.hpp"
 #include "session.hpp"
+#include "sweep_stitching.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/tabletop/view_scene.hpp"
@@ -19,17 +20,23 @@ namespace {
 /// The options of all stages, in the groups of a configuration file.
 struct ReconstructOptions {
   ReconstructionOptions reconstruction;
+  HandOverOptions hand_over;
+  SweepStitchingOptions stitching;
   ViewPointOptions view;
   SceneBuildingOptions scene;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     ReconstructionOptions::visit_fields(self.reconstruction, visit);
+    visit("hand_over", self.hand_over);
+    visit("stitching", self.stitching);
     visit("view", self.view);
     visit("scene", self.scene);
   }
   void validate() const {
     reconstruction.validate();
+    hand_over.validate();
+    stitching.validate();
     view.validate();
     scene.validate();
   }
@@ -82,11 +89,11 @@ struct Reconstruct {
     if (count == 0) throw InputError(path.string(), "poses, which --poses needs", "none");
   }
 
-  PlacedFrames add_frames(const DepthSequence& sequence, Reconstruction& reconstruction,
-                          FrameLog& log, Session& session, StageTimer& timer) const {
+  PlacedSequence track(const DepthSequence& sequence, Session& session, StageTimer& timer) const {
     const PoseUse use = poses == "exact" ? PoseUse::exact : PoseUse::start;
     FrameReader reader(sequence);
-    PlacedFrames placed;
+    PlacedSequence tracked{Reconstruction(sequence.camera(), options.reconstruction), {}, {}};
+    auto& [reconstruction, placed, log] = tracked;
     double waited = 0.0;
     int unreadable = 0;
     for (std::size_t i = 0; i < sequence.size(); ++i) {
@@ -115,7 +122,7 @@ struct Reconstruct {
     }
     timer.add("read (waiting)", waited);
     for (const StageTime& time : reconstruction.times()) timer.add(time.stage, time.seconds);
-    return placed;
+    return tracked;
   }
 
   void report_trajectory(const DepthSequence& sequence, const PlacedFrames& placed,
@@ -155,13 +162,30 @@ struct Reconstruct {
     session.finish(members, timer.stages());
   }
 
+  /// The frames as tracked or, where they are too far apart for that, as stitched.
+  PlacedSequence place(const DepthSequence& sequence, Session& session, StageTimer& timer) const {
+    PlacedSequence tracked = track(sequence, session, timer);
+    if (!poses.empty()) return tracked;
+    const std::string reason = reason_to_stitch(sequence, tracked, options.hand_over);
+    if (reason.empty()) return tracked;
+    session.on_begin()("stitch");
+    auto stitched = stitch_sequence(sequence, tracked, options.stitching.with(measurement()),
+                                    options.reconstruction, timer);
+    PlacedSequence& chosen = stitched ? *stitched : tracked;
+    chosen.log.warn(
+        stitched ? fmt::format("{}: they were placed by stitching, {} of {}", reason,
+                               stitched->log.fused(), sequence.size())
+                 : fmt::format("{}, and stitching places no more of them without doubt", reason));
+    session.warn(chosen.log.warnings());
+    return std::move(chosen);
+  }
+
+  const MeasurementOptions& measurement() const { return options.reconstruction.measurement; }
+
   void run_on_frames(const DepthSequence& sequence, const OptionFields& fields, Session& session,
                      StageTimer& timer) const {
-    Reconstruction reconstruction(sequence.camera(), options.reconstruction);
-    FrameLog log;
-    const PlacedFrames placed = add_frames(sequence, reconstruction, log, session, timer);
+    const auto [reconstruction, placed, log] = place(sequence, session, timer);
     for (const std::string& line : log.lines()) session.print_line(line);
-    suggest_stitching(sequence, log, session);
     if (placed.frames.empty())
       throw InputError(path.string(), "a frame that can be fused", log.first_run());
     report_trajectory(sequence, placed, session);
@@ -173,16 +197,6 @@ struct Reconstruct {
     members.push_back(ReportMember::raw("log", log.json()));
     members.insert(members.end(), written.begin(), written.end());
     session.finish(members, timer.stages());
-  }
-
-  /// Frames that are too far apart to be tracked can be placed by what their colours show.
-  void suggest_stitching(const DepthSequence& sequence, const FrameLog& log,
-                         Session& session) const {
-    if (2 * log.fused() >= sequence.size() || !sequence.has_color()) return;
-    session.warn(
-        fmt::format("only {} of {} frames were placed; if they are far apart, symscene "
-                    "stitch {} places them by their colours",
-                    log.fused(), sequence.size(), path.string()));
   }
 
   void run() {

@@ -1,18 +1,9 @@
 #include "camera_tracker.hpp"
 
-#include <limits>
-
-#include "relocalization.hpp"
+#include "reconstruction/relocalization.hpp"
 
 namespace symscene {
 namespace {
-
-/// The stricter bounds of a lost camera.
-TrackingOptions when_lost(TrackingOptions options) {
-  options.min_overlap = options.relocalize_overlap;
-  options.min_inliers = options.relocalize_inliers;
-  return options;
-}
 
 std::vector<float> depths_of(const SurfaceImage& image) {
   std::vector<float> depth(image.pixels.size());
@@ -133,18 +124,9 @@ TrackingResult CameraTracker::search(const Measurement& measurement) {
 
 /// The pose around a view's at which a measurement agrees with it most.
 TrackingResult CameraTracker::best_around(const Measurement& measurement, const ModelView& view) {
-  TrackingOptions options = when_lost(options_);
-  options.max_translation = options.max_rotation = std::numeric_limits<double>::infinity();
-  const std::vector<Eigen::Isometry3d> starts = clock_->time(StageClock::track, [&] {
-    return likely_poses(measurement, view, view.T_world_camera, options, sensor_);
+  return clock_->time(StageClock::track, [&] {
+    return search_camera(measurement, view, view.T_world_camera, options_, sensor_);
   });
-  TrackingResult best;
-  for (const Eigen::Isometry3d& start : starts) {
-    TrackingResult result = track(measurement, view, start, options);
-    if (result.status != TrackingStatus::converged) continue;
-    if (result.agreement > best.agreement) best = std::move(result);
-  }
-  return best;
 }
 
 }  // namespace symscene

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "camera_tracking.hpp"
+#include "reconstruction/camera_tracking.hpp"
 #include "keyframes.hpp"
 #include "reconstruction/tsdf_volume.hpp"
 #include "stage_clock.hpp"

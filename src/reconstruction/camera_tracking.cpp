@@ -1,4 +1,4 @@
-#include "camera_tracking.hpp"
+#include "reconstruction/camera_tracking.hpp"
 
 #include <cmath>
 

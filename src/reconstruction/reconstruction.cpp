@@ -22,6 +22,7 @@ TrackingResult first_pose(const Measurement& measurement,
   TrackingResult first = known_pose(guess.value_or(Eigen::Isometry3d::Identity()));
   if (measures_enough(measurement, options)) return first;
   first.status = TrackingStatus::lost;
+  first.searchable = false;
   first.reason = "too little of the image is measured";
   return first;
 }

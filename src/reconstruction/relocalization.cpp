@@ -1,8 +1,10 @@
-#include "relocalization.hpp"
+#include "reconstruction/relocalization.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "constrained_motion.hpp"
+#include "reconstruction/camera_tracking.hpp"
 #include "tracking_level.hpp"
 
 namespace symscene {
@@ -48,6 +50,27 @@ std::vector<Eigen::Isometry3d> likely_poses(const Measurement& measurement, cons
     poses.push_back(orthonormal(tried[k].second));
   }
   return poses;
+}
+
+TrackingOptions when_lost(TrackingOptions options) {
+  options.min_overlap = options.relocalize_overlap;
+  options.min_inliers = options.relocalize_inliers;
+  return options;
+}
+
+TrackingResult search_camera(const Measurement& measurement, const ModelView& view,
+                             const Eigen::Isometry3d& T_world_about, const TrackingOptions& options,
+                             const MeasurementOptions& sensor) {
+  TrackingOptions bounds = when_lost(options);
+  bounds.max_translation = bounds.max_rotation = std::numeric_limits<double>::infinity();
+  TrackingResult best;
+  for (const Eigen::Isometry3d& start :
+       likely_poses(measurement, view, T_world_about, bounds, sensor)) {
+    TrackingResult result = track_camera(measurement, view, start, bounds, sensor);
+    if (result.status != TrackingStatus::converged) continue;
+    if (result.agreement > best.agreement) best = std::move(result);
+  }
+  return best;
 }
 
 }  // namespace symscene

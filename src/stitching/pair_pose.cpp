@@ -69,7 +69,26 @@ std::vector<Index> agreeing(const SharedPoints& shared, const CameraIntrinsics& 
   return inliers;
 }
 
-/// The worse of the two directions.
+}  // namespace
+
+const char* to_string(PairStatus status) {
+  switch (status) {
+    case PairStatus::accepted:
+      return "accepted";
+    case PairStatus::tracked:
+      return "tracked";
+    case PairStatus::few_matches:
+      return "too few matches";
+    case PairStatus::few_inliers:
+      return "too few matches agree";
+    case PairStatus::little_shown:
+      return "too little overlap";
+    case PairStatus::contradicted:
+      return "contradicted by depth";
+  }
+  return "";
+}
+
 DepthAgreement mutual_agreement(const SurfaceImage& first, const SurfaceImage& second,
                                 const Eigen::Isometry3d& T_first_second,
                                 const StitchingOptions& options) {
@@ -85,24 +104,6 @@ PairStatus status_of(const DepthAgreement& depth, const PairOptions& options) {
   if (depth.overlap < options.min_overlap) return PairStatus::little_shown;
   if (depth.agreement < options.min_agreement) return PairStatus::contradicted;
   return PairStatus::accepted;
-}
-
-}  // namespace
-
-const char* to_string(PairStatus status) {
-  switch (status) {
-    case PairStatus::accepted:
-      return "accepted";
-    case PairStatus::few_matches:
-      return "too few matches";
-    case PairStatus::few_inliers:
-      return "too few matches agree";
-    case PairStatus::little_shown:
-      return "too little overlap";
-    case PairStatus::contradicted:
-      return "contradicted by depth";
-  }
-  return "";
 }
 
 PairPose find_pair_pose(const PairView& first, const PairView& second,

@@ -18,4 +18,12 @@ struct PairView {
 PairPose find_pair_pose(const PairView& first, const PairView& second,
                         const CameraIntrinsics& camera, const StitchingOptions& options);
 
+/// How well two depth images fit under a pose: the worse of the two directions.
+DepthAgreement mutual_agreement(const SurfaceImage& first, const SurfaceImage& second,
+                                const Eigen::Isometry3d& T_first_second,
+                                const StitchingOptions& options);
+
+/// Accepted if the depth images overlap and agree enough.
+PairStatus status_of(const DepthAgreement& depth, const PairOptions& options);
+
 }  // namespace symscene

@@ -5,10 +5,13 @@
 #include "core/parallel.hpp"
 #include "pair_pose.hpp"
 #include "pose_graph.hpp"
+#include "sweep_gaps.hpp"
 #include "view_alignment.hpp"
 
 namespace symscene {
 namespace {
+
+constexpr int fewest_features = 6;  ///< that determine a pose
 
 /// A prepared frame.
 struct View {
@@ -21,11 +24,16 @@ struct View {
   }
 };
 
+/// Whether frames without features are refused.
+enum class Features { required, optional };
+
 std::vector<View> prepare_views(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
-                                const StitchingOptions& options) {
+                                const StitchingOptions& options, Features need) {
   std::vector<View> views(frames.size());
   parallel_for_each(frames.size(), [&](std::size_t i) {
     views[i].measurement = prepare_measurement(frames[i], camera, options.measurement);
+    const bool possible = has_feature_matcher() && frames[i].colors.rows() > 0;
+    if (need == Features::optional && !possible) return;
     views[i].features = find_features(frames[i], camera, options.features, options.measurement);
   });
   return views;
@@ -48,14 +56,15 @@ std::vector<StitchedPair> compare_all(std::span<const View> views, const CameraI
 
 std::vector<std::optional<Eigen::Isometry3d>> chained(std::size_t frames,
                                                       std::span<const StitchedPair> pairs) {
-  std::vector<PoseEdge> edges;
-  for (const StitchedPair& pair : pairs) {
-    if (pair.pose.status != PairStatus::accepted) continue;
-    edges.push_back({pair.first, pair.second, pair.pose.T_first_second,
-                     static_cast<double>(pair.pose.inliers.size())});
-  }
+  const std::vector<PoseEdge> edges = joined_edges(pairs);
   if (edges.empty()) return std::vector<std::optional<Eigen::Isometry3d>>(frames);
   return chain_poses(frames, edges);
+}
+
+std::vector<const Measurement*> measurements_of(std::span<const View> views) {
+  std::vector<const Measurement*> measurements;
+  for (const View& view : views) measurements.push_back(&view.measurement);
+  return measurements;
 }
 
 /// The frames with poses, as the alignment takes them.
@@ -110,16 +119,30 @@ const char* reason_for(const View& view, std::size_t placed, const StitchingOpti
                     : "no two frames show the same surface";
 }
 
-}  // namespace
+/// Poses of pairs from few features.
+PoseOfPair loose_poses(std::span<const View> views, const CameraIntrinsics& camera,
+                       StitchingOptions options) {
+  options.pairs.min_inliers = std::min(options.pairs.min_inliers, fewest_features);
+  return [=](std::size_t i, std::size_t j) -> std::optional<Eigen::Isometry3d> {
+    const PairPose pose =
+        find_pair_pose({views[i].features, views[i].checked_surface()},
+                       {views[j].features, views[j].checked_surface()}, camera, options);
+    const auto least = static_cast<std::size_t>(fewest_features);
+    return pose.inliers.size() >= least ? std::optional(pose.T_first_second) : std::nullopt;
+  };
+}
 
-StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
-                              const StitchingOptions& options) {
+/// `close` may join further pairs, for which frames need no features.
+template <class Close>
+StitchingResult stitch(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
+                       const StitchingOptions& options, Features need, const Close& close) {
   options.validate();
   StageTimer timer;
   StitchingResult result;
   std::vector<View> views =
-      timer.time("features", [&] { return prepare_views(frames, camera, options); });
+      timer.time("features", [&] { return prepare_views(frames, camera, options, need); });
   result.pairs = timer.time("pairs", [&] { return compare_all(views, camera, options); });
+  timer.time("gaps", [&] { close(views, result.pairs); });
   const PlacedViews placed = place(views, result.pairs, chained(frames.size(), result.pairs));
   const ViewAlignment aligned = timer.time("align", [&] {
     return align_views(placed.views, placed.poses, placed.points, options.alignment,
@@ -141,6 +164,22 @@ StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIn
   }
   result.times = timer.stages();
   return result;
+}
+
+}  // namespace
+
+StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
+                              const StitchingOptions& options) {
+  return stitch(frames, camera, options, Features::required, [](const auto&, const auto&) {});
+}
+
+StitchingResult stitch_sweep(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
+                             const StitchingOptions& options, const TrackingOptions& tracking) {
+  const auto close = [&](std::span<const View> views, std::vector<StitchedPair>& pairs) {
+    close_gaps(measurements_of(views), options, tracking, loose_poses(views, camera, options),
+               pairs);
+  };
+  return stitch(frames, camera, options, Features::optional, close);
 }
 
 }  // namespace symscene

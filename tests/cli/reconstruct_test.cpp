@@ -120,6 +120,26 @@ TEST_F(ReconstructCommand, WritesTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
+TEST_F(ReconstructCommand, StitchesFramesThatAreTooFarApartToBeTracked) {
+  write(file("far.json"), R"({"tabletop": {"objects": 7}, "camera": {"frames": 8, "arc": 1.1,
+      "radius": 0.7, "width": 320, "height": 240, "focal_length": 262}})");
+  ASSERT_EQ(run("simulate --sequence -o far --config far.json").code, 0);
+  const Outcome outcome = run("reconstruct far -o far_scene --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  if (outcome.err.find("stitching") == std::string::npos && run("stitch far -o no").code != 0)
+    GTEST_SKIP() << "this build has no OpenCV";
+  EXPECT_NE(outcome.err.find("placed by stitching, 8 of 8"), std::string::npos) << outcome.err;
+  const nlohmann::json log = frames_of("far_scene");
+  EXPECT_EQ(log.at("stitched"), 8);
+  ASSERT_EQ(log.at("warnings").size(), 1U);
+  EXPECT_NE(log.at("warnings")[0].get<std::string>().find("by stitching"), std::string::npos);
+  const std::size_t at = outcome.out.find("absolute error ");
+  ASSERT_NE(at, std::string::npos) << outcome.out;
+  EXPECT_LT(std::stod(outcome.out.substr(at + 15)), 2.0) << outcome.out;
+  EXPECT_FALSE(frames_of("scene").contains("stitched"));  // whose frames are close together
+  EXPECT_FALSE(frames_of("scene").contains("warnings"));
+}
+
 TEST_F(ReconstructCommand, UsesThePosesOfTheSequence) {
   for (const char* use : {"exact", "start"}) {
     const Outcome outcome = run(std::string("reconstruct sweep -o posed --poses ") + use);

@@ -100,6 +100,48 @@ TEST_F(Stitching, PlacesFramesAroundATable) {
   EXPECT_LT(degrees(worst.angle), 0.4);
 }
 
+/// A sweep in steps of 9°, of which the frames from the middle on have no colours.
+Photographs half_colored_sweep() {
+  Photographs sweep = photograph_table({0, 9, 18, 27, 36, 45});
+  for (std::size_t i = 3; i < sweep.frames.size(); ++i) sweep.frames[i].colors.resize(0, 3);
+  return sweep;
+}
+
+TEST_F(Stitching, ClosesTheGapsOfASweepByDepth) {
+  const Photographs sweep = half_colored_sweep();
+  const StitchingResult result = stitch_sweep(sweep.frames, camera);
+  EXPECT_EQ(result.placed, sweep.frames.size());
+  const auto tracked = std::count_if(
+      result.pairs.begin(), result.pairs.end(),
+      [](const StitchedPair& pair) { return pair.pose.status == PairStatus::tracked; });
+  EXPECT_EQ(tracked, 3);
+  const PoseError worst = worst_error(result, sweep.truth);
+  EXPECT_LT(worst.distance, 0.005);
+  EXPECT_LT(degrees(worst.angle), 0.4);
+}
+
+TEST_F(Stitching, LeavesAGapThatNoPoseCloses) {
+  Photographs sweep = half_colored_sweep();
+  const Photographs other = photograph_table({180, 189, 198});
+  for (std::size_t i = 3; i < 6; ++i) {
+    sweep.frames[i].depth = other.frames[i - 3].depth;
+    for (float& depth : sweep.frames[i].depth) depth *= 1.5F;
+  }
+  EXPECT_LE(stitch_sweep(sweep.frames, camera).placed, 3U);
+}
+
+TEST_F(Stitching, ClosesGapsToTheSameBitsForAnyNumberOfThreads) {
+  const Photographs sweep = half_colored_sweep();
+  const auto with = [&](std::size_t threads) {
+    return with_threads(threads, [&] { return stitch_sweep(sweep.frames, camera); });
+  };
+  const StitchingResult one = with(1), two = with(2);
+  for (std::size_t i = 0; i < sweep.frames.size(); ++i) {
+    ASSERT_TRUE(one.frames[i].T_world_camera && two.frames[i].T_world_camera) << i;
+    EXPECT_EQ(one.frames[i].T_world_camera->matrix(), two.frames[i].T_world_camera->matrix());
+  }
+}
+
 TEST_F(Stitching, DoesNotDependOnTheOrderOfFrames) {
   const Photographs table = photograph_table({0, 25, 50, 75});
   Photographs shuffled;

@@ -6,6 +6,7 @@
 
 #include "symscene/core/depth_frame.hpp"
 #include "symscene/core/stage_timer.hpp"
+#include "symscene/reconstruction/tracking_options.hpp"
 #include "symscene/stitching/stitching_options.hpp"
 
 namespace symscene {
@@ -25,6 +26,7 @@ struct DepthAgreement {
 /// The outcome of comparing two frames.
 enum class PairStatus {
   accepted,      ///< the pose is known
+  tracked,       ///< the pose is known from depth alone, in a sweep
   few_matches,   ///< too few features look alike
   few_inliers,   ///< too few of these agree on a pose
   little_shown,  ///< under that pose the frames have too little surface in common
@@ -32,6 +34,11 @@ enum class PairStatus {
 };
 
 const char* to_string(PairStatus status);
+
+/// Whether the pose of a pair is known.
+constexpr bool is_joined(PairStatus status) {
+  return status == PairStatus::accepted || status == PairStatus::tracked;
+}
 
 /// The pose of a second camera relative to a first one, and its support.
 struct PairPose {
@@ -82,5 +89,11 @@ bool has_feature_matcher();
 /// not of the camera's size, or the build has no OpenCV.
 StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
                               const StitchingOptions& options = {});
+
+/// The same for the frames of a sweep, in its order. Where consecutive frames have too few features
+/// in common, or none for want of colours or OpenCV, the later is tracked in the earlier by depth.
+StitchingResult stitch_sweep(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
+                             const StitchingOptions& options = {},
+                             const TrackingOptions& tracking = {});
 
 }  // namespace symscene

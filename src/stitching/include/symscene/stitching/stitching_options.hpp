@@ -39,6 +39,8 @@ struct PairOptions {
   double tolerance = 0.02;
   double min_overlap = 0.05;
   double min_agreement = 0.8;
+  double sweep_spreads = 6.0;
+  double sweep_slack = 0.001;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -59,6 +61,12 @@ struct PairOptions {
           "share of the points of each frame that must lie on the surface of the other");
     visit("min_agreement", self.min_agreement, "", between(0.0, 1.0),
           "share of these points among those on the other's surface or in its free space");
+    visit("sweep_spreads", self.sweep_spreads, "", between(0.0, 1e6),
+          "of a sweep: how much more pixels than usual among consecutive frames may contradict a "
+          "pose, in median deviations of their share");
+    visit(
+        "sweep_slack", self.sweep_slack, "", between(0.0, 1.0),
+        "slack on that share; poses that features give have tracking.max_disagreement in addition");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }

@@ -4,7 +4,7 @@
 
 #include "reconstruction/measurement.hpp"
 #include "reconstruction/model_view.hpp"
-#include "symscene/reconstruction/tracking_options.hpp"
+#include "symscene/reconstruction/reconstruction.hpp"
 
 namespace symscene {
 
@@ -16,5 +16,14 @@ std::vector<Eigen::Isometry3d> likely_poses(const Measurement& measurement, cons
                                             const Eigen::Isometry3d& T_world_about,
                                             const TrackingOptions& options,
                                             const MeasurementOptions& sensor);
+
+/// The pose at which a measurement agrees with the view most, tracked from each of the likely poses
+/// under the bounds of a lost camera. Lost if none converges.
+TrackingResult search_camera(const Measurement& measurement, const ModelView& view,
+                             const Eigen::Isometry3d& T_world_about, const TrackingOptions& options,
+                             const MeasurementOptions& sensor);
+
+/// The stricter bounds of a lost camera.
+TrackingOptions when_lost(TrackingOptions options);
 
 }  // namespace symscene

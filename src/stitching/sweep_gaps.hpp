@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pose_graph.hpp"
+#include "reconstruction/measurement.hpp"
+#include "symscene/reconstruction/tracking_options.hpp"
+#include "symscene/stitching/stitching.hpp"
+
+namespace symscene {
+
+/// The edges of the pairs whose pose is known.
+std::vector<PoseEdge> joined_edges(std::span<const StitchedPair> pairs);
+
+/// The pose of the second frame in the first; none if it is not known.
+using PoseOfPair = std::function<std::optional<Eigen::Isometry3d>(std::size_t, std::size_t)>;
+
+/// Joins consecutive frames of a sweep whose features do not: the later frame is tracked in the
+/// view of the earlier one, from few features, from no motion and from the motions beside the gap,
+/// and searched around them. Their pair gets the status `tracked` if the depth images contradict
+/// its pose little more than is usual among the consecutive pairs. Accepted pairs that are
+/// contradicted more are parted. `pairs` are those of all frames, as in StitchingResult.
+void close_gaps(std::span<const Measurement* const> frames, const StitchingOptions& options,
+                const TrackingOptions& tracking, const PoseOfPair& from_features,
+                std::vector<StitchedPair>& pairs);
+
+}  // namespace symscene
