@@ -172,10 +172,9 @@ struct Reconstruct {
     auto stitched = stitch_sequence(sequence, tracked, options.stitching.with(measurement()),
                                     options.reconstruction, timer);
     PlacedSequence& chosen = stitched ? *stitched : tracked;
-    chosen.log.warn(
-        stitched ? fmt::format("{}: they were placed by stitching, {} of {}", reason,
-                               stitched->log.fused(), sequence.size())
-                 : fmt::format("{}, and stitching places no more of them without doubt", reason));
+    chosen.log.warn(stitched ? fmt::format("{}: they were placed by stitching, {} of {}", reason,
+                                           stitched->log.fused(), sequence.size())
+                             : fmt::format("{}, and stitching places far fewer of them", reason));
     session.warn(chosen.log.warnings());
     return std::move(chosen);
   }

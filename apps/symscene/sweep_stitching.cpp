@@ -9,6 +9,9 @@
 namespace symscene::app {
 namespace {
 
+/// Share of the tracked frames that stitching must place to be preferred.
+constexpr double min_placed = 0.8;
+
 /// The median rotation from one placed frame to the next of the sequence. [rad]
 double median_rotation(const PlacedFrames& placed) {
   std::vector<double> angles;
@@ -66,7 +69,8 @@ std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence,
   const StitchingResult stitched =
       stitch_sweep(read.frames, sequence.camera(), stitching, options.tracking);
   for (const StageTime& time : stitched.times) timer.add("stitch: " + time.stage, time.seconds);
-  if (stitched.placed == 0 || stitched.placed < tracked.log.count("converged")) return {};
+  const auto least = min_placed * static_cast<double>(tracked.log.fused());
+  if (stitched.placed == 0 || static_cast<double>(stitched.placed) < least) return {};
   PlacedSequence result{Reconstruction(sequence.camera(), options), {}, {}};
   std::size_t next = 0;
   for (std::size_t k = 0; k < read.frames.size(); ++k) {

@@ -61,8 +61,8 @@ struct PlacedSequence {
 std::string reason_to_stitch(const DepthSequence& sequence, const PlacedSequence& tracked,
                              const HandOverOptions& options);
 
-/// The sequence placed by stitching, from its frames that can be read. None if that places fewer
-/// frames than tracking does without doubt.
+/// The sequence placed by stitching, from its frames that can be read. None if that places far
+/// fewer frames than tracking.
 std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence,
                                               const PlacedSequence& tracked,
                                               const StitchingOptions& stitching,

@@ -35,6 +35,7 @@ class SweepGaps {
   }
 
   void close() {
+    if (2 * joined() < last()) return;  // what is usual is not known
     parallel_for_each(pairs_.size(), [&](std::size_t k) {
       const PairPose& pose = pairs_[k].pose;
       if (pose.status == PairStatus::accepted) refine(k, pose.T_first_second);

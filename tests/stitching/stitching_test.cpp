@@ -102,8 +102,8 @@ TEST_F(Stitching, PlacesFramesAroundATable) {
 
 /// A sweep in steps of 9°, of which the frames from the middle on have no colours.
 Photographs half_colored_sweep() {
-  Photographs sweep = photograph_table({0, 9, 18, 27, 36, 45});
-  for (std::size_t i = 3; i < sweep.frames.size(); ++i) sweep.frames[i].colors.resize(0, 3);
+  Photographs sweep = photograph_table({0, 9, 18, 27, 36, 45, 54});
+  for (std::size_t i = 4; i < sweep.frames.size(); ++i) sweep.frames[i].colors.resize(0, 3);
   return sweep;
 }
 
@@ -123,11 +123,11 @@ TEST_F(Stitching, ClosesTheGapsOfASweepByDepth) {
 TEST_F(Stitching, LeavesAGapThatNoPoseCloses) {
   Photographs sweep = half_colored_sweep();
   const Photographs other = photograph_table({180, 189, 198});
-  for (std::size_t i = 3; i < 6; ++i) {
-    sweep.frames[i].depth = other.frames[i - 3].depth;
+  for (std::size_t i = 4; i < 7; ++i) {
+    sweep.frames[i].depth = other.frames[i - 4].depth;
     for (float& depth : sweep.frames[i].depth) depth *= 1.5F;
   }
-  EXPECT_LE(stitch_sweep(sweep.frames, camera).placed, 3U);
+  EXPECT_LE(stitch_sweep(sweep.frames, camera).placed, 4U);
 }
 
 TEST_F(Stitching, ClosesGapsToTheSameBitsForAnyNumberOfThreads) {

@@ -91,7 +91,7 @@ StitchingResult stitch_frames(std::span<const DepthFrame> frames, const CameraIn
                               const StitchingOptions& options = {});
 
 /// The same for the frames of a sweep, in its order. Where consecutive frames have too few features
-/// in common, or none for want of colours or OpenCV, the later is tracked in the earlier by depth.
+/// in common, or some have no colours, the later is tracked in the earlier by depth.
 StitchingResult stitch_sweep(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
                              const StitchingOptions& options = {},
                              const TrackingOptions& tracking = {});
