@@ -76,7 +76,7 @@ class ReflectionalCutter {
           std::binary_search(support.begin(), support.end(), match.from)
               ? 0.0F
               : ScoreRange{options_.full_weight_angle, options_.zero_weight_angle}(facing);
-      affinities[match.from].object = (1.0F - options_.angle_range()(match.angle)) * (1.0F - weak);
+      affinities[match.from].object = (1.0F - options_.angle_range()(safe_acos(match.cosine))) * (1.0F - weak);
     }
     return affinities;
   }
@@ -157,7 +157,7 @@ class ReflectionalCutter {
     double matched = 0.0;
     for (const Correspondence& match : labelling.matches) {
       if (labelling.is_object[match.from] == 0) continue;
-      symmetry += double{options_.angle_range()(match.angle)};
+      symmetry += double{options_.angle_range()(safe_acos(match.cosine))};
       matched += 1.0;
     }
     const PlaneReflector reflector(plane);

@@ -13,15 +13,15 @@ namespace {
 
 constexpr std::size_t min_correspondences = 6;
 
-/// The angle between normals of cosine `cosine`. Nearly opposite ones are the two sides of a thin
+/// The cosine of two normals as matches count it: nearly opposite ones are the two sides of a thin
 /// wall and count as equal where fold_thin_walls is set.
-class MatchAngle {
+class MatchCosine {
  public:
-  explicit MatchAngle(const CorrespondenceOptions& options)
+  explicit MatchCosine(const CorrespondenceOptions& options)
       : folds_(options.fold_thin_walls),
         fold_cosine_(static_cast<float>(std::cos(options.min_fold_angle))) {}
   float operator()(float cosine) const {
-    return safe_acos(folds_ && cosine < fold_cosine_ ? -cosine : cosine);
+    return folds_ && cosine < fold_cosine_ ? -cosine : cosine;
   }
 
  private:
@@ -70,35 +70,40 @@ std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<c
                                          const CorrespondenceOptions& options) {
   const PointCloud& cloud = target.cloud;
   const PlaneReflector reflector(plane);
-  const MatchAngle match_angle(options);
+  const MatchCosine match_cosine(options);
   const auto radius = static_cast<float>(options.max_distance);
   const auto min_plane_distance = static_cast<float>(options.min_plane_distance);
-  const auto max_angle = static_cast<float>(options.max_angle);
+  const auto min_cosine = static_cast<float>(std::cos(options.max_angle));
   std::vector<Correspondence> correspondences;
+  correspondences.reserve(sources.size());
   for (const Index from : sources) {
     const Eigen::Vector3f p = cloud.position(from);
     if (std::abs(reflector.signed_distance(p)) < min_plane_distance) continue;
     const auto [to, squared_distance] = target.cells.nearest(reflector.point(p), radius);
     if (to == CellList::none) continue;
-    const float cosine = reflector.direction(cloud.normal(from)).dot(cloud.normal(to));
-    const float angle = match_angle(cosine);
-    if (angle <= max_angle) correspondences.push_back({from, to, squared_distance, angle});
+    const float cosine =
+        match_cosine(reflector.direction(cloud.normal(from)).dot(cloud.normal(to)));
+    if (cosine >= min_cosine) correspondences.push_back({from, to, squared_distance, cosine});
   }
   return correspondences;
 }
 
-std::vector<Correspondence> one_to_one(std::vector<Correspondence> correspondences) {
-  std::sort(correspondences.begin(), correspondences.end(),
-            [](const Correspondence& a, const Correspondence& b) {
-              return std::tuple(a.to, a.squared_distance, a.from) <
-                     std::tuple(b.to, b.squared_distance, b.from);
-            });
-  const auto same_match = [](const Correspondence& a, const Correspondence& b) {
-    return a.to == b.to;
-  };
-  correspondences.erase(std::unique(correspondences.begin(), correspondences.end(), same_match),
-                        correspondences.end());
-  return correspondences;
+std::vector<Correspondence> one_to_one(const std::vector<Correspondence>& correspondences) {
+  Index targets = 0;
+  for (const Correspondence& match : correspondences) targets = std::max(targets, match.to + 1);
+  std::vector<const Correspondence*> nearest(targets, nullptr);
+  for (const Correspondence& match : correspondences) {
+    const Correspondence*& best = nearest[match.to];
+    if (best == nullptr || std::tuple(match.squared_distance, match.from) <
+                               std::tuple(best->squared_distance, best->from))
+      best = &match;
+  }
+  std::vector<Correspondence> kept;
+  kept.reserve(correspondences.size());
+  for (const Correspondence* match : nearest) {
+    if (match != nullptr) kept.push_back(*match);
+  }
+  return kept;
 }
 
 PlaneFit fit_plane(const IndexedCloud& target, std::span<const Index> sources,

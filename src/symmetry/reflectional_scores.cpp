@@ -13,7 +13,7 @@ ReflectionalScores reflectional_scores(const IndexedCloud& target, std::span<con
   const ScoreRange angle_range = options.angle_range();
   double agreement = 0.0;
   for (const Correspondence& match : matches)
-    agreement += 1.0 - double{angle_range(match.angle)};  // Eq. 3.9
+    agreement += 1.0 - double{angle_range(safe_acos(match.cosine))};  // Eq. 3.9
   const PlaneReflector reflector(plane);
   const ScoreRange occlusion_range = options.occlusion_range();
   double occlusion = 0.0;

@@ -22,7 +22,7 @@ struct Correspondence {
   Index from;
   Index to;
   float squared_distance;  ///< between the reflected point and `to` [m²]
-  float angle;             ///< between their normals, folded where walls are thin [rad]
+  float cosine;            ///< of the angle between their normals, folded where walls are thin
 };
 
 /// For every point of `sources` (indices into `target.cloud`) whose reflection lies near a point of
@@ -31,8 +31,8 @@ std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<c
                                          const ReflectionPlane& plane,
                                          const CorrespondenceOptions& options);
 
-/// Keeps one correspondence per `to`: the nearest reflection; ties go to the lower source.
-std::vector<Correspondence> one_to_one(std::vector<Correspondence> correspondences);
+/// Keeps one correspondence per `to`, ascending: the nearest reflection; ties go to the lower source.
+std::vector<Correspondence> one_to_one(const std::vector<Correspondence>& correspondences);
 
 struct PlaneFit {
   ReflectionPlane plane;
