@@ -13,6 +13,13 @@ namespace {
 
 constexpr double max_cells = 1 << 27;
 constexpr std::size_t query_block = 1024;
+constexpr float cell_rounding = 1e-3F;  ///< of a coordinate [cells]
+
+/// A lower bound of the distance of a coordinate from a cell along an axis. [cells]
+inline float distance_to_cell(float at, int cell) {
+  const auto low = static_cast<float>(cell);
+  return std::max(std::max(low - at, at - low - 1.0F) - cell_rounding, 0.0F);
+}
 
 /// nanoflann's view of a point array.
 struct PointsAdaptor {
@@ -103,24 +110,56 @@ CellList::CellList(const Points& points, float cell_size) {
   }
 }
 
+inline void CellList::visit_row(const Row& row, const Eigen::Vector3f& query,
+                                std::pair<Index, float>& best) const {
+  const auto begin = (static_cast<std::size_t>(row.z) * static_cast<std::size_t>(cells_.y()) +
+                      static_cast<std::size_t>(row.y)) *
+                     static_cast<std::size_t>(cells_.x());
+  const Index end = cell_begin_[begin + static_cast<std::size_t>(row.x_high) + 1];
+  for (Index k = cell_begin_[begin + static_cast<std::size_t>(row.x_low)]; k < end; ++k) {
+    const Entry& entry = entries_[k];
+    const float dx = entry.x - query.x();
+    const float dy = entry.y - query.y();
+    const float dz = entry.z - query.z();
+    const float squared_distance = dx * dx + dy * dy + dz * dz;
+    if (squared_distance < best.second ||
+        (squared_distance == best.second && entry.index < best.first))
+      best = {entry.index, squared_distance};
+  }
+}
+
 int CellList::clamped_cell(float coordinate, int axis) const {
   const float cell = (coordinate - box_.min[axis]) * inverse_cell_size_;
   return static_cast<int>(std::clamp(cell, 0.0F, static_cast<float>(cells_[axis] - 1)));
 }
 
 std::pair<Index, float> CellList::nearest(const Eigen::Vector3f& query, float radius) const {
-  std::pair<Index, float> best{none, std::numeric_limits<float>::infinity()};
-  const auto search = [&](float reach) {
-    for_each_within(query, reach, [&](Index i, float squared_distance) {
-      if (squared_distance < best.second || (squared_distance == best.second && i < best.first)) {
-        best = {i, squared_distance};
-      }
-    });
-  };
-  // Half the radius visits an eighth of the volume; a point found there is the nearest.
-  search(0.5F * radius);
-  if (best.first == none) search(radius);
-  return best;
+  constexpr std::pair<Index, float> nothing{none, std::numeric_limits<float>::infinity()};
+  if (entries_.empty()) return nothing;
+  const Eigen::Vector3f at = (query - box_.min) * inverse_cell_size_;  // in cells, like all below
+  const float reach = radius * inverse_cell_size_ + cell_rounding;
+  Eigen::Vector3i low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto last = static_cast<float>(cells_[axis] - 1);
+    if (at[axis] + reach < 0.0F || at[axis] - reach > last + 1.0F) return nothing;
+    low[axis] = static_cast<int>(std::max(at[axis] - reach, 0.0F));
+    high[axis] = static_cast<int>(std::min(at[axis] + reach, last));
+  }
+  std::pair<Index, float> best{none, radius * radius};
+  const int own_y = std::clamp(static_cast<int>(at.y()), low.y(), high.y());
+  const int own_z = std::clamp(static_cast<int>(at.z()), low.z(), high.z());
+  visit_row({own_y, own_z, low.x(), high.x()}, query, best);
+  const float squared_inverse = inverse_cell_size_ * inverse_cell_size_;
+  for (int z = low.z(); z <= high.z(); ++z) {
+    const float dz = distance_to_cell(at.z(), z);
+    for (int y = low.y(); y <= high.y(); ++y) {
+      const float dy = distance_to_cell(at.y(), y);
+      // What lies farther than the nearest point so far cannot change the result.
+      if (dy * dy + dz * dz > best.second * squared_inverse || (y == own_y && z == own_z)) continue;
+      visit_row({y, z, low.x(), high.x()}, query, best);
+    }
+  }
+  return best.first == none ? nothing : best;
 }
 
 NeighborLists radius_neighbors(const Points& points, float radius) {

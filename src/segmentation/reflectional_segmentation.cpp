@@ -76,7 +76,8 @@ class ReflectionalCutter {
           std::binary_search(support.begin(), support.end(), match.from)
               ? 0.0F
               : ScoreRange{options_.full_weight_angle, options_.zero_weight_angle}(facing);
-      affinities[match.from].object = (1.0F - options_.angle_range()(safe_acos(match.cosine))) * (1.0F - weak);
+      affinities[match.from].object =
+          (1.0F - options_.angle_range()(safe_acos(match.cosine))) * (1.0F - weak);
     }
     return affinities;
   }

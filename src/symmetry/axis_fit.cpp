@@ -30,7 +30,15 @@ FitPoints thinned(const PointCloud& cloud, int max_points) {
 }
 
 struct NormalEquations {
-  Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();
+  Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();  ///< lower triangle
+
+  void add(const Eigen::Vector4d& jacobian, double weight, double residual) {
+    for (int column = 0; column < 4; ++column) {
+      for (int row = column; row < 4; ++row)
+        hessian(row, column) += weight * jacobian[row] * jacobian[column];
+    }
+    gradient += weight * residual * jacobian;
+  }
   Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
   double cost = 0.0;
 };
@@ -68,15 +76,6 @@ class AxisProblem {
         loss_{std::pow(std::sin(options.residual_scale), 2)},
         squared_noise_(options.position_noise * options.position_noise) {}
 
-  double cost(const RotationAxis& axis) const {
-    double cost = 0.0;
-    for (std::size_t i = 0; i < points_.positions.size(); ++i) {
-      const Residual r = residual(axis, points_.positions[i], points_.normals[i]);
-      cost += proximity_weight(r) * loss_.cost(r.sine);
-    }
-    return cost / static_cast<double>(points_.positions.size());
-  }
-
   /// With the axis moved by basis·(a, b) in direction and basis·(c, d) in position.
   NormalEquations normal_equations(const RotationAxis& axis,
                                    const Eigen::Matrix<double, 3, 2>& basis) const {
@@ -90,8 +89,7 @@ class AxisProblem {
       Eigen::Vector4d jacobian;
       jacobian << basis.transpose() * q.cross(g), -basis.transpose() * g.cross(axis.direction);
       const double weight = proximity_weight(r) * loss_.weight(r.sine);
-      equations.hessian += weight * jacobian * jacobian.transpose();
-      equations.gradient += weight * r.sine * jacobian;
+      equations.add(jacobian, weight, r.sine);
       equations.cost += proximity_weight(r) * loss_.cost(r.sine);
     }
     equations.cost /= static_cast<double>(points_.positions.size());
@@ -176,10 +174,9 @@ AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
   axis.point = axis.project(Eigen::Vector3d::Zero());
   FitStatus status = FitStatus::iteration_limit;
   double damping = 1e-3;
-  double cost = problem.cost(axis);
+  Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(axis.direction);
+  NormalEquations equations = problem.normal_equations(axis, basis);
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
-    const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(axis.direction);
-    const NormalEquations equations = problem.normal_equations(axis, basis);
     Eigen::Matrix4d damped = equations.hessian;
     damped.diagonal() *= 1.0 + damping;
     damped.diagonal().array() += 1e-12;
@@ -189,12 +186,14 @@ AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
       break;
     }
     const RotationAxis candidate = moved(axis, basis, step);
-    const double candidate_cost = problem.cost(candidate);
+    const Eigen::Matrix<double, 3, 2> candidate_basis = orthonormal_complement(candidate.direction);
+    const NormalEquations at_candidate = problem.normal_equations(candidate, candidate_basis);
     const bool settled = step.head<2>().norm() < options.angle_tolerance &&
                          step.tail<2>().norm() < options.distance_tolerance;
-    if (candidate_cost < cost) {
+    if (at_candidate.cost < equations.cost) {
       axis = candidate;
-      cost = candidate_cost;
+      basis = candidate_basis;
+      equations = at_candidate;
       damping = std::max(damping * 0.3, 1e-9);
     } else {
       damping *= 10.0;
@@ -204,7 +203,7 @@ AxisFit fit_axis(const PointCloud& cloud, const RotationAxis& initial,
       break;
     }
   }
-  return {translated(axis, points.centroid), cost, status};
+  return {translated(axis, points.centroid), equations.cost, status};
 }
 
 std::vector<RotationAxis> initial_axes(const PointCloud& cloud,

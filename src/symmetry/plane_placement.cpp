@@ -62,6 +62,13 @@ class OffsetVotes {
             select(points, evenly_spread(points.size(), static_cast<Index>(options.max_points)))),
         radius_(reach(points, points_, options.shift_radius)) {
     points_.positions.rowwise() -= reference.cast<float>().transpose();
+    for (Index i = 1; i < points_.size(); ++i) {
+      for (Index j = 0; j < i; ++j) {
+        squared_distances_.push_back(
+            (points_.positions.row(i) - points_.positions.row(j)).squaredNorm());
+        cosines_.push_back(points_.normals.row(i).dot(points_.normals.row(j)));
+      }
+    }
   }
 
   /// The median offset of the planes that swap two points, each (p_i + p_j) · n / 2 (Eq. 3.2,
@@ -70,23 +77,36 @@ class OffsetVotes {
     const Eigen::Vector3f n = plane_normal.cast<float>();
     const Eigen::VectorXf heights = points_.positions * n;
     const Eigen::VectorXf facing = points_.normals * n;
+    std::vector<int> votes(points_.size());
     std::vector<float> offsets;
-    for (Index i = 0; i < points_.size(); ++i) {
+    for (Index i = 1; i < points_.size(); ++i) {
+      find_partners(i, heights, facing, votes);
       for (Index j = 0; j < i; ++j) {
-        const float gap = heights[i] - heights[j];
-        if (std::abs(gap) < min_gap_) continue;
-        const float squared_across =
-            (points_.positions.row(i) - points_.positions.row(j)).squaredNorm() - gap * gap;
-        if (squared_across > radius_ * radius_) continue;
-        const float cosine =
-            points_.normals.row(i).dot(points_.normals.row(j)) - 2.0F * facing[i] * facing[j];
-        if (cosine > min_cosine_) offsets.push_back(0.5F * (heights[i] + heights[j]));
+        if (votes[j] != 0) offsets.push_back(0.5F * (heights[i] + heights[j]));
       }
     }
     return double{symscene::median(std::move(offsets)).value_or(0.0F)};
   }
 
  private:
+  /// Sets votes[j] for j < i. Without branches, so that the compiler vectorises it.
+  void find_partners(Index i, const Eigen::VectorXf& heights, const Eigen::VectorXf& facing,
+                     std::vector<int>& votes) const {
+    const std::size_t first = std::size_t{i} * (i - 1) / 2;
+    const float* squared_distance = squared_distances_.data() + first;
+    const float* cosine = cosines_.data() + first;
+    const float squared_radius = radius_ * radius_;
+    const float height = heights[i], twice_facing = 2.0F * facing[i];
+    const float min_gap = min_gap_, min_cosine = min_cosine_;
+    for (Index j = 0; j < i; ++j) {
+      const float gap = height - heights[j];
+      const int apart = std::abs(gap) >= min_gap ? 1 : 0;
+      const int near = squared_distance[j] - gap * gap <= squared_radius ? 1 : 0;
+      const int facing_alike = cosine[j] - twice_facing * facing[j] > min_cosine ? 1 : 0;
+      votes[j] = apart & near & facing_alike;
+    }
+  }
+
   /// Subsampled points have fewer partners, so that the radius grows with their spacing.
   static float reach(const PointCloud& all, const PointCloud& subsampled, double radius) {
     const double thinning = static_cast<double>(all.size()) / subsampled.size();
@@ -97,6 +117,7 @@ class OffsetVotes {
   float min_gap_;
   PointCloud points_;
   float radius_;
+  std::vector<float> squared_distances_, cosines_;  ///< of pairs j < i, by i, then j
 };
 
 std::vector<Eigen::Vector3d> sampled_normals(const PointCloud& points,

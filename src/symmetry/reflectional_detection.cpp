@@ -107,20 +107,22 @@ class SegmentDetector {
   /// Most planes converge to few within some rounds; only distinct ones are fitted to the end.
   std::vector<ReflectionPlane> distinct_fits(const std::vector<ReflectionPlane>& placed) const {
     const PlaneSearchOptions& search = options_.search;
+    const PointIndices few =
+        evenly_spread(points_.size(), static_cast<Index>(search.coarse_points));
     const std::vector<ReflectionPlane> coarse = without_repeats(
-        fitted(placed, search.coarse_iterations),
+        fitted(placed, few, search.coarse_iterations),
         SamePlane{centroid_, search.coarse_same_angle, search.coarse_same_distance});
-    return without_repeats(fitted(coarse, options_.fit.max_iterations),
+    return without_repeats(fitted(coarse, sources_, options_.fit.max_iterations),
                            {centroid_, search.fine_same_angle, search.fine_same_distance});
   }
 
   std::vector<ReflectionPlane> fitted(const std::vector<ReflectionPlane>& planes,
-                                      int max_iterations) const {
+                                      const PointIndices& sources, int max_iterations) const {
     PlaneFitOptions fit_options = options_.fit;
     fit_options.max_iterations = std::min(max_iterations, options_.fit.max_iterations);
     std::vector<ReflectionPlane> fits;
     for (const ReflectionPlane& plane : planes) {
-      const PlaneFit fit = fit_plane({points_, cells_}, sources_, plane, fit_options);
+      const PlaneFit fit = fit_plane({points_, cells_}, sources, plane, fit_options);
       if (is_usable(fit.status)) fits.push_back(fit.plane);
     }
     return fits;

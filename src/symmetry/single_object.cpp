@@ -68,6 +68,9 @@ SingleObjectOptions::SingleObjectOptions() {
   ReflectionalDetectionOptions& planes = search.reflectional_detection;
   planes.placement.azimuth_steps = 8;
   planes.max_points = 1500;
+  planes.search.coarse_points = planes.max_points;
+  planes.fit.angle_tolerance = PlaneFitOptions{}.angle_tolerance;
+  planes.fit.distance_tolerance = PlaneFitOptions{}.distance_tolerance;
   for (CorrespondenceOptions* matching : {&planes.fit.matching, &planes.scoring})
     matching->min_plane_distance = 0.003;
   // Free space does not refute candidates here: more of the surface must support them.

@@ -31,7 +31,8 @@ std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<c
                                          const ReflectionPlane& plane,
                                          const CorrespondenceOptions& options);
 
-/// Keeps one correspondence per `to`, ascending: the nearest reflection; ties go to the lower source.
+/// Keeps one correspondence per `to`, ascending: the nearest reflection; ties go to the lower
+/// source.
 std::vector<Correspondence> one_to_one(const std::vector<Correspondence>& correspondences);
 
 struct PlaneFit {

@@ -45,7 +45,14 @@ class CellList {
     Index index;
   };
 
+  /// The cells x_low to x_high of a row along x.
+  struct Row {
+    int y, z, x_low, x_high;
+  };
+
   int clamped_cell(float coordinate, int axis) const;
+  /// Replaces `best` by the nearest point of a row, if it is nearer.
+  void visit_row(const Row& row, const Eigen::Vector3f& query, std::pair<Index, float>& best) const;
 
   Box box_;
   float inverse_cell_size_ = 1.0F;

@@ -40,9 +40,10 @@ struct PlanePlacementOptions {
   void validate() const { check_fields(*this); }
 };
 
-/// How the many placed planes of a segment are fitted: a few rounds each, then only the distinct
-/// ones to the end.
+/// How the many placed planes of a segment are fitted: a few rounds each on few points, then only
+/// the distinct ones to the end.
 struct PlaneSearchOptions {
+  int coarse_points = 200;
   int coarse_iterations = 4;
   double coarse_same_angle = radians(2.0);
   double coarse_same_distance = 0.003;
@@ -51,6 +52,8 @@ struct PlaneSearchOptions {
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
+    visit("coarse_points", self.coarse_points, "points", at_least(8),
+          "larger segments are subsampled evenly for the first rounds of fitting");
     visit("coarse_iterations", self.coarse_iterations, "", at_least(1),
           "rounds of fitting after which nearly equal planes are dropped");
     visit("coarse_same_angle", self.coarse_same_angle, "rad", at_least(0.0),
@@ -68,7 +71,7 @@ struct PlaneSearchOptions {
 struct ReflectionalDetectionOptions {
   PlanePlacementOptions placement;
   PlaneSearchOptions search;
-  PlaneFitOptions fit;
+  PlaneFitOptions fit{.angle_tolerance = radians(0.2), .distance_tolerance = 3e-4};
   CorrespondenceOptions scoring;
   int max_points = 400;
   double min_angle = radians(15.0);
