@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the data of the models of object scores and fits them:
+# Makes the data of the models of objects and of their symmetries, and fits them:
 #   evaluation/training/train.sh BUILD DATA WORK MODELS
 # BUILD holds the programs (build/bin), DATA the meshes and real views (CONTRIBUTING.md), WORK takes
 # the data sets and samples, MODELS the models (models). Whatever is in WORK already is kept, so that
@@ -66,3 +66,16 @@ fi
   --sample-share 0.6 --feature-share 0.5 \
   --report "$work/reliability.md" -o "$models" \
   --data "evaluation/training/train.sh, scale $scale"
+
+# Symmetries of proposed and chosen objects, with the object models that were just fitted: first the
+# axis, as the features of planes include it.
+sets=""
+for name in single_structured single_stereo single_tof few_structured few_stereo few_tof \
+  tracked_structured tracked_stereo tracked_tof sweeps; do
+  sets="$sets $work/$name"
+done
+for kind in axes planes; do
+  # shellcheck disable=SC2086
+  "$build/symscene_fit_symmetry_score" $kind $sets --noise 0 5 --models "$models" -o "$models" \
+    --data "evaluation/training/train.sh, scale $scale"
+done
