@@ -11,11 +11,11 @@ mkdir -p "$work"
 
 # make NAME SEED SCENES JSON [ARGUMENT...]: a data set and its samples, one kind of input.
 make() {
-  name=$1 seed=$2 scenes=$(awk "BEGIN { n = int($3 * $scale); print (n > 1 ? n : 2) }") json=$4
+  name=$1 make_seed=$2 scenes=$(awk "BEGIN { n = int($3 * $scale); print (n > 1 ? n : 2) }") json=$4
   shift 4
   [ -e "$work/$name.samples" ] && return
   echo "$json" > "$work/$name.json"
-  "$build/symscene" dataset "$work/$name" --split training --scenes "$scenes" --seed "$seed" \
+  "$build/symscene" dataset "$work/$name" --split training --scenes "$scenes" --seed "$make_seed" \
     --config "$work/$name.json" "$@"
   "$build/symscene_make_object_samples" "$work/$name" -o "$work/$name.samples" \
     --variants as-is posed
