@@ -35,7 +35,8 @@ endif()
 #   ROOM/include/symscene/ROOM   the interface, installed
 #   ROOM/internal/ROOM           what other rooms of this project read too, not installed
 #   ROOM                         what no other room sees
-# A room sees the headers of the rooms that it links, and no others.
+# A room sees the headers of the rooms that it links, and no others. It links only rooms declared above it, so that the
+# robot's wing, which comes first, depends on no room of the other.
 function(symscene_library name)
   cmake_parse_arguments(arg "EVALUATION" "" "LINK;PRIVATE_LINK" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
@@ -44,6 +45,11 @@ function(symscene_library name)
     set(folder ${PROJECT_SOURCE_DIR}/evaluation/${name})
     set(wing SYMSCENE_EVALUATION_LIBRARIES)
   endif()
+  foreach(library IN LISTS arg_LINK arg_PRIVATE_LINK)
+    if(library MATCHES "^symscene::" AND NOT TARGET ${library})
+      message(FATAL_ERROR "${name} links ${library}: a room links only rooms declared above it")
+    endif()
+  endforeach()
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   add_library(symscene_${name} STATIC ${sources})
   add_library(symscene::${name} ALIAS symscene_${name})

@@ -158,7 +158,7 @@ void add_symmetry(CommandLine& line) {
                    "what is written; bop is models_info.json of the BOP benchmark (default json)");
   arguments.choice("--units", state->units, {"m", "mm"}, "unit of the models (default m)");
   arguments.flag("--partial", state->is_partial,
-                 "the model is a partial scan: find what speaks for an axis and planes of it");
+                 "the model is a partial scan: detect its probable axis and mirror planes");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

@@ -119,11 +119,11 @@ Json partial_json(const std::string& name, const ObjectSymmetries& found) {
     json["axes"].push_back({{"point", coordinates(axis.axis.point)},
                             {"direction", coordinates(axis.axis.direction)},
                             {"order", "continuous"},
-                            {"score", axis.residual}});
+                            {"residual", axis.residual}});
   for (const ScoredPlane& plane : found.reflectional)
     json["planes"].push_back({{"point", coordinates(plane.plane.point)},
                               {"normal", coordinates(plane.plane.normal)},
-                              {"score", plane.residual}});
+                              {"residual", plane.residual}});
   return json;
 }
 

@@ -21,7 +21,7 @@ struct ModelSymmetries {
 };
 
 nlohmann::ordered_json group_json(const ModelSymmetries& model);
-/// What was found in a partial scan: scores in place of residuals.
+/// What was found in a partial scan, with residuals of normals and images between 0 and 1.
 nlohmann::ordered_json partial_json(const std::string& name, const ObjectSymmetries& found);
 
 /// An entry of models_info.json as the BOP benchmark defines it (Hodan et al. 2018), in

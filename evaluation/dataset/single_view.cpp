@@ -55,18 +55,18 @@ SceneTruth truth_of(const LabeledFrame& labeled, const Scene& scene,
 }
 
 /// Per object why it has no point in the scene's cloud; empty if it has one.
-std::vector<std::string> losses_of(const LabeledFrame& labeled, const SceneTruth& truth,
-                                   const ViewPoints& points) {
+std::vector<std::string> reasons_of_loss(const LabeledFrame& labeled, const SceneTruth& truth,
+                                         const ViewPoints& points) {
   std::set<std::uint16_t> on_surface;
   for (const Index pixel : points.pixels) on_surface.insert(labeled.labels[pixel]);
-  std::vector<std::string> losses;
+  std::vector<std::string> reasons;
   std::size_t k = 0;
   for (const std::uint16_t label : object_labels(labeled)) {
     const bool is_lost = truth.objects[k++].points.empty();
     const char* reason = on_surface.contains(label) ? "outside the crop" : "no surface";
-    losses.emplace_back(is_lost ? reason : "");
+    reasons.emplace_back(is_lost ? reason : "");
   }
-  return losses;
+  return reasons;
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ SingleViewScene single_view_scene(const LabeledFrame& labeled, const SingleViewO
   ViewScene view = view_scene({labeled.frame, labeled.camera}, options.view);
   result.scene = std::move(view.built.scene);
   result.truth = truth_of(labeled, result.scene, options);
-  result.lost = losses_of(labeled, result.truth, view.points);
+  result.lost = reasons_of_loss(labeled, result.truth, view.points);
   return result;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double converged = 1e-5;
 
-/// The steps of a fit. The scale of the weights cools down: first what is near counts, then what
-/// fits. By the diameter.
+/// The steps of a fit. The scale of the robust weights shrinks with each step; it is relative to
+/// the diameter.
 struct Schedule {
   int steps;
   double first_scale, cooling, last_scale;

@@ -24,11 +24,11 @@ const double candidate_angle = radians(7.0);
 constexpr std::size_t max_candidates = 16;
 /// A direction between those that are tried moves the surface by up to this, by the diameter.
 constexpr double step_distance = 0.02;
-/// What is this near to a better one after the fit is the same.
+/// Fitted candidates within this angle of a better one are duplicates.
 const double same_angle = radians(5.0);
 /// A symmetry is a minimum of the residual: not one that improves if tilted by this.
 const double tilt_angle = radians(4.0);
-/// Of an axis' orders, those count that are hardly worse than its best.
+/// An order is accepted if its residual is at most this multiple of the residual of the best order.
 constexpr double order_ratio = 3.0;
 constexpr std::size_t max_group = 120;  ///< the icosahedron with its reflections
 constexpr int spread_directions = 1000;
@@ -155,7 +155,7 @@ class GroupSearch {
 
   /// The axes of an order, best first.
   std::vector<GroupAxis> axes(int order) const {
-    // The first angle makes all turns of an order; of a continuous axis two tell.
+    // The first angle makes all turns of an order; two suffice for a continuous axis.
     std::vector<double> tried = angles_of(order);
     tried.resize(order == GroupAxis::continuous ? 2 : 1);
     const std::vector<Eigen::Vector3d> starts = candidates([&](const Eigen::Vector3d& direction) {

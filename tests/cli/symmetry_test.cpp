@@ -88,7 +88,7 @@ TEST_F(SymmetryCommand, SearchesPartialScansByScores) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   ASSERT_FALSE(json.at("models").at(0).at("planes").empty());
-  EXPECT_TRUE(json.at("models").at(0).at("planes").at(0).contains("score"));
+  EXPECT_TRUE(json.at("models").at(0).at("planes").at(0).contains("residual"));
   EXPECT_EQ(run("models/obj_000003.obj --partial --format bop").code, 1);
 }
 

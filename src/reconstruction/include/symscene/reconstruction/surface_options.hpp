@@ -41,8 +41,8 @@ struct TsdfOptions {
   void validate() const;
 };
 
-/// Marching cubes. What counts as seen depends on the frames that there were: of a cell that few
-/// frames could have seen less weight is asked, so that one frame shows all that it measures.
+/// Marching cubes. What counts as seen depends on the frames that there were: cells that few
+/// frames could have seen need less weight, so that one frame shows all that it measures.
 struct SurfaceExtractionOptions {
   double min_looks = 0.6;
   int full_frames = 80;

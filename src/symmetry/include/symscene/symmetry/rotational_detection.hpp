@@ -11,8 +11,7 @@
 
 namespace symscene {
 
-/// Fit of an axis to a set of points (section 3.5.2). `symmetry_residual` and `occlusion_residual`
-/// are residuals: 0 is perfect. `perpendicularity` and `coverage` are scores: higher is better.
+/// Fit of an axis to a set of points (section 3.5.2). Lower is better, but for `coverage`.
 struct RotationalScores {
   double symmetry_residual = 0.0;   ///< mean ramp of the angle of Fig. 3.4 (Eq. 3.5), in [0, 1]
   double perpendicularity = 0.0;    ///< mean of 1 − angle(normal, axis)/90° (Eq. 3.6), in [0, 1]

@@ -33,7 +33,7 @@ struct SymmetryGroupOptions {
     visit("fit_points", self.fit_points, "points", at_least(50),
           "points of the surface to which candidates are fitted");
     visit("residual_points", self.residual_points, "points", at_least(50),
-          "points of the surface that decide");
+          "points of the surface on which the final residual is computed");
   }
   /// Throws InputError on a field out of its range.
   void validate() const { check_fields(*this); }

@@ -49,8 +49,8 @@ struct SupportPlaneOptions {
           "largest angle between a supporting plane's normal and up, where up is known; large, as "
           "a camera that looks down on a table is tilted itself");
     visit("facing_factor", self.facing_factor, "", between(0.0, 1.0),
-          "factor of the score of a plane that is more tilted but faces the cameras, as a table "
-          "does that they look straight down on, and also a wall");
+          "score factor of a plane tilted beyond max_tilt that faces the cameras: a table seen "
+          "from straight above, or a wall");
     visit(
         "patch_gap", self.patch_gap, "m", at_least(0.0),
         "gap between patches of one table, which the shadows of objects cut; a patch farther from "
