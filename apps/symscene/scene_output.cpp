@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "symscene/io/scene.hpp"
 #include "symscene/io/table_plane.hpp"
@@ -59,29 +58,14 @@ TablePrior TableArguments::known(TablePrior from_cameras) const {
   return from_cameras;
 }
 
-void report_table(const TableScene& table, Session& session) {
-  const auto& supports = table.planes.supports;
-  if (supports.empty()) {
-    std::vector<std::string> found;
-    for (const SupportPlane& other : table.planes.others) {
-      found.push_back(fmt::format("{} ({:.2f} m^2)", plane_numbers(other.plane), other.area));
-    }
-    session.warn(fmt::format(
-        "no table with objects on it is found, so that all that is seen is taken; {}",
-        found.empty()
-            ? "there is no plane"
-            : fmt::format("--plane can name one of the planes {}", fmt::join(found, "; "))));
-    return;
+void report_table(const BuiltScene& built, Session& session) {
+  const auto& supports = built.table.planes.supports;
+  if (!supports.empty()) {
+    session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
+                                   plane_numbers(supports.front().plane), supports.front().area,
+                                   1e3 * supports.front().residual));
   }
-  session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
-                                 plane_numbers(supports.front().plane), supports.front().area,
-                                 1e3 * supports.front().residual));
-  for (std::size_t k = 1; table.planes.status == SupportStatus::several && k < supports.size();
-       ++k) {
-    session.warn(fmt::format("another plane also has objects on it: --plane {} ({:.2f} m^2)",
-                             plane_numbers(supports[k].plane), supports[k].area));
-  }
-  if (table.objects.cloud.empty()) session.warn("the table is bare: nothing stands on it");
+  session.warn(built.scene.warnings);
 }
 
 PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames& placed) {
@@ -120,7 +104,7 @@ std::vector<ReportMember> SceneOutput::write(const SceneContent& content, const 
                                              Session& session, StageTimer& timer) const {
   const BuiltScene& built = content.built;
   const TriangleMesh& surface = content.surface;
-  if (!table.none) report_table(built.table, session);
+  report_table(built, session);
   timer.time("write", [&] {
     LogOddsMap log_odds;
     if (!built.scene.cloud.empty()) log_odds = content.occupancy.log_odds(built.region);

@@ -72,7 +72,7 @@ struct SceneOutput {
                                   Session& session, StageTimer& timer) const;
 };
 
-/// Prints the table that was found. Warns if there is none, or if there may be another.
-void report_table(const TableScene& table, Session& session);
+/// Prints the table that was found and the warnings of the scene.
+void report_table(const BuiltScene& built, Session& session);
 
 }  // namespace symscene::app

@@ -59,7 +59,7 @@ SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Sessi
                          {options.cloud_normals, options.view.scene});
     });
   });
-  if (!table.none) report_table(built.table, session);
+  report_table(built, session);
   return {std::move(built.scene), {}, {}, timer.stages(), {}, {}};
 }
 
@@ -78,7 +78,7 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
     return view_scene({frame, sequence->camera()}, table.known(prior_of(cameras)), options.view);
   });
   for (const StageTime& stage : view.stages) timer.add(stage.stage, stage.seconds);
-  if (!table.none) report_table(view.built.table, session);
+  report_table(view.built, session);
   SegmentInput input{std::move(view.built.scene),
                      view_mesh(view.points, options.view.points),
                      cameras,

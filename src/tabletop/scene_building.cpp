@@ -5,6 +5,7 @@
 #include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
 #include "table_objects.hpp"
+#include "table_warnings.hpp"
 #include "table_search.hpp"
 
 namespace symscene {
@@ -45,7 +46,10 @@ BuiltScene build_scene(const PointCloud& points, const OccupancyVolume& occupanc
   options.validate();
   if (points.empty()) throw InputError("surface", "at least one point", "none");
   BuiltScene built;
-  if (!known.absent) built.table = find_table_scene(points, options.table, known);
+  if (!known.absent) {
+    built.table = find_table_scene(points, options.table, known);
+    built.scene.warnings = table_warnings(built.table);
+  }
   const auto& supports = built.table.planes.supports;
   if (!supports.empty()) built.scene.table = supports.front().plane;
   built.scene.cloud =

@@ -136,6 +136,8 @@ TEST(SceneBuilding, OfATableWithoutObjectsOrOfNoTableIsEmpty) {
   const BuiltScene built = build(bare);
   EXPECT_TRUE(built.scene.cloud.empty());
   EXPECT_FALSE(built.scene.occupancy);
+  ASSERT_EQ(built.scene.warnings.size(), 1U);
+  EXPECT_NE(built.scene.warnings[0].find("the table is bare"), std::string::npos);
   // A table that is given where nothing is.
   const BuiltScene aside = build(bare, Plane{Eigen::Vector3d::UnitX(), -50.0});
   EXPECT_TRUE(aside.scene.cloud.empty());
@@ -147,6 +149,7 @@ TEST(SceneBuilding, WithoutATableHoldsAllPoints) {
   const BuiltScene everything =
       build_scene(points_of(made.surface), made.occupancy, {.absent = true});
   EXPECT_FALSE(everything.scene.table);
+  EXPECT_TRUE(everything.scene.warnings.empty());
   EXPECT_GT(everything.scene.cloud.size(), 2 * build(made).scene.cloud.size());
   ASSERT_TRUE(everything.scene.occupancy);
   EXPECT_FALSE(everything.scene.occupancy->leaves.empty());
@@ -162,6 +165,8 @@ TEST(SceneBuilding, WithoutATableHoldsAllPoints) {
   ball.positions *= 0.05F;
   const BuiltScene found = build_scene(ball, OccupancyVolume());
   EXPECT_FALSE(found.scene.table);
+  ASSERT_EQ(found.scene.warnings.size(), 1U);
+  EXPECT_NE(found.scene.warnings[0].find("no table"), std::string::npos);
   EXPECT_GT(found.scene.cloud.size(), 500U);
 }
 

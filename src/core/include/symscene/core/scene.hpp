@@ -20,7 +20,7 @@ struct Scene {
   std::optional<OccupancyMap>
       occupancy;               ///< without one, all space off the surface counts as never seen
   std::optional<Plane> table;  ///< unit normal that points up
-  std::vector<std::string> warnings = {};  ///< of its reader, one sentence each
+  std::vector<std::string> warnings = {};  ///< of its reader or builder, one sentence each
 };
 
 /// A symmetry of an object and its residual, 0 for a perfect fit.
