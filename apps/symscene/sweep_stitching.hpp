@@ -11,9 +11,9 @@ namespace symscene::app {
 
 /// When the frames of a sequence are placed by stitching in place of tracking.
 struct HandOverOptions {
-  int max_frames = 60;
+  int max_frames = 30;
   double max_doubtful = 0.1;
-  double max_rotation = 0.1047198;
+  double max_rotation = radians(6.0);
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "reconstruction/camera_tracking.hpp"
 #include "keyframes.hpp"
+#include "reconstruction/camera_tracking.hpp"
 #include "reconstruction/tsdf_volume.hpp"
 #include "stage_clock.hpp"
 

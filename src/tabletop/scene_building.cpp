@@ -5,8 +5,8 @@
 #include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
 #include "table_objects.hpp"
-#include "table_warnings.hpp"
 #include "table_search.hpp"
+#include "table_warnings.hpp"
 
 namespace symscene {
 namespace {
