@@ -23,8 +23,15 @@ struct Schedule {
 constexpr Schedule coarse_schedule{12, 0.05, 0.8, 0.02};
 constexpr Schedule exact_schedule{10, 0.02, 0.8, 0.01};
 
-const Schedule& schedule_of(Matching matching) {
-  return matching == Matching::coarse ? coarse_schedule : exact_schedule;
+/// Takes steps at shrinking scales until they are small at the last one. `step_at(scale)` returns
+/// the length of its step.
+template <class Step>
+void descend(Matching matching, const Step& step_at) {
+  const Schedule& schedule = matching == Matching::coarse ? coarse_schedule : exact_schedule;
+  for (int k = 0; k < schedule.steps; ++k) {
+    const double scale = schedule.scale(k);
+    if (step_at(scale) < converged && scale == schedule.last_scale) return;
+  }
 }
 
 /// Directions that the surface leaves open (a face slid in its own plane) stay where they are.
@@ -109,16 +116,15 @@ double mean_distance(const SurfaceDistance& surface, std::span<const Index> samp
 
 ReflectionPlane fit_to(const SurfaceDistance& surface, std::span<const Index> samples,
                        const ReflectionPlane& start, Matching matching) {
-  const Schedule& schedule = schedule_of(matching);
   ReflectionPlane plane = start;
-  for (int k = 0; k < schedule.steps; ++k) {
+  descend(matching, [&](double scale) {
     const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(plane.normal);
     Equations<3> equations;
     for (const Index i : samples) {
       const Eigen::Vector3d p = surface.samples().position(i).cast<double>() - plane.point;
       const double distance = plane.normal.dot(p);
       const Eigen::Vector3d moved = p - 2.0 * distance * plane.normal;
-      const Contact contact = contact_at(surface, plane.point + moved, schedule.scale(k), matching);
+      const Contact contact = contact_at(surface, plane.point + moved, scale, matching);
       // x' = x − 2 (n · x − o) n, so that d(m · x') = −2 [(m · n)(x · δn − δo) + (n · x)(m · δn)]
       const double cosine = contact.normal.dot(plane.normal);
       Eigen::Vector3d jacobian;
@@ -128,16 +134,15 @@ ReflectionPlane fit_to(const SurfaceDistance& surface, std::span<const Index> sa
     const Eigen::Vector3d step = equations.step();
     plane.point += step.z() * plane.normal;
     plane.normal = (plane.normal + basis * step.head<2>()).normalized();
-    if (step.norm() < converged && schedule.scale(k) == schedule.last_scale) break;
-  }
+    return step.norm();
+  });
   return plane;
 }
 
 RotationAxis fit_to(const SurfaceDistance& surface, std::span<const Index> samples,
                     const RotationAxis& start, std::span<const double> angles, Matching matching) {
-  const Schedule& schedule = schedule_of(matching);
   RotationAxis axis = start;
-  for (int k = 0; k < schedule.steps; ++k) {
+  descend(matching, [&](double scale) {
     const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(axis.direction);
     Equations<4> equations;
     for (const double angle : angles) {
@@ -145,8 +150,7 @@ RotationAxis fit_to(const SurfaceDistance& surface, std::span<const Index> sampl
       for (const Index i : samples) {
         const Eigen::Vector3d p = surface.samples().position(i).cast<double>() - axis.point;
         const Eigen::Vector3d moved = rotation * p;
-        const Contact contact =
-            contact_at(surface, axis.point + moved, schedule.scale(k), matching);
+        const Contact contact = contact_at(surface, axis.point + moved, scale, matching);
         // Tilting the axis by ω: dx' = ω × R x − R (ω × x). Shifting it by δ: dx' = δ − R δ.
         const Eigen::Vector3d back = rotation.transpose() * contact.normal;
         Eigen::Vector4d jacobian;
@@ -159,8 +163,8 @@ RotationAxis fit_to(const SurfaceDistance& surface, std::span<const Index> sampl
     const Eigen::Vector3d tilt = basis * step.head<2>();
     axis.point += basis * step.tail<2>();
     axis.direction = (axis.direction + tilt.cross(axis.direction)).normalized();
-    if (step.norm() < converged && schedule.scale(k) == schedule.last_scale) break;
-  }
+    return step.norm();
+  });
   return axis;
 }
 

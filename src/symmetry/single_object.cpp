@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/voxel_sampling.hpp"
+#include "object_normals.hpp"
 #include "sphere_fit.hpp"
 #include "symmetry/object_symmetry.hpp"
 #include "symscene/core/error.hpp"
@@ -35,19 +36,6 @@ Normalization normalize(const SingleObjectOptions& options, PointCloud& cloud) {
     cloud.positions.row(i) = p.cast<float>().transpose();
   }
   return normalization;
-}
-
-/// Outwards is away from the centroid: true of most points of a closed or convex surface.
-OutwardVote away_from_centre() {
-  return [](const Eigen::Vector3f& p, const Eigen::Vector3f& n) { return double{p.dot(n)}; };
-}
-
-void complete_normals(const SingleObjectOptions& options, PointCloud& cloud) {
-  if (oriented_points(cloud).empty())
-    cloud.normals = estimate_normals(cloud.positions, away_from_centre(), options.normals);
-  const PointIndices oriented = oriented_points(cloud);
-  cloud = select(cloud, oriented);
-  if (cloud.empty()) throw InputError("object", "a surface with normals", "points that span none");
 }
 
 /// The object as the only one of a scene in which no space is known to be free.
@@ -93,8 +81,8 @@ ObjectSymmetries detect_object_symmetries(const PointCloud& cloud,
   options.validate();
   PointCloud points = select(cloud, finite_points(cloud.positions));
   const Normalization normalization = normalize(options, points);
-  points = voxel_downsample(points, options.voxel_size);
-  complete_normals(options, points);
+  points = oriented_surface(voxel_downsample(points, options.voxel_size), Eigen::Vector3f::Zero(),
+                            options.normals);
 
   ObjectSymmetries symmetries;
   symmetries.points = points.size();
