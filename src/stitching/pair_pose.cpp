@@ -90,14 +90,19 @@ const char* to_string(PairStatus status) {
 }
 
 DepthAgreement mutual_agreement(const SurfaceImage& first, const SurfaceImage& second,
+                                const Eigen::Isometry3d& T_first_second, const DepthNoise& noise) {
+  const PoseFit there = depth_fit(second, first, T_first_second, noise);
+  const PoseFit back = depth_fit(first, second, T_first_second.inverse(), noise);
+  return {std::min(there.overlap(), back.overlap()), std::min(there.agreement(), back.agreement())};
+}
+
+DepthAgreement mutual_agreement(const SurfaceImage& first, const SurfaceImage& second,
                                 const Eigen::Isometry3d& T_first_second,
                                 const StitchingOptions& options) {
   const DepthNoise noise{.floor = static_cast<float>(options.pairs.tolerance) / inlier_sigmas,
                          .moved = 0.0F,
                          .fixed = static_cast<float>(options.measurement.noise)};
-  const PoseFit there = depth_fit(second, first, T_first_second, noise);
-  const PoseFit back = depth_fit(first, second, T_first_second.inverse(), noise);
-  return {std::min(there.overlap(), back.overlap()), std::min(there.agreement(), back.agreement())};
+  return mutual_agreement(first, second, T_first_second, noise);
 }
 
 PairStatus status_of(const DepthAgreement& depth, const PairOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "features.hpp"
+#include "reconstruction/pose_fit.hpp"
 #include "reconstruction/surface_image.hpp"
 
 namespace symscene {
@@ -19,6 +20,9 @@ PairPose find_pair_pose(const PairView& first, const PairView& second,
                         const CameraIntrinsics& camera, const StitchingOptions& options);
 
 /// How well two depth images fit under a pose: the worse of the two directions.
+DepthAgreement mutual_agreement(const SurfaceImage& first, const SurfaceImage& second,
+                                const Eigen::Isometry3d& T_first_second, const DepthNoise& noise);
+/// The same within the tolerance of poses from features.
 DepthAgreement mutual_agreement(const SurfaceImage& first, const SurfaceImage& second,
                                 const Eigen::Isometry3d& T_first_second,
                                 const StitchingOptions& options);

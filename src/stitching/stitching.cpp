@@ -56,7 +56,12 @@ std::vector<StitchedPair> compare_all(std::span<const View> views, const CameraI
 
 std::vector<std::optional<Eigen::Isometry3d>> chained(std::size_t frames,
                                                       std::span<const StitchedPair> pairs) {
-  const std::vector<PoseEdge> edges = joined_edges(pairs);
+  std::vector<PoseEdge> edges;
+  for (const StitchedPair& pair : pairs) {
+    if (!is_joined(pair.pose.status)) continue;
+    edges.push_back({pair.first, pair.second, pair.pose.T_first_second,
+                     static_cast<double>(pair.pose.inliers.size())});
+  }
   if (edges.empty()) return std::vector<std::optional<Eigen::Isometry3d>>(frames);
   return chain_poses(frames, edges);
 }

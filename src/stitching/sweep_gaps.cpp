@@ -8,7 +8,6 @@
 #include "core/parallel.hpp"
 #include "pair_pose.hpp"
 #include "reconstruction/camera_tracking.hpp"
-#include "reconstruction/pose_fit.hpp"
 #include "reconstruction/relocalization.hpp"
 
 namespace symscene {
@@ -120,11 +119,8 @@ class SweepGaps {
     const auto sensor = static_cast<float>(options_.measurement.noise);
     const DepthNoise noise{
         .floor = static_cast<float>(tracking_.model_deviation), .moved = sensor, .fixed = sensor};
-    const SurfaceImage& first = surface(pair.first);
-    const SurfaceImage& second = surface(pair.second);
-    const PoseFit there = depth_fit(second, first, T_first_second, noise);
-    const PoseFit back = depth_fit(first, second, T_first_second.inverse(), noise);
-    return 1.0 - std::min(there.agreement(), back.agreement());
+    return 1.0 - mutual_agreement(surface(pair.first), surface(pair.second), T_first_second, noise)
+                     .agreement;
   }
 
   /// Joins the consecutive pairs that are contradicted little more than is usual among them, and
@@ -171,16 +167,6 @@ class SweepGaps {
 };
 
 }  // namespace
-
-std::vector<PoseEdge> joined_edges(std::span<const StitchedPair> pairs) {
-  std::vector<PoseEdge> edges;
-  for (const StitchedPair& pair : pairs) {
-    if (!is_joined(pair.pose.status)) continue;
-    edges.push_back({pair.first, pair.second, pair.pose.T_first_second,
-                     static_cast<double>(pair.pose.inliers.size())});
-  }
-  return edges;
-}
 
 void close_gaps(std::span<const Measurement* const> frames, const StitchingOptions& options,
                 const TrackingOptions& tracking, const PoseOfPair& from_features,

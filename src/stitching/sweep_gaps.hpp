@@ -5,15 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "pose_graph.hpp"
 #include "reconstruction/measurement.hpp"
 #include "symscene/reconstruction/tracking_options.hpp"
 #include "symscene/stitching/stitching.hpp"
 
 namespace symscene {
-
-/// The edges of the pairs whose pose is known.
-std::vector<PoseEdge> joined_edges(std::span<const StitchedPair> pairs);
 
 /// The pose of the second frame in the first; none if it is not known.
 using PoseOfPair = std::function<std::optional<Eigen::Isometry3d>(std::size_t, std::size_t)>;
