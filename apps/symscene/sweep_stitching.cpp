@@ -4,7 +4,6 @@
 
 #include "core/median.hpp"
 #include "core/rigid_motion.hpp"
-#include "symscene/stitching/stitching.hpp"
 
 namespace symscene::app {
 namespace {
@@ -24,11 +23,6 @@ double median_rotation(const PlacedFrames& placed) {
   return median(std::move(angles)).value_or(0.0);
 }
 
-struct ReadFrames {
-  std::vector<std::size_t> numbers;
-  std::vector<DepthFrame> frames;
-};
-
 /// The frames that can be read; tracking has named the others.
 ReadFrames read_all(const DepthSequence& sequence) {
   ReadFrames read;
@@ -43,6 +37,26 @@ ReadFrames read_all(const DepthSequence& sequence) {
 }
 
 }  // namespace
+
+PlacedFrames placed_frames(const StitchingResult& stitched, const ReadFrames& read) {
+  PlacedFrames placed;
+  for (std::size_t k = 0; k < read.frames.size(); ++k) {
+    if (!stitched.frames[k].T_world_camera) continue;
+    placed.trajectory.push_back({read.frames[k].time, *stitched.frames[k].T_world_camera});
+    placed.frames.push_back(read.numbers[k]);
+  }
+  return placed;
+}
+
+Reconstruction fuse_placed(const StitchingResult& stitched, const ReadFrames& read,
+                           const CameraIntrinsics& camera, const ReconstructionOptions& options) {
+  Reconstruction reconstruction(camera, options);
+  for (std::size_t k = 0; k < read.frames.size(); ++k) {
+    const auto& pose = stitched.frames[k].T_world_camera;
+    if (pose) reconstruction.add(read.frames[k], *pose, PoseUse::exact);
+  }
+  return reconstruction;
+}
 
 std::string reason_to_stitch(const DepthSequence& sequence, const PlacedSequence& tracked,
                              const HandOverOptions& options) {
@@ -71,20 +85,18 @@ std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence,
   for (const StageTime& time : stitched.times) timer.add("stitch: " + time.stage, time.seconds);
   const auto least = min_placed * static_cast<double>(tracked.log.fused());
   if (stitched.placed == 0 || static_cast<double>(stitched.placed) < least) return {};
-  PlacedSequence result{Reconstruction(sequence.camera(), options), {}, {}};
+  PlacedSequence result{
+      fuse_placed(stitched, read, sequence.camera(), options), placed_frames(stitched, read), {}};
   std::size_t next = 0;
   for (std::size_t k = 0; k < read.frames.size(); ++k) {
     for (; next < read.numbers[k]; ++next) result.log.add_unreadable(next);
     ++next;
     const StitchedFrame& frame = stitched.frames[k];
-    if (!frame.T_world_camera) {
+    if (frame.T_world_camera) {
+      result.log.add_stitched(read.numbers[k]);
+    } else {
       result.log.add_lost(read.numbers[k], frame.reason);
-      continue;
     }
-    result.model.add(read.frames[k], *frame.T_world_camera, PoseUse::exact);
-    result.log.add_stitched(read.numbers[k]);
-    result.placed.trajectory.push_back({read.frames[k].time, *frame.T_world_camera});
-    result.placed.frames.push_back(read.numbers[k]);
   }
   for (; next < sequence.size(); ++next) result.log.add_unreadable(next);
   return result;

@@ -5,7 +5,7 @@
 
 #include "frame_log.hpp"
 #include "scene_output.hpp"
-#include "symscene/stitching/stitching_options.hpp"
+#include "symscene/stitching/stitching.hpp"
 
 namespace symscene::app {
 
@@ -55,6 +55,19 @@ struct PlacedSequence {
   PlacedFrames placed;
   FrameLog log;
 };
+
+/// Frames of a sequence, and their numbers in it.
+struct ReadFrames {
+  std::vector<std::size_t> numbers;
+  std::vector<DepthFrame> frames;
+};
+
+/// The frames that stitching placed, of those that were read for it.
+PlacedFrames placed_frames(const StitchingResult& stitched, const ReadFrames& read);
+
+/// The model of these frames.
+Reconstruction fuse_placed(const StitchingResult& stitched, const ReadFrames& read,
+                           const CameraIntrinsics& camera, const ReconstructionOptions& options);
 
 /// Why the frames of a tracked sequence are better placed by stitching; empty if they are not,
 /// or if there are no colours or no OpenCV to place them by.

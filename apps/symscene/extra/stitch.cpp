@@ -7,6 +7,7 @@
 #include "scene_output.hpp"
 #include "session.hpp"
 #include "stitch_report.hpp"
+#include "sweep_stitching.hpp"
 #include "symscene/io/table_plane.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
 
@@ -50,12 +51,6 @@ struct StitchOptions {
   }
 };
 
-/// The frames of a sequence that have colour, with their numbers in it.
-struct ColorFrames {
-  std::vector<std::size_t> numbers;
-  std::vector<DepthFrame> frames;
-};
-
 struct Stitch {
   SharedOptions shared;
   StitchOptions options;
@@ -95,8 +90,9 @@ struct Stitch {
     return chosen;
   }
 
-  ColorFrames read(const DepthSequence& sequence, Session& session) const {
-    ColorFrames read;
+  /// The frames that have colour.
+  ReadFrames read(const DepthSequence& sequence, Session& session) const {
+    ReadFrames read;
     for (const std::size_t i : choose(sequence)) {
       try {
         DepthFrame frame = sequence.read(i);
@@ -112,16 +108,6 @@ struct Stitch {
                        fmt::format("{}", read.frames.size()));
     }
     return read;
-  }
-
-  static PlacedFrames placed_frames(const StitchingResult& stitched, const ColorFrames& read) {
-    PlacedFrames placed;
-    for (std::size_t k = 0; k < read.frames.size(); ++k) {
-      if (!stitched.frames[k].T_world_camera) continue;
-      placed.trajectory.push_back({read.frames[k].time, *stitched.frames[k].T_world_camera});
-      placed.frames.push_back(read.numbers[k]);
-    }
-    return placed;
   }
 
   void require_placed(const StitchingResult& stitched) const {
@@ -148,13 +134,10 @@ struct Stitch {
         degrees(error.relative_angle)));
   }
 
-  Reconstruction fuse(const DepthSequence& sequence, const ColorFrames& read,
+  Reconstruction fuse(const DepthSequence& sequence, const ReadFrames& read,
                       const StitchingResult& stitched, StageTimer& timer) const {
-    Reconstruction reconstruction(sequence.camera(), options.reconstruction());
-    for (std::size_t k = 0; k < read.frames.size(); ++k) {
-      const auto& pose = stitched.frames[k].T_world_camera;
-      if (pose) reconstruction.add(read.frames[k], *pose, PoseUse::exact);
-    }
+    Reconstruction reconstruction =
+        fuse_placed(stitched, read, sequence.camera(), options.reconstruction());
     for (const StageTime& time : reconstruction.times()) {
       if (time.seconds > 0.0) timer.add(time.stage, time.seconds);
     }
@@ -171,7 +154,7 @@ struct Stitch {
     StageTimer timer(session.on_begin());
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
     session.warn(sequence->warnings());
-    const ColorFrames read = timer.time("read", [&] { return this->read(*sequence, session); });
+    const ReadFrames read = timer.time("read", [&] { return this->read(*sequence, session); });
     session.on_begin()("stitch");
     const StitchingResult stitched =
         stitch_frames(read.frames, sequence->camera(), options.stitching);
