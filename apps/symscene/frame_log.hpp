@@ -22,7 +22,6 @@ class FrameLog {
   std::size_t fused() const { return fused_; }
   /// Frames that show enough, but are lost or degenerate.
   std::size_t doubtful() const { return doubtful_; }
-  std::size_t count(const std::string& status) const;
 
   /// Describes the first run.
   std::string first_run() const;
@@ -42,6 +41,7 @@ class FrameLog {
   };
 
   void add(std::size_t frame, const std::string& status, const std::string& detail);
+  std::size_t count(const std::string& status) const;
   static std::string describe(const Run& run);
 
   std::vector<Run> runs_;
