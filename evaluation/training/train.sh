@@ -1,9 +1,10 @@
 #!/bin/sh
 # Makes the data of the models of objects and of their symmetries, and fits them:
 #   evaluation/training/train.sh BUILD DATA WORK MODELS
-# BUILD holds the programs (build/bin), DATA the meshes and real views (CONTRIBUTING.md), WORK takes
-# the data sets and samples, MODELS the models (models). Whatever is in WORK already is kept, so that
-# an interrupted run goes on where it stopped. SCALE=0.1 makes a tenth of the scenes, to try it out.
+# BUILD holds the programs (build/bin of a build with SYMSCENE_BUILD_TRAINING=ON), DATA the meshes
+# and real views (CONTRIBUTING.md), WORK takes the data sets and samples, MODELS the models (models).
+# Whatever is in WORK already is kept, so that an interrupted run goes on where it stopped.
+# SCALE=0.1 makes a tenth of the scenes, to try it out.
 set -eu
 build=$1 data=$2 work=$3 models=$4
 scale=${SCALE:-1}
