@@ -54,6 +54,7 @@ std::optional<Plane> TableArguments::table() const {
 TablePrior TableArguments::known(TablePrior from_cameras) const {
   from_cameras.plane = table();
   from_cameras.absent = none;
+  from_cameras.any_up = any_up;
   if (any_up) from_cameras.up.reset();
   return from_cameras;
 }

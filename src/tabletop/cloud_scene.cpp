@@ -67,7 +67,7 @@ BuiltScene cloud_scene(const PointCloud& cloud, const Eigen::Vector3d& viewpoint
   if (points.empty()) throw InputError("point cloud", "points of surfaces", "none");
   if (faces_viewpoint(points, viewpoint)) {
     known.viewpoints = {viewpoint};
-    if (!known.up) known.up = sensor_up(points, viewpoint);
+    if (!known.up && !known.any_up) known.up = sensor_up(points, viewpoint);
   }
   BuiltScene built = build_scene(points, OccupancyVolume(), known, options.scene);
   // No voxel was observed.

@@ -53,6 +53,32 @@ TEST(CloudScene, ATableInTheCloudIsFoundAndCroppedWhereverItIs) {
   }
 }
 
+/// The table with its box in the frame of a camera that looks along +z, rolled about that axis.
+PointCloud seen_by_rolled_camera(double roll) {
+  PointCloud cloud = table_with_box(true);
+  const Eigen::Vector3d forward = -viewpoint.normalized();
+  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  Eigen::Matrix3d R_camera_world;
+  R_camera_world << right.transpose(), forward.cross(right).transpose(), forward.transpose();
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R_camera_world;
+  cloud.positions.rowwise() -= viewpoint.cast<float>().transpose();
+  cloud.positions = (cloud.positions * R.cast<float>().transpose()).eval();
+  return cloud;
+}
+
+TEST(CloudScene, AnyUpRatesTheTableOfACameraThatLiesOnItsSideAsThatOfAnUprightOne) {
+  const auto score_of_table = [](const PointCloud& cloud, bool any_up) {
+    const BuiltScene built = cloud_scene(cloud, Eigen::Vector3d::Zero(), {.any_up = any_up});
+    return built.table.planes.supports.empty() ? 0.0 : built.table.planes.supports[0].score;
+  };
+  const double upright = score_of_table(seen_by_rolled_camera(0.0), false);
+  ASSERT_GT(upright, 0.0);
+  const PointCloud on_its_side = seen_by_rolled_camera(radians(90.0));
+  EXPECT_LT(score_of_table(on_its_side, false), 0.5 * upright);
+  EXPECT_NEAR(score_of_table(on_its_side, true), upright, 0.05 * upright);
+}
+
 TEST(CloudScene, EstimatedNormalsPointToTheSensor) {
   const BuiltScene built = cloud_scene(table_with_box(true), viewpoint);
   for (Index i = 0; i < built.scene.cloud.size(); ++i) {

@@ -16,6 +16,7 @@ struct TablePrior {
   std::optional<Eigen::Vector3d> up = std::nullopt;  ///< the direction that the table faces
   std::vector<Eigen::Vector3d> viewpoints = {};      ///< positions of the cameras [m]
   bool absent = false;                               ///< there is no table to search
+  bool any_up = false;  ///< the sensor was not held upright: its pose does not tell `up`
 };
 
 /// A plane of the scene, rated as a table.
