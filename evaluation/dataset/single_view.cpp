@@ -7,22 +7,19 @@
 #include <fmt/format.h>
 
 #include "core/image_checks.hpp"
+#include "core/pixel_showing.hpp"
 
 namespace symscene {
 namespace {
 
-/// The label at a point; 0 if the pixel shows another surface.
+/// The label at a point, in a hole that at its border; 0 if the pixel shows another surface.
 std::uint16_t label_at(const LabeledFrame& labeled, const Eigen::Vector3d& point_camera,
                        double tolerance) {
-  if (!(point_camera.z() > 0.0)) return 0;
-  const Eigen::Vector2d pixel = labeled.camera.project(point_camera);
-  const double u = std::round(pixel.x());
-  const double v = std::round(pixel.y());
-  if (!(u >= 0.0 && v >= 0.0 && u < labeled.camera.width && v < labeled.camera.height)) return 0;
-  const std::size_t i =
-      static_cast<std::size_t>(v) * labeled.camera.width + static_cast<std::size_t>(u);
-  const double depth = labeled.frame.depth[i];
-  return std::abs(depth - point_camera.z()) <= tolerance ? labeled.labels[i] : std::uint16_t{0};
+  const auto pixel = pixel_showing(point_camera, labeled.frame.depth, labeled.camera);
+  if (!pixel) return 0;
+  const double depth = labeled.frame.depth[*pixel];
+  return std::abs(depth - point_camera.z()) <= tolerance ? labeled.labels[*pixel]
+                                                         : std::uint16_t{0};
 }
 
 /// The labels of the objects in an image, ascending.

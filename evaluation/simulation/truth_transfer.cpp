@@ -1,14 +1,13 @@
 #include "symscene/simulation/truth_transfer.hpp"
 
 #include <cmath>
-#include <limits>
-#include <optional>
 
 #include <fmt/format.h>
 #include <Eigen/SVD>
 
 #include "core/image_checks.hpp"
 #include "core/parallel.hpp"
+#include "core/pixel_showing.hpp"
 #include "core/thinned_size.hpp"
 #include "shapes.hpp"
 #include "symscene/core/error.hpp"
@@ -58,44 +57,6 @@ SceneTruth with_masks(SceneTruth truth, const std::vector<Index>& objects, const
   }
   truth.objects = std::move(seen);
   return truth;
-}
-
-/// The pixel of an image nearest to a point's, or none if that is outside.
-std::optional<Eigen::Vector2i> pixel_of(const Eigen::Vector3d& point_camera,
-                                        const CameraIntrinsics& camera) {
-  if (!(point_camera.z() > 0.0)) return std::nullopt;
-  const Eigen::Vector2d pixel = camera.project(point_camera).array().round();
-  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < camera.width &&
-        pixel.y() < camera.height))
-    return std::nullopt;
-  return pixel.cast<int>();
-}
-
-/// What the pixel of a point shows. Points bridge holes: there, what the pixel of the most similar
-/// depth shows of those at the border of the hole.
-Index object_at(const SensorFrame& frame, const CameraIntrinsics& camera,
-                const Eigen::Vector3d& point_camera) {
-  constexpr int max_radius = 8;  // [px], of a hole
-  const std::optional<Eigen::Vector2i> middle = pixel_of(point_camera, camera);
-  Index object = SensorFrame::nothing;
-  double least = std::numeric_limits<double>::infinity();
-  for (int radius = 0; middle && radius <= max_radius && !std::isfinite(least); ++radius) {
-    const Eigen::Vector2i reach = Eigen::Vector2i::Constant(radius);
-    const Eigen::Vector2i size(camera.width, camera.height);
-    const Eigen::Vector2i from = (*middle - reach).cwiseMax(0);
-    const Eigen::Vector2i to = (*middle + reach).cwiseMin(size - Eigen::Vector2i::Ones());
-    for (int v = from.y(); v <= to.y(); ++v) {
-      for (int u = from.x(); u <= to.x(); ++u) {
-        const std::size_t pixel =
-            static_cast<std::size_t>(v) * camera.width + static_cast<std::size_t>(u);
-        const double difference = std::abs(double{frame.depth[pixel]} - point_camera.z());
-        if (frame.depth[pixel] <= 0.0F || difference >= least) continue;
-        least = difference;
-        object = frame.objects[pixel];
-      }
-    }
-  }
-  return object;
 }
 
 }  // namespace
@@ -171,8 +132,10 @@ SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
   require_pixels(frame.depth.size(), camera, "depth image");
   require_pixels(frame.objects.size(), camera, "image of objects");
   std::vector<Index> objects(cloud_camera.size(), SensorFrame::nothing);
-  for (Index i = 0; i < cloud_camera.size(); ++i)
-    objects[i] = object_at(frame, camera, cloud_camera.position(i).cast<double>());
+  for (Index i = 0; i < cloud_camera.size(); ++i) {
+    const auto pixel = pixel_showing(cloud_camera.position(i).cast<double>(), frame.depth, camera);
+    if (pixel) objects[i] = frame.objects[*pixel];
+  }
   return with_masks(transformed(truth, frame.T_world_camera.inverse()), objects, cloud_camera,
                     options);
 }

@@ -25,17 +25,18 @@ struct SingleView {
   DepthImage labels;
 };
 
-SingleView two_objects() {
+SingleView two_objects(Index scale = 1) {
   SimulationOptions options;
   options.tabletop = {
       .objects = 2, .stacked = 0.0, .touching = 0.0, .min_gap = 0.06, .max_gap = 0.08, .seed = 3};
   options.camera.frames = 2;
   options.camera.radius = 0.7;
-  options.camera.width = 320;
-  options.camera.height = 240;
-  options.camera.focal_length = 262.0;
+  options.camera.width = 320 * scale;
+  options.camera.height = 240 * scale;
+  options.camera.focal_length = 262.0 * scale;
   const SensorFrame frame = capture_frames(arrange_tabletop(options.tabletop), options)[0];
-  SingleView view{options.camera.intrinsics(), {{320, 240}, {}}, {{320, 240}, {}}};
+  const ImageSize size{320 * scale, 240 * scale};
+  SingleView view{options.camera.intrinsics(), {size, {}}, {size, {}}};
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     view.depth.values.push_back(static_cast<std::uint16_t>(std::lround(1000.0F * frame.depth[i])));
     view.labels.values.push_back(
@@ -104,6 +105,20 @@ TEST(SingleViews, BecomeScenesWithMasks) {
     EXPECT_TRUE(object.rotational.empty() && object.reflectional.empty());
     EXPECT_GT(loaded.scene.table->signed_distance(object.centroid), 0.0);
   }
+  EXPECT_GT(static_cast<double>(labelled), 0.97 * loaded.scene.cloud.size());
+}
+
+TEST(SingleViews, PointsThatBridgeHolesTakeTheLabelAtTheBorder) {
+  const TemporaryFolder folder;
+  SingleView view = two_objects(2);
+  for (std::size_t i = 0; i < view.depth.values.size(); ++i) {
+    const bool is_hole = i % view.camera.width % 3 == 1;
+    if (is_hole) view.depth.values[i] = view.labels.values[i] = 0;
+  }
+  write_views(folder / "views", view);
+  const LoadedEntry loaded = load_entry(read_dataset(folder / "views").entries[0]);
+  std::size_t labelled = 0;
+  for (const TrueObject& object : loaded.truth.objects) labelled += object.points.size();
   EXPECT_GT(static_cast<double>(labelled), 0.97 * loaded.scene.cloud.size());
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "symscene/core/camera.hpp"
+
+namespace symscene {
+
+/// The pixel of a depth image that shows a point: that onto which it projects or, in a hole of up
+/// to 8 pixels around it, that of the most similar depth at the border of the hole. None outside
+/// the image and in greater holes.
+std::optional<std::size_t> pixel_showing(const Eigen::Vector3d& point_camera,
+                                         std::span<const float> depth,
+                                         const CameraIntrinsics& camera);
+
+}  // namespace symscene
