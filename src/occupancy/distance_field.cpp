@@ -207,7 +207,8 @@ DistanceField unknown_distance_field(const Box& box, float resolution,
                                      const DistanceFieldOptions& options) {
   OccupancyMap nothing_seen;
   nothing_seen.resolution = resolution;
-  DistanceField field = distance_field(rasterize(nothing_seen, box), table, options);
+  DistanceField field =
+      distance_field(rasterize(nothing_seen, box, options.max_voxels), table, options);
   field.outside = 0.0F;
   return field;
 }

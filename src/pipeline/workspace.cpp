@@ -48,7 +48,14 @@ DistanceField space_around(const Scene& scene, const PointCloud& cloud,
     return unknown_distance_field(box, static_cast<float>(options.voxel_size), scene.table,
                                   options.distance_field);
   }
-  const OccupancyGrid grid = rasterize(*scene.occupancy, box);
+  const OccupancyGrid grid = rasterize(*scene.occupancy, box, options.distance_field.max_voxels);
+  const double finest = scene.occupancy->resolution;
+  if (double{grid.frame.resolution} > 1.5 * finest) {
+    warnings.push_back(
+        fmt::format("the scene is so large that its free space is taken in voxels of {:.3g} m "
+                    "instead of {:.3g} m (distance_field.max_voxels)",
+                    grid.frame.resolution, finest));
+  }
   if (is_unobserved(grid)) {
     warnings.emplace_back(
         "the occupancy map has no observed voxel around the cloud: is it in the cloud's frame?");

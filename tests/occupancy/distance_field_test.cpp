@@ -182,6 +182,48 @@ TEST(Rasterize, PutsEveryLeafAtItsKeys) {
                                                   free, free, never}));
 }
 
+/// Free space around the origin with some occupied and some unseen voxels.
+OccupancyMap random_map(std::uint32_t seed) {
+  std::mt19937 generator(seed);
+  VoxelBlock block{Eigen::Vector3i(-8, -8, -8), Eigen::Vector3i(16, 16, 16), {}};
+  for (int k = 0; k < 16 * 16 * 16; ++k) {
+    const auto roll = generator() % 200;
+    block.states.push_back(roll == 99    ? VoxelState::occupied
+                           : roll == 100 ? VoxelState::never_seen
+                                         : VoxelState::free);
+  }
+  return to_octree(block, 0.005);
+}
+
+TEST(Rasterize, TakesCoarserVoxelsForALargeBoxFreeOnlyWhereAllOfTheirPartsAre) {
+  const OccupancyMap map = random_map(3);
+  const Box box{Eigen::Vector3f::Constant(-0.0399F), Eigen::Vector3f::Constant(0.0399F)};
+  const OccupancyGrid fine = rasterize(map, box);
+  const OccupancyGrid coarse = rasterize(map, box, 16 * 16 * 16 - 1);
+  ASSERT_EQ(fine.frame.size, Eigen::Vector3i::Constant(16));
+  ASSERT_EQ(coarse.frame.size, Eigen::Vector3i::Constant(8));
+  EXPECT_FLOAT_EQ(coarse.frame.resolution, 0.01F);
+  EXPECT_TRUE(coarse.frame.origin.isApprox(fine.frame.origin));
+  std::array<int, 3> counts{};
+  for (std::size_t k = 0; k < coarse.states.size(); ++k) {
+    std::array<int, 3> parts{};
+    for (std::size_t part = 0; part < 8; ++part) {
+      const std::size_t x = 2 * (k % 8) + (part & 1), y = 2 * (k / 8 % 8) + (part >> 1 & 1);
+      const std::size_t z = 2 * (k / 64) + (part >> 2);
+      ++parts[static_cast<std::size_t>(fine.states[z * 256 + y * 16 + x])];
+    }
+    const VoxelState expected = parts[2] > 0    ? VoxelState::occupied
+                                : parts[1] == 8 ? VoxelState::free
+                                                : VoxelState::never_seen;
+    EXPECT_EQ(coarse.states[k], expected) << k;
+    ++counts[static_cast<std::size_t>(expected)];
+  }
+  for (const int count : counts) EXPECT_GT(count, 10);
+  // Four times as coarse is coarser twice.
+  const OccupancyGrid coarsest = rasterize(map, box, 64);
+  EXPECT_EQ(coarsest.frame.size, Eigen::Vector3i::Constant(4));
+}
+
 TEST(Rasterize, RefusesBoxesOfTooManyVoxels) {
   const OccupancyMap map;
   const Box huge{Eigen::Vector3f::Constant(-50.0F), Eigen::Vector3f::Constant(50.0F)};

@@ -105,6 +105,14 @@ TEST(Pipeline, FindsObjectsWithoutOccupancyAndWarns) {
   EXPECT_FALSE(result.objects.empty());
 }
 
+TEST(Pipeline, TakesCoarserFreeSpaceOfALargeSceneAndWarns) {
+  PipelineOptions options;
+  options.distance_field.max_voxels = 1000000;
+  const SegmentationResult result = segment_scene(table_of_four().scene, options);
+  EXPECT_TRUE(warns(result, "distance_field.max_voxels"));
+  EXPECT_EQ(result.objects.size(), result_of_four().objects.size());
+}
+
 TEST(Pipeline, EstimatesMissingNormalsAndWarns) {
   const SimulatedScene& simulated = table_of_four();
   Scene scene = simulated.scene;

@@ -15,6 +15,7 @@ struct DistanceFieldOptions {
   double clamp = 0.03;
   bool grow_never_seen = true;
   bool table_depth_counts = true;
+  int max_voxels = default_max_voxels;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -23,6 +24,9 @@ struct DistanceFieldOptions {
           "a free voxel beside a never-seen one counts as never seen");
     visit("table_depth_counts", self.table_depth_counts, "", any_value(),
           "below the table the distance is the depth: no object reaches into the table");
+    visit("max_voxels", self.max_voxels, "", between(4096.0, 1 << 30),
+          "voxels of the field, of three bytes each while it is computed; a larger space gets "
+          "coarser ones, up to 16 times, with a warning");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }

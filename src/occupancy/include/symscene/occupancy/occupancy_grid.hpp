@@ -27,9 +27,14 @@ struct OccupancyGrid {
   std::vector<VoxelState> states;
 };
 
-/// The voxels of `map` that cover `box`, on the map's own grid; voxels outside its leaves are never
-/// seen. Throws InputError if the box is empty, leaves the map's 2^16 voxels per side or holds more
-/// than 2^28 voxels.
-OccupancyGrid rasterize(const OccupancyMap& map, const Box& box);
+constexpr int default_max_voxels = 1 << 28;
+
+/// The voxels of `map` that cover `box`, on the map's own grid; voxels outside its leaves, which
+/// are in depth-first order, are never seen. A box of more than `max_voxels` voxels gets voxels of
+/// twice the size, up to 16 times: occupied where one of the eight is, free where all are. Throws
+/// InputError if the box is empty, leaves the map's 2^16 voxels per side or has too many voxels
+/// even so.
+OccupancyGrid rasterize(const OccupancyMap& map, const Box& box,
+                        int max_voxels = default_max_voxels);
 
 }  // namespace symscene
