@@ -42,9 +42,11 @@ void MaskImageWriter::add(std::size_t index, const CameraIntrinsics& camera,
 void MaskImageWriter::finish() {
   nlohmann::ordered_json json = {{"version", 1}, {"frames", frames_}};
   json["objects"] = nlohmann::ordered_json::array();
-  for (std::size_t id = 0; id < result_.objects.size(); ++id)
-    json["objects"].push_back(
-        {{"label", id + 1}, {"object", id}, {"score", result_.objects[id].score}});
+  for (std::size_t id = 0; id < result_.objects.size(); ++id) {
+    nlohmann::ordered_json object = {{"label", id + 1}, {"object", id}};
+    if (const auto& score = result_.objects[id].score) object["score"] = *score;
+    json["objects"].push_back(std::move(object));
+  }
   folder_.write("masks.json", json.dump(2) + "\n");
   folder_.commit();
 }

@@ -28,10 +28,12 @@ double median(std::vector<double> values) {
 }  // namespace
 
 std::string format_objects(const SegmentationResult& result) {
-  std::string table = fmt::format("{:>3}  {:>6}  {:>5}  {}", "id", "points", "score", "symmetries");
+  const bool scored = result.objects.empty() || result.objects.front().score;
+  std::string table = fmt::format("{:>3}  {:>6}  {:>5}  {}", "id", "points",
+                                  scored ? "score" : "confidence", "symmetries");
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
     const SceneObject& object = result.objects[id];
-    table += fmt::format("\n{:>3}  {:>6}  {:>5.2f}  {}", id, object.points.size(), object.score,
+    table += fmt::format("\n{:>3}  {:>6}  {:>5.2f}  {}", id, object.points.size(), object.rank(),
                          format_symmetries(object));
   }
   return table;

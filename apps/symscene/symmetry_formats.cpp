@@ -115,12 +115,12 @@ Json partial_json(const std::string& name, const ObjectSymmetries& found) {
                {"sphere", found.sphere},
                {"axes", Json::array()},
                {"planes", Json::array()}};
-  for (const ScoredAxis& axis : found.rotational)
+  for (const ObjectAxis& axis : found.rotational)
     json["axes"].push_back({{"point", coordinates(axis.axis.point)},
                             {"direction", coordinates(axis.axis.direction)},
                             {"order", "continuous"},
                             {"residual", axis.residual}});
-  for (const ScoredPlane& plane : found.reflectional)
+  for (const ObjectPlane& plane : found.reflectional)
     json["planes"].push_back({{"point", coordinates(plane.plane.point)},
                               {"normal", coordinates(plane.plane.normal)},
                               {"residual", plane.residual}});

@@ -51,7 +51,7 @@ BestProposal best_proposal(const Target& target, const SceneProposals& proposals
     best.consider(target, hypothesis.points);
   for (const Rejection& rejection : proposals.rejected) best.consider(target, rejection.points);
   for (const ObjectProposal& proposal : proposals.objects)
-    best.consider(target, proposal.object.points);
+    best.consider(target, proposal.merged.points);
   return best;
 }
 

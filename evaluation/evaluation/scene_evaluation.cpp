@@ -72,31 +72,29 @@ Sweep segmentation_sweep(const char* method, const SceneProposals& proposals,
   return sweep;
 }
 
-/// The objects that each least score selects. The candidates for their symmetries do not depend on
-/// the setting and are computed once per object.
+/// The proposals that each least score selects. The candidates for their symmetries do not depend
+/// on the setting and are computed once per proposal.
 struct ScoredObjects {
-  std::vector<std::vector<SceneObject>> chosen;  ///< per least score
-  std::map<PointIndices, SymmetryCandidates> symmetries;
+  std::vector<std::vector<std::size_t>> chosen;  ///< per least score, indices of proposals
+  std::map<std::size_t, SymmetryCandidates> symmetries;
 };
 
 ScoredObjects scored_objects(const SceneProposals& proposals, const PipelineOptions& options,
                              const std::vector<double>& scores) {
   ScoredObjects objects;
-  std::vector<std::pair<const SceneObject*, SymmetryCandidates*>> unsearched;
-  objects.chosen.reserve(scores.size());
   for (const double score : scores) {
     SelectionOptions selection = options.selection;
     selection.min_score = score;
     std::vector<Rejection> rejected;
-    objects.chosen.push_back(probable_objects(proposals, selection, rejected));
-    for (const SceneObject& object : objects.chosen.back()) {
-      const auto [own, is_new] = objects.symmetries.try_emplace(object.points);
-      if (is_new) unsearched.emplace_back(&object, &own->second);
-    }
+    objects.chosen.push_back(probable_proposals(proposals, selection, rejected));
+    for (const std::size_t chosen : objects.chosen.back()) objects.symmetries[chosen];
   }
+  std::vector<std::pair<std::size_t, SymmetryCandidates*>> unsearched;
+  for (auto& [chosen, found] : objects.symmetries) unsearched.emplace_back(chosen, &found);
   parallel_for_each(unsearched.size(), [&](std::size_t k) {
-    *unsearched[k].second = symmetry_candidates(proposals.observed(), *unsearched[k].first,
-                                                options.symmetry_search_options());
+    *unsearched[k].second = symmetry_candidates(
+        proposals.observed(), searched_object(proposals.objects[unsearched[k].first]),
+        options.symmetry_search_options());
   });
   return objects;
 }
@@ -112,19 +110,16 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
   sweep.settings = all_settings({scores, probabilities});
   sweep.metrics = pipeline_metrics(options.rotational_stream);
   sweep.counts.resize(sweep.settings.size());
-  ScoredObjects objects = scored_objects(proposals, options, scores);
+  const ScoredObjects objects = scored_objects(proposals, options, scores);
   parallel_for_each(scores.size(), [&](std::size_t k) {
     SettingCounts* const own = &sweep.counts[k * probabilities.size()];
     for (std::size_t p = 0; p < probabilities.size(); ++p) {
       ObjectSymmetryOptions bounds = options.object_symmetry;
       bounds.min_axis_probability = bounds.min_plane_probability = probabilities[p];
-      for (SceneObject& object : objects.chosen[k]) {
-        ListedSymmetries listed = list_symmetries(objects.symmetries.at(object.points), bounds);
-        object.rotational = std::move(listed.rotational);
-        object.reflectional = std::move(listed.reflectional);
-      }
-      own[p] =
-          p == 0 ? context.count(objects.chosen[k]) : context.recount(own[0], objects.chosen[k]);
+      std::vector<SceneObject> chosen;
+      for (const std::size_t i : objects.chosen[k])
+        chosen.push_back(probable_object(proposals.objects[i], objects.symmetries.at(i), bounds));
+      own[p] = p == 0 ? context.count(chosen) : context.recount(own[0], chosen);
     }
   });
   return sweep;

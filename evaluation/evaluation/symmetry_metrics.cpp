@@ -157,7 +157,7 @@ SymmetryMatch match_planes(const SceneTruth& truth, std::span<const ReflectionPl
 std::vector<RotationAxis> all_axes(const std::vector<SceneObject>& objects) {
   std::vector<RotationAxis> axes;
   for (const SceneObject& object : objects) {
-    for (const ScoredAxis& own : object.rotational) axes.push_back(own.axis);
+    for (const ObjectAxis& own : object.rotational) axes.push_back(own.axis);
   }
   return axes;
 }
@@ -165,7 +165,7 @@ std::vector<RotationAxis> all_axes(const std::vector<SceneObject>& objects) {
 std::vector<ReflectionPlane> all_planes(const std::vector<SceneObject>& objects) {
   std::vector<ReflectionPlane> planes;
   for (const SceneObject& object : objects) {
-    for (const ScoredPlane& own : object.reflectional) planes.push_back(own.plane);
+    for (const ObjectPlane& own : object.reflectional) planes.push_back(own.plane);
   }
   return planes;
 }

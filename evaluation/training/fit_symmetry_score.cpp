@@ -25,8 +25,9 @@ struct Axes {
                              const SymmetryTolerance& tolerance) {
     return match_axes(truth, found, tolerance);
   }
-  static std::vector<std::pair<RotationAxis, AxisFeatures>> measured(
-      const SceneProposals& proposals, const PipelineOptions& options, const SceneObject& object) {
+  static std::vector<std::pair<RotationAxis, AxisFeatures>> candidates(
+      const SceneProposals& proposals, const PipelineOptions& options,
+      const SearchedObject& object) {
     const std::optional<AxisCandidate> axis =
         axis_candidate(proposals.observed(), object, options.symmetry_search_options());
     if (!axis) return {};
@@ -42,8 +43,9 @@ struct Planes {
                              const SymmetryTolerance& tolerance) {
     return match_planes(truth, found, tolerance);
   }
-  static std::vector<std::pair<ReflectionPlane, PlaneFeatures>> measured(
-      const SceneProposals& proposals, const PipelineOptions& options, const SceneObject& object) {
+  static std::vector<std::pair<ReflectionPlane, PlaneFeatures>> candidates(
+      const SceneProposals& proposals, const PipelineOptions& options,
+      const SearchedObject& object) {
     std::vector<std::pair<ReflectionPlane, PlaneFeatures>> planes;
     for (const PlaneCandidate& plane :
          symmetry_candidates(proposals.observed(), object, options.symmetry_search_options())
@@ -110,20 +112,20 @@ CandidatesOfScene<Kind> candidates_of(const FitScene& given, const FitArguments&
   const PipelineOptions options = pipeline_options(arguments);
   const SceneProposals proposals = propose_objects(loaded.scene, options);
   std::vector<Rejection> rejected;
-  const std::vector<SceneObject> chosen = probable_objects(proposals, options.selection, rejected);
+  const std::vector<std::size_t> chosen =
+      probable_proposals(proposals, options.selection, rejected);
   const std::vector<PointIndices> truth =
       transfer_masks(loaded.scene.cloud, loaded.truth, proposals.cloud);
   CandidatesOfScene<Kind> scene;
   scene.dataset = given.dataset;
   std::size_t count = 0;
-  for (const ObjectProposal& proposal : proposals.objects) {
-    const bool is_chosen = std::any_of(chosen.begin(), chosen.end(), [&](const auto& object) {
-      return object.points == proposal.object.points;
-    });
-    if (!is_chosen && (proposal.object.score < min_object_score || count >= max_objects)) continue;
+  for (std::size_t k = 0; k < proposals.objects.size(); ++k) {
+    const SearchedObject object = searched_object(proposals.objects[k]);
+    const bool is_chosen = std::find(chosen.begin(), chosen.end(), k) != chosen.end();
+    if (!is_chosen && (object.score < min_object_score || count >= max_objects)) continue;
     ++count;
-    const Owner owner = owner_of(loaded.truth, truth, proposal.object.points);
-    for (const auto& [symmetry, features] : Kind::measured(proposals, options, proposal.object)) {
+    const Owner owner = owner_of(loaded.truth, truth, object.points);
+    for (const auto& [symmetry, features] : Kind::candidates(proposals, options, object)) {
       scene.candidates.push_back(judged<Kind>(symmetry, features, owner, arguments));
       scene.candidates.back().is_chosen = is_chosen;
     }

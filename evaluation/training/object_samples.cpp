@@ -66,13 +66,13 @@ SceneSamples object_samples(const Scene& scene, const SceneTruth& truth,
     samples.true_sizes.push_back(static_cast<std::uint32_t>(mask.size()));
   std::vector<const PointIndices*> points;
   for (const ObjectProposal& proposal : proposals.objects) {
-    points.push_back(&proposal.object.points);
-    samples.sizes.push_back(static_cast<std::uint32_t>(proposal.object.points.size()));
+    points.push_back(&proposal.merged.points);
+    samples.sizes.push_back(static_cast<std::uint32_t>(proposal.merged.points.size()));
     const auto values = values_of(proposal.features);
     samples.features.emplace_back(values.begin(), values.end());
     for (const PointIndices& mask : masks)
       samples.overlaps.push_back(
-          static_cast<float>(intersection_over_union(mask, proposal.object.points)));
+          static_cast<float>(intersection_over_union(mask, proposal.merged.points)));
   }
   const SharedCounts shared(points);
   for (std::size_t a = 0; a < points.size(); ++a) {

@@ -162,10 +162,10 @@ Eigen::Vector3d solve_where_determined(const Eigen::Matrix3d& matrix,
 /// At most three planes at right angles to each other, those of lowest residual first. Their
 /// reflections and products are a finite group of eight. Planes at other angles generate an
 /// infinite group unless the angles are exact.
-std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ScoredPlane>& planes,
+std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ObjectPlane>& planes,
                                                   double tolerance) {
   std::vector<ReflectionPlane> chosen;
-  for (const ScoredPlane& candidate : planes) {
+  for (const ObjectPlane& candidate : planes) {
     const bool fits = std::all_of(chosen.begin(), chosen.end(), [&](const ReflectionPlane& other) {
       return line_angle(candidate.plane.normal, other.normal) > std::numbers::pi / 2 - tolerance;
     });
@@ -176,8 +176,8 @@ std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ScoredPlane>
 
 }  // namespace
 
-PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredAxis>& axes,
-                           const std::vector<ScoredPlane>& planes, const DistanceField& field,
+PointCloud complete_object(const PointCloud& observed, const std::vector<ObjectAxis>& axes,
+                           const std::vector<ObjectPlane>& planes, const DistanceField& field,
                            const CompletionOptions& options) {
   options.validate();
   PointCloud body = observed;  // grows by the images, so that later planes reflect them too
@@ -185,7 +185,7 @@ PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredA
     const PointCloud added = admissible(images, body, field, options);
     body = joined(body, voxel_downsample(added, options.spacing));
   };
-  for (const ScoredAxis& rotational : axes)
+  for (const ObjectAxis& rotational : axes)
     extend(rotated_images(observed, rotational.axis, options.spacing));
   for (const ReflectionPlane& plane : perpendicular_planes(planes, options.square_tolerance))
     extend(reflected_images(body, plane));
@@ -207,11 +207,11 @@ Eigen::Vector3d centre_of_mass(const CompletedObject& object, const CompletionOp
     matrix += across;
     right_side += across * (point - mean);
   };
-  for (const ScoredAxis& rotational : object.axes) {
+  for (const ObjectAxis& rotational : object.axes) {
     const Eigen::Vector3d& d = rotational.axis.direction;
     attract(Eigen::Matrix3d::Identity() - d * d.transpose(), rotational.axis.point);
   }
-  for (const ScoredPlane& reflectional : object.planes) {
+  for (const ObjectPlane& reflectional : object.planes) {
     const Eigen::Vector3d& n = reflectional.plane.normal;
     attract(n * n.transpose(), reflectional.plane.point);
   }

@@ -10,26 +10,27 @@ namespace symscene {
 namespace {
 
 constexpr const char* result_to_write = "result to write";
-constexpr std::size_t version = 1;
+constexpr std::size_t version = 2;
 
 std::string mesh_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
 
 Json format_object(const SceneObject& object, std::size_t id) {
-  Json json = {
-      {"id", id}, {"points", object.points}, {"score", to_json(object.score, result_to_write)}};
+  Json json = {{"id", id}, {"points", object.points}};
+  if (object.score) json["score"] = to_json(*object.score, result_to_write);
+  json["confidence"] = to_json(object.confidence, result_to_write);
   json["rotational"] = Json::array();
-  for (const ScoredAxis& axis : object.rotational) {
+  for (const ObjectAxis& axis : object.rotational) {
     json["rotational"].push_back({{"point", to_json(axis.axis.point, result_to_write)},
                                   {"direction", to_json(axis.axis.direction, result_to_write)},
-                                  {"score", to_json(axis.residual, result_to_write)}});
+                                  {"residual", to_json(axis.residual, result_to_write)}});
   }
   json["reflectional"] = Json::array();
-  for (const ScoredPlane& plane : object.reflectional) {
+  for (const ObjectPlane& plane : object.reflectional) {
     json["reflectional"].push_back({{"point", to_json(plane.plane.point, result_to_write)},
                                     {"normal", to_json(plane.plane.normal, result_to_write)},
-                                    {"score", to_json(plane.residual, result_to_write)}});
+                                    {"residual", to_json(plane.residual, result_to_write)}});
   }
-  json["centroid"] = to_json(object.centroid, result_to_write);
+  if (object.centroid) json["centroid"] = to_json(*object.centroid, result_to_write);
   json["mesh"] = mesh_name(id);
   return json;
 }
@@ -53,29 +54,40 @@ Json format_timings(const std::vector<StageTime>& timings) {
   return json;
 }
 
-ScoredAxis parse_axis(const JsonCursor& axis) {
+/// Version 1 called residuals scores.
+const char* residual_name(std::size_t file_version) {
+  return file_version == 1 ? "score" : "residual";
+}
+
+ObjectAxis parse_axis(const JsonCursor& axis, std::size_t file_version) {
   return {{axis.at("point").vector3(), axis.at("direction").direction()},
-          axis.at("score").number()};
+          axis.at(residual_name(file_version)).number()};
 }
 
-ScoredPlane parse_plane(const JsonCursor& plane) {
+ObjectPlane parse_plane(const JsonCursor& plane, std::size_t file_version) {
   return {{plane.at("point").vector3(), plane.at("normal").direction()},
-          plane.at("score").number()};
+          plane.at(residual_name(file_version)).number()};
 }
 
-SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_size) {
+double share(const JsonCursor& value, const char* expected) {
+  const double number = value.number();
+  if (!(number >= 0.0 && number <= 1.0)) value.fail(expected);
+  return number;
+}
+
+SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_size,
+                         std::size_t file_version) {
   if (object.at("id").count() != id) object.at("id").fail(std::to_string(id));
   SceneObject result;
   result.points = object.at("points").indices(cloud_size);
-  result.score = object.at("score").number();
-  if (!(result.score >= 0.0 && result.score <= 1.0)) object.at("score").fail("a score in [0, 1]");
-  for (const JsonCursor& axis : object.at("rotational").items()) {
-    result.rotational.push_back(parse_axis(axis));
-  }
-  for (const JsonCursor& plane : object.at("reflectional").items()) {
-    result.reflectional.push_back(parse_plane(plane));
-  }
-  result.centroid = object.at("centroid").vector3();
+  if (const auto score = object.find("score")) result.score = share(*score, "a score in [0, 1]");
+  if (file_version > 1)
+    result.confidence = share(object.at("confidence"), "a confidence in [0, 1]");
+  for (const JsonCursor& axis : object.at("rotational").items())
+    result.rotational.push_back(parse_axis(axis, file_version));
+  for (const JsonCursor& plane : object.at("reflectional").items())
+    result.reflectional.push_back(parse_plane(plane, file_version));
+  if (const auto centroid = object.find("centroid")) result.centroid = centroid->vector3();
   if (const auto mesh = object.find("mesh"); mesh && mesh->string() != mesh_name(id)) {
     mesh->fail(mesh_name(id));
   }
@@ -137,12 +149,14 @@ SegmentationResult parse_objects_json(std::string_view text, const std::string& 
                                       Index cloud_size) {
   const Json document = parse_json(text, name);
   const JsonCursor root(document, name);
-  if (root.at("version").count() != version) root.at("version").fail(std::to_string(version));
+  const std::size_t file_version = root.at("version").count();
+  if (file_version < 1 || file_version > version)
+    root.at("version").fail(fmt::format("at most {}", version));
   if (root.at("cloud").string() != "cloud.ply") root.at("cloud").fail("\"cloud.ply\"");
   SegmentationResult result;
   if (const auto table = root.find("table")) result.table = table->plane();
   for (const JsonCursor& object : root.at("objects").items()) {
-    result.objects.push_back(parse_object(object, result.objects.size(), cloud_size));
+    result.objects.push_back(parse_object(object, result.objects.size(), cloud_size, file_version));
   }
   parse_records(root, result);
   return result;

@@ -52,8 +52,9 @@ void require_writable(const SegmentationResult& result) {
     if (!ascending || (!points.empty() && points.back() >= result.cloud.size())) {
       throw InputError(folder_to_write, "ascending indices of points of the cloud", "others");
     }
-    if (!(object.score >= 0.0 && object.score <= 1.0)) {
-      throw InputError(folder_to_write, "scores in [0, 1]", fmt::format("{}", object.score));
+    for (const double share : {object.rank(), object.confidence}) {
+      if (!(share >= 0.0 && share <= 1.0))
+        throw InputError(folder_to_write, "scores in [0, 1]", fmt::format("{}", share));
     }
   }
 }

@@ -22,6 +22,15 @@ std::vector<Hypothesis> accepted(const std::vector<Hypothesis>& hypotheses,
   return kept;
 }
 
+/// The object of a hypothesis within the bounds, with its symmetries and their residuals.
+SceneObject object_within_bounds(const MergedHypothesis& merged) {
+  SceneObject object{.points = merged.points, .confidence = merged.confidence};
+  for (const auto& [axis, residual] : merged.axes) object.rotational.push_back({axis, residual});
+  for (const auto& [plane, residual] : merged.planes)
+    object.reflectional.push_back({plane, residual});
+  return object;
+}
+
 /// Section 4.3.3: hypotheses within the bounds, equal ones merged, composites of others rejected.
 void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions& options,
                           SegmentationResult& result) {
@@ -39,13 +48,14 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
   std::vector<RatedHypothesis> rated;
   append_rated(rotational, of_axes, rated);
   append_rated(reflectional, of_planes, rated);
-  for (MergedHypothesis& merged :
-       merge_hypotheses(std::move(rated), proposals.cloud, options.merge)) {
-    const double score = merged.confidence;
-    result.objects.push_back(object_of(std::move(merged), proposals.cloud, score));
-  }
-  result.funnel.push_back({"distinct hypotheses", result.objects.size()});
-  result.objects = select_consistent(std::move(result.objects), options.selection, result.rejected);
+  const std::vector<MergedHypothesis> distinct =
+      merge_hypotheses(std::move(rated), proposals.cloud, options.merge);
+  result.funnel.push_back({"distinct hypotheses", distinct.size()});
+  std::vector<SelectionCandidate> candidates;
+  for (const MergedHypothesis& merged : distinct)
+    candidates.push_back(selection_candidate(merged, merged.confidence));
+  for (const std::size_t k : select_consistent(candidates, options.selection, result.rejected))
+    result.objects.push_back(object_within_bounds(distinct[k]));
 }
 
 /// Proposals by probability, with the symmetries estimated anew on all points of each object.
@@ -53,13 +63,14 @@ void choose_probable(const SceneProposals& proposals, const PipelineOptions& opt
                      SegmentationResult& result) {
   const SymmetrySearchOptions search = options.symmetry_search_options();
   result.rejected = proposals.rejected;
-  result.objects = probable_objects(proposals, options.selection, result.rejected);
-  parallel_for_each(result.objects.size(), [&](std::size_t k) {
-    SceneObject& object = result.objects[k];
-    ListedSymmetries listed = list_symmetries(
-        symmetry_candidates(proposals.observed(), object, search), options.object_symmetry);
-    object.rotational = std::move(listed.rotational);
-    object.reflectional = std::move(listed.reflectional);
+  const std::vector<std::size_t> chosen =
+      probable_proposals(proposals, options.selection, result.rejected);
+  result.objects.resize(chosen.size());
+  parallel_for_each(chosen.size(), [&](std::size_t k) {
+    const ObjectProposal& proposal = proposals.objects[chosen[k]];
+    result.objects[k] = probable_object(
+        proposal, symmetry_candidates(proposals.observed(), searched_object(proposal), search),
+        options.object_symmetry);
   });
 }
 

@@ -1,28 +1,21 @@
 #include "proposals/merge.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace symscene {
 namespace {
 
-void add_symmetries(const Hypothesis& from, const Eigen::Vector3d& here,
-                    const MergeOptions& options, MergedHypothesis& merged) {
-  const auto is_known = [&](const auto& symmetry, const auto& known) {
-    const SymmetryDifference apart = difference(symmetry, known, here);
-    return apart.angle < options.same_angle && apart.distance < options.same_distance;
-  };
-  for (const ScoredAxis& axis : from.rotational) {
-    const bool known =
-        std::any_of(merged.rotational.begin(), merged.rotational.end(),
-                    [&](const ScoredAxis& other) { return is_known(axis.axis, other.axis); });
-    if (!known) merged.rotational.push_back(axis);
-  }
-  for (const ScoredPlane& plane : from.reflectional) {
-    const bool known =
-        std::any_of(merged.reflectional.begin(), merged.reflectional.end(),
-                    [&](const ScoredPlane& other) { return is_known(plane.plane, other.plane); });
-    if (!known) merged.reflectional.push_back(plane);
-  }
+/// Adds a hypothesis's symmetry to `all` unless it nearly repeats one of them.
+template <class Symmetry, class WithResidual>
+void add_distinct(const std::optional<Symmetry>& symmetry, double residual,
+                  Symmetry WithResidual::*member, const SameSymmetry& same,
+                  std::vector<WithResidual>& all) {
+  if (!symmetry) return;
+  const bool repeats = std::any_of(all.begin(), all.end(), [&](const WithResidual& other) {
+    return same(*symmetry, other.*member);
+  });
+  if (!repeats) all.push_back({*symmetry, residual});
 }
 
 }  // namespace
@@ -56,24 +49,18 @@ std::vector<MergedHypothesis> merge_hypotheses(std::vector<RatedHypothesis> hypo
     if (same == merged.end())
       same = merged.insert(merged.end(),
                            MergedHypothesis{std::move(points), {}, {}, rated.confidence});
-    add_symmetries(rated.hypothesis, here, options, *same);
+    const double residual = rated.hypothesis.residuals.symmetry;
+    const SameSymmetry same_symmetry{here, options.same_angle, options.same_distance};
+    add_distinct(rated.hypothesis.axis, residual, &HypothesisAxis::axis, same_symmetry, same->axes);
+    add_distinct(rated.hypothesis.plane, residual, &HypothesisPlane::plane, same_symmetry,
+                 same->planes);
   }
   const auto by_residual = [](const auto& a, const auto& b) { return a.residual < b.residual; };
   for (MergedHypothesis& each : merged) {
-    std::stable_sort(each.rotational.begin(), each.rotational.end(), by_residual);
-    std::stable_sort(each.reflectional.begin(), each.reflectional.end(), by_residual);
+    std::stable_sort(each.axes.begin(), each.axes.end(), by_residual);
+    std::stable_sort(each.planes.begin(), each.planes.end(), by_residual);
   }
   return merged;
-}
-
-SceneObject object_of(MergedHypothesis merged, const PointCloud& cloud, double score) {
-  SceneObject object;
-  object.centroid = centroid(cloud.positions, merged.points);
-  object.points = std::move(merged.points);
-  object.score = score;
-  object.rotational = std::move(merged.rotational);
-  object.reflectional = std::move(merged.reflectional);
-  return object;
 }
 
 }  // namespace symscene

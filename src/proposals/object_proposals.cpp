@@ -7,7 +7,7 @@
 #include "core/model_features.hpp"
 #include "core/parallel.hpp"
 #include "joined_pairs.hpp"
-#include "object_meter.hpp"
+#include "object_feature_extractor.hpp"
 #include "object_score.hpp"
 #include "proposals/merge.hpp"
 #include "proposals/selection.hpp"
@@ -47,15 +47,15 @@ std::vector<MergedHypothesis> merged_hypotheses(const Workspace& space,
 }
 
 /// Adds drafts of proposals and sorts all by falling own_score.
-void add_drafts(std::vector<MergedHypothesis> hypotheses, const ObjectMeter& meter,
+void add_drafts(std::vector<MergedHypothesis> hypotheses, const ObjectFeatureExtractor& extractor,
                 const ProposalOptions& options, std::vector<ProposalDraft>& drafts) {
   const TreeModel& model = chosen_model(options.object_alone, object_model());
   const std::size_t before = drafts.size();
   drafts.resize(before + hypotheses.size());
   parallel_for_each(hypotheses.size(), [&](std::size_t k) {
-    const ObjectFeatures features = meter.measure(hypotheses[k]);
+    const OwnFeatures features = extractor.features(hypotheses[k]);
     drafts[before + k] = {std::move(hypotheses[k]), features,
-                          estimated_probability(features, model)};
+                          estimated_probability({features}, model)};
   });
   std::stable_sort(
       drafts.begin(), drafts.end(),
@@ -68,11 +68,8 @@ std::vector<ObjectFeatures> completed_features(const std::vector<ProposalDraft>&
                                                double same_object) {
   const std::vector<double> joined = joined_values(drafts, continuations, same_object);
   std::vector<ObjectFeatures> features;
-  for (std::size_t k = 0; k < drafts.size(); ++k) {
-    features.push_back(drafts[k].features);
-    features.back().continued = continuations.continued[k];
-    features.back().joined = joined[k];
-  }
+  for (std::size_t k = 0; k < drafts.size(); ++k)
+    features.push_back({drafts[k].features, continuations.continued[k], joined[k]});
   return features;
 }
 
@@ -88,7 +85,6 @@ std::vector<ProposalContext> contexts_of(const std::vector<ProposalDraft>& draft
 /// The proposals with their final features and scores, by falling score.
 std::vector<ObjectProposal> final_proposals(std::vector<ProposalDraft> drafts,
                                             const std::vector<ObjectFeatures>& features,
-                                            const PointCloud& cloud,
                                             const ProposalOptions& options) {
   const TreeModel& alone = chosen_model(options.object_alone, object_model());
   const TreeModel& among_others = chosen_model(options.object_among_others, object_context_model());
@@ -101,13 +97,12 @@ std::vector<ObjectProposal> final_proposals(std::vector<ProposalDraft> drafts,
     const double score = pooled_probability(
         estimates[k], estimated_probability(features[k], contexts[k], among_others),
         options.proposal_context.own_weight);
-    proposals.push_back({object_of(std::move(drafts[k].merged), cloud, score), features[k],
-                         drafts[k].own_score, estimates[k]});
+    proposals.push_back(
+        {std::move(drafts[k].merged), features[k], drafts[k].own_score, estimates[k], score});
   }
-  std::stable_sort(proposals.begin(), proposals.end(),
-                   [](const ObjectProposal& a, const ObjectProposal& b) {
-                     return a.object.score > b.object.score;
-                   });
+  std::stable_sort(
+      proposals.begin(), proposals.end(),
+      [](const ObjectProposal& a, const ObjectProposal& b) { return a.score > b.score; });
   return proposals;
 }
 
@@ -120,27 +115,46 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
   const SurfaceRegions regions =
       smooth_regions(space.cloud, space.edges, space.neighbors, options.surface_parts);
   const SurfaceRegions patches = patch_regions(space.cloud, space.edges, options.surface_parts);
-  const ObjectMeter meter({space.cloud, space.edges, space.field, regions, patches}, options);
+  const ObjectFeatureExtractor extractor({space.cloud, space.edges, space.field, regions, patches},
+                                         options);
   const auto continuations = [&](const std::vector<ProposalDraft>& among) {
     return find_continuations(space.cloud, space.field, among, options.continuation);
   };
   const double same_object = options.merge.same_object;
   std::vector<ProposalDraft> drafts;
-  add_drafts(merged_hypotheses(space, rotational, reflectional, regions, patches, options), meter,
-             options, drafts);
-  add_drafts(joined_pairs(drafts, continuations(drafts), same_object), meter, options, drafts);
+  add_drafts(merged_hypotheses(space, rotational, reflectional, regions, patches, options),
+             extractor, options, drafts);
+  add_drafts(joined_pairs(drafts, continuations(drafts), same_object), extractor, options, drafts);
   // Joined pairs may be continued by a third proposal.
   const std::vector<ObjectFeatures> features =
       completed_features(drafts, continuations(drafts), same_object);
-  return final_proposals(std::move(drafts), features, space.cloud, options);
+  return final_proposals(std::move(drafts), features, options);
 }
 
-std::vector<SceneObject> probable_objects(const SceneProposals& proposals,
-                                          const SelectionOptions& options,
-                                          std::vector<Rejection>& rejected) {
-  std::vector<SceneObject> objects;
-  for (const ObjectProposal& proposal : proposals.objects) objects.push_back(proposal.object);
-  return select_probable(std::move(objects), options, rejected);
+std::vector<std::size_t> probable_proposals(const SceneProposals& proposals,
+                                            const SelectionOptions& options,
+                                            std::vector<Rejection>& rejected) {
+  std::vector<SelectionCandidate> candidates;
+  for (const ObjectProposal& proposal : proposals.objects)
+    candidates.push_back(selection_candidate(proposal.merged, proposal.score));
+  return select_probable(candidates, options, rejected);
+}
+
+SearchedObject searched_object(const ObjectProposal& proposal) {
+  SearchedObject object{proposal.merged.points, proposal.score};
+  for (const HypothesisAxis& own : proposal.merged.axes) object.axes.push_back(own.axis);
+  for (const HypothesisPlane& own : proposal.merged.planes) object.planes.push_back(own.plane);
+  return object;
+}
+
+SceneObject probable_object(const ObjectProposal& proposal, const SymmetryCandidates& candidates,
+                            const ObjectSymmetryOptions& options) {
+  ListedSymmetries listed = list_symmetries(candidates, options);
+  return {.points = proposal.merged.points,
+          .score = proposal.score,
+          .confidence = proposal.merged.confidence,
+          .rotational = std::move(listed.rotational),
+          .reflectional = std::move(listed.reflectional)};
 }
 
 }  // namespace symscene

@@ -44,8 +44,14 @@ class Parts {
     return best;
   }
 
-  void cover(ProposalContext& context) const {
+  struct Cover {
+    double share = 0.0;
+    double score = 0.0;
+    double pieces = 0.0;
+  };
+  Cover cover() const {
     const ProposalContextOptions& options = proposals_.options();
+    Cover cover;
     std::vector<std::size_t> pieces;
     for (const std::size_t part : parts_) {
       if (estimates_[part] < options.min_piece_estimate ||
@@ -57,10 +63,11 @@ class Parts {
       if (!is_free) continue;
       pieces.push_back(part);
       const double share = proposals_.size(part) / proposals_.size(whole_);
-      context.covered += share;
-      context.covered_score += estimates_[part] * share;
+      cover.share += share;
+      cover.score += estimates_[part] * share;
     }
-    context.pieces = static_cast<double>(pieces.size());
+    cover.pieces = static_cast<double>(pieces.size());
+    return cover;
   }
 
  private:
@@ -70,26 +77,30 @@ class Parts {
   std::vector<std::size_t> parts_;
 };
 
-/// The index of the best whole, or `a` itself if there is none, and the features of wholes and
-/// conflicts.
-std::size_t compare_with_others(const SharedCounts& proposals, std::span<const double> estimates,
-                                std::size_t a, ProposalContext& context) {
-  std::size_t best_whole = a;
-  double wholes = 0.0;
+/// The wholes of a proposal and its conflicts.
+struct Others {
+  std::optional<std::size_t> best_whole;  ///< its index
+  double whole = 0.0;                     ///< its estimate
+  double wholes = 0.0;                    ///< their number
+  double rival = 0.0;                     ///< greatest estimate of a conflicting proposal
+};
+
+Others compare_with_others(const SharedCounts& proposals, std::span<const double> estimates,
+                           std::size_t a) {
+  Others others;
   for (std::size_t b = 0; b < proposals.count(); ++b) {
     if (a == b || proposals.are_disjoint(a, b)) continue;
     if (proposals.contains(b, a)) {
-      wholes += 1.0;
-      if (estimates[b] > context.whole) {
-        context.whole = estimates[b];
-        best_whole = b;
+      others.wholes += 1.0;
+      if (estimates[b] > others.whole) {
+        others.whole = estimates[b];
+        others.best_whole = b;
       }
     } else if (proposals.conflict(a, b)) {
-      context.rival = std::max(context.rival, estimates[b]);
+      others.rival = std::max(others.rival, estimates[b]);
     }
   }
-  context.wholes = std::log1p(wholes);
-  return best_whole;
+  return others;
 }
 
 }  // namespace
@@ -145,17 +156,21 @@ std::vector<ProposalContext> proposal_contexts(const SharedCounts& proposals,
                     [&](std::size_t a) { parts[a].emplace(proposals, estimates, a); });
   std::vector<ProposalContext> contexts(proposals.count());
   parallel_for_each(contexts.size(), [&](std::size_t a) {
-    ProposalContext& context = contexts[a];
-    context.estimate = estimates[a];
-    const std::size_t best_whole = compare_with_others(proposals, estimates, a, context);
-    if (best_whole != a) {
-      context.whole_share = proposals.size(a) / proposals.size(best_whole);
-      context.rest = parts[best_whole]->best_rest(a);
-    }
-    context.part = parts[a]->best();
-    context.parts = std::log1p(static_cast<double>(parts[a]->count()));
-    context.split = parts[a]->best_split();
-    parts[a]->cover(context);
+    const Others others = compare_with_others(proposals, estimates, a);
+    const Parts::Cover cover = parts[a]->cover();
+    const auto& whole = others.best_whole;
+    contexts[a] = {.estimate = estimates[a],
+                   .whole = others.whole,
+                   .whole_share = whole ? proposals.size(a) / proposals.size(*whole) : 0.0,
+                   .part = parts[a]->best(),
+                   .rival = others.rival,
+                   .rest = whole ? parts[*whole]->best_rest(a) : 0.0,
+                   .split = parts[a]->best_split(),
+                   .covered = cover.share,
+                   .covered_score = cover.score,
+                   .pieces = cover.pieces,
+                   .wholes = std::log1p(others.wholes),
+                   .parts = std::log1p(static_cast<double>(parts[a]->count()))};
   });
   return contexts;
 }

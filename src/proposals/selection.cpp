@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "core/median.hpp"
 #include "independent_set.hpp"
@@ -10,31 +11,35 @@
 namespace symscene {
 namespace {
 
+using Candidates = std::vector<SelectionCandidate>;
+using Indices = std::vector<std::size_t>;
+
 /// The share of the smaller one's points that both have.
-double overlap(const SceneObject& a, const SceneObject& b) {
+double overlap(const SelectionCandidate& a, const SelectionCandidate& b) {
   const std::size_t smaller = std::min(a.points.size(), b.points.size());
   return smaller == 0 ? 0.0
                       : static_cast<double>(intersection_size(a.points, b.points)) /
                             static_cast<double>(smaller);
 }
 
-ConflictGraph conflict_graph(const std::vector<SceneObject>& objects, std::vector<double> weights,
-                             double max_overlap) {
+ConflictGraph conflict_graph(const Candidates& objects, const Indices& nodes,
+                             std::vector<double> weights, double max_overlap) {
   ConflictGraph graph;
   graph.weights = std::move(weights);
-  graph.adjacency.resize(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) {
+  graph.adjacency.resize(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (overlap(objects[i], objects[j]) <= max_overlap) continue;
+      if (overlap(objects[nodes[i]], objects[nodes[j]]) <= max_overlap) continue;
       graph.adjacency[i].push_back(j);
       graph.adjacency[j].push_back(i);
     }
   }
-  for (std::vector<std::size_t>& nodes : graph.adjacency) std::sort(nodes.begin(), nodes.end());
+  for (Indices& adjacent : graph.adjacency) std::sort(adjacent.begin(), adjacent.end());
   return graph;
 }
 
-bool is_part(const SceneObject& part, const SceneObject& whole, const SelectionOptions& options) {
+bool is_part(const SelectionCandidate& part, const SelectionCandidate& whole,
+             const SelectionOptions& options) {
   const auto size = static_cast<double>(part.points.size());
   const auto common = static_cast<double>(intersection_size(part.points, whole.points));
   return common > options.part_contained_share * size &&
@@ -43,9 +48,9 @@ bool is_part(const SceneObject& part, const SceneObject& whole, const SelectionO
 
 /// The share of an object's points in its consistent parts: by falling score, those that do not
 /// conflict with a better one.
-double share_in_parts(const std::vector<SceneObject>& objects, std::size_t whole,
+double share_in_parts(const Candidates& objects, std::size_t whole,
                       const SelectionOptions& options) {
-  std::vector<std::size_t> parts;
+  Indices parts;
   PointIndices covered;
   for (std::size_t i = 0; i < objects.size(); ++i) {  // objects come by falling score
     const bool conflicts = std::any_of(parts.begin(), parts.end(), [&](std::size_t part) {
@@ -58,132 +63,134 @@ double share_in_parts(const std::vector<SceneObject>& objects, std::size_t whole
                    objects[i].points.end(), std::back_inserter(joined));
     covered = std::move(joined);
   }
-  const PointIndices& points = objects[whole].points;
+  const std::span<const Index> points = objects[whole].points;
   return static_cast<double>(intersection_size(covered, points)) /
          static_cast<double>(points.size());
 }
 
-Rejection rejection_of(const SceneObject& object, const char* reason, double value, double bound) {
-  const char* kind = !object.rotational.empty()     ? "rotational"
-                     : !object.reflectional.empty() ? "reflectional"
-                                                    : "surface";
-  return {kind, reason, value, bound, object.points.size(), object.points};
+Rejection rejection_of(const SelectionCandidate& object, const char* reason, double value,
+                       double bound) {
+  return {object.kind,
+          reason,
+          value,
+          bound,
+          object.points.size(),
+          {object.points.begin(), object.points.end()}};
 }
 
-std::vector<SceneObject> without_composites(std::vector<SceneObject> objects,
-                                            const SelectionOptions& options,
-                                            std::vector<Rejection>& rejected) {
-  std::vector<double> shares(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) shares[i] = share_in_parts(objects, i, options);
-  std::vector<SceneObject> kept;
+Indices without_composites(const Candidates& objects, const SelectionOptions& options,
+                           std::vector<Rejection>& rejected) {
+  Indices kept;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (shares[i] > options.min_parts_cover) {
-      rejected.push_back(rejection_of(objects[i], "composite", shares[i], options.min_parts_cover));
+    const double share = share_in_parts(objects, i, options);
+    if (share > options.min_parts_cover) {
+      rejected.push_back(rejection_of(objects[i], "composite", share, options.min_parts_cover));
     } else {
-      kept.push_back(std::move(objects[i]));
+      kept.push_back(i);
     }
   }
   return kept;
 }
 
-double greatest_overlap(const std::vector<SceneObject>& objects, std::size_t object,
-                        const std::vector<bool>& chosen) {
+double greatest_overlap(const Candidates& objects, std::size_t object, const Indices& others) {
   double greatest = 0.0;
-  for (std::size_t j = 0; j < objects.size(); ++j) {
-    if (chosen[j]) greatest = std::max(greatest, overlap(objects[object], objects[j]));
-  }
+  for (const std::size_t other : others)
+    greatest = std::max(greatest, overlap(objects[object], objects[other]));
   return greatest;
 }
 
-/// A maximum-weight independent set of the objects' conflict graph; the others are rejected.
-std::vector<SceneObject> independent_objects(std::vector<SceneObject> objects,
-                                             std::vector<double> weights,
-                                             const SelectionOptions& options,
-                                             std::vector<Rejection>& rejected) {
-  const std::vector<bool> chosen =
-      max_weight_independent_set(conflict_graph(objects, std::move(weights), options.max_overlap),
-                                 static_cast<std::size_t>(options.max_exact_conflicts));
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (chosen[i]) continue;
-    rejected.push_back(rejection_of(objects[i], "overlap", greatest_overlap(objects, i, chosen),
+/// A maximum-weight independent set of the conflict graph of `among`; the others are rejected.
+Indices independent_objects(const Candidates& objects, const Indices& among,
+                            std::vector<double> weights, const SelectionOptions& options,
+                            std::vector<Rejection>& rejected) {
+  const std::vector<bool> is_selected = max_weight_independent_set(
+      conflict_graph(objects, among, std::move(weights), options.max_overlap),
+      static_cast<std::size_t>(options.max_exact_conflicts));
+  Indices selected, others;
+  for (std::size_t k = 0; k < among.size(); ++k)
+    (is_selected[k] ? selected : others).push_back(among[k]);
+  for (const std::size_t other : others) {
+    rejected.push_back(rejection_of(objects[other], "overlap",
+                                    greatest_overlap(objects, other, selected),
                                     options.max_overlap));
-  }
-  std::vector<SceneObject> selected;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (chosen[i]) selected.push_back(std::move(objects[i]));
   }
   return selected;
 }
 
-bool overlaps_any(const SceneObject& object, const std::vector<SceneObject>& others,
-                  double max_overlap) {
-  return std::any_of(others.begin(), others.end(), [&](const SceneObject& other) {
-    return overlap(object, other) > max_overlap;
-  });
-}
-
 /// The median number of points; 0 for no objects.
-double median_size(const std::vector<SceneObject>& objects) {
+double median_size(const Candidates& objects, const Indices& among) {
   std::vector<std::size_t> sizes;
-  for (const SceneObject& object : objects) sizes.push_back(object.points.size());
+  for (const std::size_t i : among) sizes.push_back(objects[i].points.size());
   return static_cast<double>(median(std::move(sizes)).value_or(0));
 }
 
-/// The independent objects whose scores exceed `min_score` by the greatest sum; those that do not
-/// exceed it are appended to `unlikely`.
-std::vector<SceneObject> best_above(double min_score, std::vector<SceneObject> objects,
-                                    const SelectionOptions& options,
-                                    std::vector<SceneObject>& unlikely,
-                                    std::vector<Rejection>& rejected) {
-  std::vector<SceneObject> likely;
+/// The independent objects of `among` whose scores exceed `min_score` by the greatest sum; those
+/// that do not exceed it are appended to `unlikely`.
+Indices best_above(double min_score, const Candidates& objects, const Indices& among,
+                   const SelectionOptions& options, Indices& unlikely,
+                   std::vector<Rejection>& rejected) {
+  Indices likely;
   std::vector<double> weights;
-  for (SceneObject& object : objects) {
-    if (object.score <= min_score) {
-      unlikely.push_back(std::move(object));
+  for (const std::size_t i : among) {
+    if (objects[i].score <= min_score) {
+      unlikely.push_back(i);
       continue;
     }
-    weights.push_back(object.score - min_score);
-    likely.push_back(std::move(object));
+    weights.push_back(objects[i].score - min_score);
+    likely.push_back(i);
   }
-  return independent_objects(std::move(likely), std::move(weights), options, rejected);
+  return independent_objects(objects, likely, std::move(weights), options, rejected);
+}
+
+Indices all_of(const Candidates& objects) {
+  Indices all(objects.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
 }
 
 }  // namespace
 
-std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
-                                           const SelectionOptions& options,
-                                           std::vector<Rejection>& rejected) {
-  objects = without_composites(std::move(objects), options, rejected);
-  std::vector<double> weights;
-  for (const SceneObject& object : objects) {
-    weights.push_back(static_cast<double>(object.points.size()) *
-                      std::pow(object.score, options.score_exponent));
-  }
-  return independent_objects(std::move(objects), std::move(weights), options, rejected);
+SelectionCandidate selection_candidate(const MergedHypothesis& merged, double score) {
+  const char* kind = !merged.axes.empty()     ? "rotational"
+                     : !merged.planes.empty() ? "reflectional"
+                                              : "surface";
+  return {merged.points, score, kind};
 }
 
-std::vector<SceneObject> select_probable(std::vector<SceneObject> objects,
+std::vector<std::size_t> select_consistent(const std::vector<SelectionCandidate>& objects,
+                                           const SelectionOptions& options,
+                                           std::vector<Rejection>& rejected) {
+  const Indices kept = without_composites(objects, options, rejected);
+  std::vector<double> weights;
+  for (const std::size_t i : kept) {
+    weights.push_back(static_cast<double>(objects[i].points.size()) *
+                      std::pow(objects[i].score, options.score_exponent));
+  }
+  return independent_objects(objects, kept, std::move(weights), options, rejected);
+}
+
+std::vector<std::size_t> select_probable(const std::vector<SelectionCandidate>& objects,
                                          const SelectionOptions& options,
                                          std::vector<Rejection>& rejected) {
-  std::vector<SceneObject> unlikely, discarded;
-  std::vector<SceneObject> selected =
-      best_above(options.min_score, std::move(objects), options, unlikely, rejected);
+  Indices unlikely, discarded;
+  Indices selected =
+      best_above(options.min_score, objects, all_of(objects), options, unlikely, rejected);
   const double min_score = options.uncovered_ratio * options.min_score;
-  const double min_size = options.uncovered_size * median_size(selected);
-  std::vector<SceneObject> uncovered;
-  for (SceneObject& object : unlikely) {
+  const double min_size = options.uncovered_size * median_size(objects, selected);
+  Indices uncovered;
+  for (const std::size_t i : unlikely) {
+    const SelectionCandidate& object = objects[i];
     const bool is_candidate = object.score > min_score &&
                               static_cast<double>(object.points.size()) >= min_size &&
-                              !overlaps_any(object, selected, options.max_overlap);
+                              greatest_overlap(objects, i, selected) <= options.max_overlap;
     if (is_candidate) {
-      uncovered.push_back(std::move(object));
+      uncovered.push_back(i);
     } else {
       rejected.push_back(rejection_of(object, "score", object.score, options.min_score));
     }
   }
-  std::vector<SceneObject> more =
-      best_above(min_score, std::move(uncovered), options, discarded, rejected);
-  std::move(more.begin(), more.end(), std::back_inserter(selected));
+  const Indices more = best_above(min_score, objects, uncovered, options, discarded, rejected);
+  selected.insert(selected.end(), more.begin(), more.end());
   return selected;
 }
 

@@ -17,21 +17,21 @@ constexpr double max_planes = 4.0;
 SymmetryFit symmetry_fit(const MergedHypothesis& merged, const PointCloud& cloud,
                          const DistanceField& field, const ProposalOptions& options) {
   SymmetryFit fit;
-  fit.axes = static_cast<double>(merged.rotational.size());
-  fit.planes = std::min(static_cast<double>(merged.reflectional.size()), max_planes);
-  if (merged.rotational.empty() && merged.reflectional.empty()) return fit;
+  fit.axes = static_cast<double>(merged.axes.size());
+  fit.planes = std::min(static_cast<double>(merged.planes.size()), max_planes);
+  if (merged.axes.empty() && merged.planes.empty()) return fit;
   const PointCloud points = select(cloud, merged.points);
-  for (const ScoredAxis& own : merged.rotational) {
+  for (const HypothesisAxis& own : merged.axes) {
     const RotationalScores scores =
         rotational_scores(points, own.axis, field, options.rotational_detection);
     fit.axis_misfit = std::min(fit.axis_misfit, scores.symmetry_residual);
     fit.axis_occlusion = std::min(fit.axis_occlusion, scores.occlusion_residual);
   }
-  if (merged.reflectional.empty()) return fit;
+  if (merged.planes.empty()) return fit;
   const CellList cells(points.positions, cell_size);
   const PointIndices sample =
       evenly_spread(points.size(), static_cast<Index>(options.reflectional_detection.max_points));
-  for (const ScoredPlane& own : merged.reflectional) {
+  for (const HypothesisPlane& own : merged.planes) {
     const ReflectionalScores scores = reflectional_scores({points, cells}, sample, own.plane, field,
                                                           options.reflectional_detection);
     fit.plane_inlier = std::max(fit.plane_inlier, scores.inlier_score);

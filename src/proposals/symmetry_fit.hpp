@@ -1,13 +1,12 @@
 #pragma once
 
-#include "proposals/merge.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/proposals/proposals.hpp"
 
 namespace symscene {
 
 /// How well a proposal's points agree with the symmetries of its hypotheses; the fields are those
-/// of ObjectFeatures.
+/// of OwnFeatures.
 struct SymmetryFit {
   double axes = 0.0;
   double axis_misfit = 1.0;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/parallel.hpp"
+#include "core/without_repeats.hpp"
 #include "region_growing.hpp"
 
 namespace symscene {
@@ -85,14 +86,9 @@ class RegionGrower {
 /// The segments, sorted largest first, that overlap no larger one by more than `max_overlap` [IoU].
 std::vector<PointIndices> without_duplicates(std::vector<PointIndices> segments,
                                              double max_overlap) {
-  std::vector<PointIndices> kept;
-  for (PointIndices& segment : segments) {
-    const bool repeats = std::any_of(kept.begin(), kept.end(), [&](const PointIndices& larger) {
-      return intersection_over_union(segment, larger) > max_overlap;
-    });
-    if (!repeats) kept.push_back(std::move(segment));
-  }
-  return kept;
+  return without_repeats(std::move(segments), [&](const PointIndices& a, const PointIndices& b) {
+    return intersection_over_union(a, b) > max_overlap;
+  });
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ class ReflectionalCutter {
     Hypothesis hypothesis;
     hypothesis.points = object_nodes(second.is_object);
     hypothesis.residuals = residuals(second, plane, hypothesis.points);
-    hypothesis.reflectional = {{plane, hypothesis.residuals.symmetry}};
+    hypothesis.plane = plane;
     return hypothesis;
   }
 

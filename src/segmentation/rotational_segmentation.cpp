@@ -53,7 +53,7 @@ class RotationalCutter {
         rotational_scores(select(cloud_, hypothesis.points), axis, field_, detection_);
     hypothesis.residuals = {scores.symmetry_residual, scores.occlusion_residual,
                             smoothness(is_object, scaled_edges_)};
-    hypothesis.rotational = {{axis, scores.symmetry_residual}};
+    hypothesis.axis = axis;
     return hypothesis;
   }
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/parallel.hpp"
+#include "core/without_repeats.hpp"
 
 namespace symscene {
 namespace {
@@ -78,15 +79,10 @@ template <class Symmetry>
 std::vector<Symmetry> distinct(std::vector<Symmetry> found, double tolerance) {
   std::stable_sort(found.begin(), found.end(),
                    [](const Symmetry& a, const Symmetry& b) { return a.residual < b.residual; });
-  std::vector<Symmetry> kept;
-  for (const Symmetry& symmetry : found) {
-    if (!(symmetry.residual <= tolerance)) continue;
-    const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const Symmetry& other) {
-      return line_angle(direction_of(symmetry), direction_of(other)) < same_angle;
-    });
-    if (is_new) kept.push_back(symmetry);
-  }
-  return kept;
+  std::erase_if(found, [&](const Symmetry& each) { return !(each.residual <= tolerance); });
+  return without_repeats(std::move(found), [](const Symmetry& a, const Symmetry& b) {
+    return line_angle(direction_of(a), direction_of(b)) < same_angle;
+  });
 }
 
 }  // namespace

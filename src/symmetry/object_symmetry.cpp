@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/model_features.hpp"
+#include "core/without_repeats.hpp"
 #include "symmetry/rotational_scores.hpp"
 #include "symmetry/symmetry_score.hpp"
 
@@ -28,15 +29,9 @@ std::vector<MatchedPlane> distinct_planes(std::vector<MatchedPlane> planes, doub
   std::stable_sort(planes.begin(), planes.end(), [](const MatchedPlane& a, const MatchedPlane& b) {
     return a.images.plane_residual() < b.images.plane_residual();
   });
-  std::vector<MatchedPlane> distinct;
-  for (const MatchedPlane& plane : planes) {
-    const bool repeats =
-        std::any_of(distinct.begin(), distinct.end(), [&](const MatchedPlane& other) {
-          return line_angle(plane.plane.normal, other.plane.normal) < same_angle;
-        });
-    if (!repeats) distinct.push_back(plane);
-  }
-  return distinct;
+  return without_repeats(std::move(planes), [&](const MatchedPlane& a, const MatchedPlane& b) {
+    return line_angle(a.plane.normal, b.plane.normal) < same_angle;
+  });
 }
 
 /// The options with the detectors' bounds replaced by those of candidates: which candidates are
@@ -57,7 +52,7 @@ SymmetrySearchOptions with_candidate_bounds(SymmetrySearchOptions options) {
 /// Searches the symmetries of an object, its points being one segment.
 class SymmetrySearch {
  public:
-  SymmetrySearch(const ObservedScene& scene, const SceneObject& object,
+  SymmetrySearch(const ObservedScene& scene, const SearchedObject& object,
                  const SymmetrySearchOptions& options)
       : scene_(scene),
         object_(object),
@@ -108,8 +103,7 @@ class SymmetrySearch {
  private:
   /// Those under which the object was segmented, then those that its points propose.
   std::vector<RotationAxis> proposed_axes() const {
-    std::vector<RotationAxis> axes;
-    for (const ScoredAxis& own : object_.rotational) axes.push_back(own.axis);
+    std::vector<RotationAxis> axes = object_.axes;
     const RotationalDetection detection =
         detect_rotational(points_, segment_, scene_.field, up_, options_.rotational_detection);
     for (const RotationalCandidate& candidate : detection.candidates)
@@ -117,8 +111,7 @@ class SymmetrySearch {
     return axes;
   }
   std::vector<ReflectionPlane> proposed_planes() const {
-    std::vector<ReflectionPlane> planes;
-    for (const ScoredPlane& own : object_.reflectional) planes.push_back(own.plane);
+    std::vector<ReflectionPlane> planes = object_.planes;
     const ReflectionalDetection detection =
         detect_reflectional(points_, segment_, scene_.field, up_, options_.reflectional_detection);
     for (const ReflectionalCandidate& candidate : detection.candidates)
@@ -149,7 +142,7 @@ class SymmetrySearch {
   }
 
   ObservedScene scene_;
-  const SceneObject& object_;
+  const SearchedObject& object_;
   SymmetrySearchOptions options_;
   PointCloud points_;
   std::vector<PointIndices> segment_;
@@ -158,12 +151,13 @@ class SymmetrySearch {
 
 }  // namespace
 
-std::optional<AxisCandidate> axis_candidate(const ObservedScene& scene, const SceneObject& object,
+std::optional<AxisCandidate> axis_candidate(const ObservedScene& scene,
+                                            const SearchedObject& object,
                                             const SymmetrySearchOptions& options) {
   return SymmetrySearch(scene, object, options).axis();
 }
 
-SymmetryCandidates symmetry_candidates(const ObservedScene& scene, const SceneObject& object,
+SymmetryCandidates symmetry_candidates(const ObservedScene& scene, const SearchedObject& object,
                                        const SymmetrySearchOptions& options) {
   const SymmetrySearch search(scene, object, options);
   SymmetryCandidates candidates;

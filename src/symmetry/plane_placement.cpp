@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/median.hpp"
+#include "core/without_repeats.hpp"
 
 namespace symscene {
 namespace {
-
-/// Drops each normal that nearly repeats an earlier one.
-std::vector<Eigen::Vector3d> without_repeats(const std::vector<Eigen::Vector3d>& normals) {
-  std::vector<Eigen::Vector3d> distinct;
-  for (const Eigen::Vector3d& normal : normals) {
-    const bool repeats =
-        std::any_of(distinct.begin(), distinct.end(),
-                    [&](const Eigen::Vector3d& n) { return line_angle(n, normal) < radians(1.0); });
-    if (!repeats) distinct.push_back(normal);
-  }
-  return distinct;
-}
 
 /// Plane normals in even steps of both spherical angles about the principal axes (section 3.5.3).
 std::vector<Eigen::Vector3d> sphere_normals(const Eigen::Matrix3d& axes, int steps) {
@@ -128,7 +118,10 @@ std::vector<Eigen::Vector3d> sampled_normals(const PointCloud& points,
     const std::vector<Eigen::Vector3d> upright = upright_normals(axes, *up, steps);
     normals.insert(normals.end(), upright.begin(), upright.end());
   }
-  return without_repeats(normals);
+  return without_repeats(std::move(normals),
+                         [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                           return line_angle(a, b) < radians(1.0);
+                         });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/parallel.hpp"
+#include "core/without_repeats.hpp"
 #include "plane_placement.hpp"
 #include "symmetry/reflectional_scores.hpp"
 #include "symmetry/require_score_ranges.hpp"
@@ -30,34 +31,6 @@ struct ScoredTrial {
   ReflectionPlane plane;
   ReflectionalScores scores;
 };
-
-/// Whether two planes are one: closer than `angle` and, near `here`, `distance`.
-struct SamePlane {
-  Eigen::Vector3d here;
-  double angle;
-  double distance;
-
-  bool operator()(const ReflectionPlane& a, const ReflectionPlane& b) const {
-    const SymmetryDifference apart = difference(a, b, here);  // Eqs. 3.11, 3.12
-    return apart.angle < angle && apart.distance < distance;
-  }
-  bool operator()(const ScoredTrial& a, const ScoredTrial& b) const {
-    return (*this)(a.plane, b.plane);
-  }
-};
-
-/// Drops each plane that nearly repeats an earlier one.
-template <class PlaneOrTrial>
-std::vector<PlaneOrTrial> without_repeats(const std::vector<PlaneOrTrial>& all,
-                                          const SamePlane& same) {
-  std::vector<PlaneOrTrial> distinct;
-  for (const PlaneOrTrial& one : all) {
-    const bool repeats = std::any_of(distinct.begin(), distinct.end(),
-                                     [&](const PlaneOrTrial& other) { return same(one, other); });
-    if (!repeats) distinct.push_back(one);
-  }
-  return distinct;
-}
 
 void sort_by_occlusion(std::vector<ScoredTrial>& trials) {
   std::stable_sort(trials.begin(), trials.end(), [](const ScoredTrial& a, const ScoredTrial& b) {
@@ -98,8 +71,10 @@ class SegmentDetector {
       if (outcome == PlaneOutcome::accepted) result.accepted.push_back(trial);
     }
     sort_by_occlusion(result.accepted);
-    result.accepted =
-        without_repeats(result.accepted, {centroid_, options_.same_angle, options_.same_distance});
+    const SameSymmetry same{centroid_, options_.same_angle, options_.same_distance};
+    result.accepted = without_repeats(
+        std::move(result.accepted),
+        [&](const ScoredTrial& a, const ScoredTrial& b) { return same(a.plane, b.plane); });
     return result;
   }
 
@@ -111,9 +86,10 @@ class SegmentDetector {
         evenly_spread(points_.size(), static_cast<Index>(search.coarse_points));
     const std::vector<ReflectionPlane> coarse = without_repeats(
         fitted(placed, few, search.coarse_iterations),
-        SamePlane{centroid_, search.coarse_same_angle, search.coarse_same_distance});
-    return without_repeats(fitted(coarse, sources_, options_.fit.max_iterations),
-                           {centroid_, search.fine_same_angle, search.fine_same_distance});
+        SameSymmetry{centroid_, search.coarse_same_angle, search.coarse_same_distance});
+    return without_repeats(
+        fitted(coarse, sources_, options_.fit.max_iterations),
+        SameSymmetry{centroid_, search.fine_same_angle, search.fine_same_distance});
   }
 
   std::vector<ReflectionPlane> fitted(const std::vector<ReflectionPlane>& planes,
@@ -144,21 +120,23 @@ std::vector<ReflectionalCandidate> merge_equal_planes(std::vector<ReflectionalCa
     return std::tuple(a.scores.occlusion_residual, b.support.size()) <
            std::tuple(b.scores.occlusion_residual, a.support.size());
   });
-  std::vector<ReflectionalCandidate> distinct;
-  std::vector<Eigen::Vector3d> centroids;
+  struct Placed {
+    ReflectionalCandidate candidate;
+    Eigen::Vector3d centroid;
+  };
+  std::vector<Placed> placed;
   for (ReflectionalCandidate& candidate : candidates) {
     const Eigen::Vector3d here = centroid(cloud.positions, candidate.support);
-    bool repeats = false;
-    for (std::size_t k = 0; k < distinct.size() && !repeats; ++k) {
-      const SamePlane same{here, options.same_angle, options.same_distance};
-      repeats = same(candidate.plane, distinct[k].plane) &&
-                (here - centroids[k]).norm() < options.max_support_distance;
-    }
-    if (repeats) continue;
-    distinct.push_back(std::move(candidate));
-    centroids.push_back(here);
+    placed.push_back({std::move(candidate), here});
   }
-  return distinct;
+  placed = without_repeats(std::move(placed), [&](const Placed& a, const Placed& b) {
+    const SameSymmetry same{a.centroid, options.same_angle, options.same_distance};
+    return same(a.candidate.plane, b.candidate.plane) &&
+           (a.centroid - b.centroid).norm() < options.max_support_distance;
+  });
+  candidates.clear();
+  for (Placed& kept : placed) candidates.push_back(std::move(kept.candidate));
+  return candidates;
 }
 
 }  // namespace

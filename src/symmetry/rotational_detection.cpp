@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "core/without_repeats.hpp"
 #include "symmetry/axis_fit.hpp"
 #include "symmetry/require_score_ranges.hpp"
 #include "symmetry/rotational_scores.hpp"
@@ -78,17 +79,11 @@ std::vector<RotationalCandidate> merge_equal_axes(std::vector<RotationalCandidat
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return a.support.size() > b.support.size();
   });
-  std::vector<RotationalCandidate> distinct;
-  for (RotationalCandidate& candidate : candidates) {
-    const Eigen::Vector3d here = centroid(cloud.positions, candidate.support);
-    const bool repeats =
-        std::any_of(distinct.begin(), distinct.end(), [&](const RotationalCandidate& other) {
-          const SymmetryDifference apart = difference(candidate.axis, other.axis, here);
-          return apart.angle < options.same_angle && apart.distance < options.same_distance;
-        });
-    if (!repeats) distinct.push_back(std::move(candidate));
-  }
-  return distinct;
+  return without_repeats(std::move(candidates), [&](const auto& candidate, const auto& other) {
+    const SameSymmetry same{centroid(cloud.positions, candidate.support), options.same_angle,
+                            options.same_distance};
+    return same(candidate.axis, other.axis);
+  });
 }
 
 }  // namespace

@@ -43,9 +43,7 @@ ListedSymmetries search_alone(const PointCloud& points, const SingleObjectOption
   const DistanceField unknown = unknown_distance_field(
       bounding_box(points.positions), static_cast<float>(options.voxel_size), std::nullopt);
   const std::optional<Plane> no_table;
-  SceneObject object;
-  object.points = evenly_spread(points.size(), points.size());
-  object.score = 1.0;
+  const SearchedObject object{evenly_spread(points.size(), points.size()), 1.0};
   return list_symmetries(symmetry_candidates({points, unknown, no_table}, object, options.search),
                          options.search.object_symmetry);
 }
@@ -93,9 +91,9 @@ ObjectSymmetries detect_object_symmetries(const PointCloud& cloud,
     return symmetries;
   }
   ListedSymmetries listed = search_alone(points, options);
-  for (ScoredAxis& found : listed.rotational)
+  for (ObjectAxis& found : listed.rotational)
     found.axis.point = normalization.restored(found.axis.point);
-  for (ScoredPlane& found : listed.reflectional)
+  for (ObjectPlane& found : listed.reflectional)
     found.plane.point = normalization.restored(found.plane.point);
   symmetries.rotational = std::move(listed.rotational);
   symmetries.reflectional = std::move(listed.reflectional);

@@ -30,16 +30,16 @@ std::string indices(const PointIndices& points, Index count) {
   return base64(bytes);
 }
 
-json to_json(const ScoredAxis& scored) {
+json to_json(const ObjectAxis& scored) {
   return {{"point", encode(scored.axis.point)},
           {"direction", encode(scored.axis.direction)},
-          {"score", scored.residual}};
+          {"residual", scored.residual}};
 }
 
-json to_json(const ScoredPlane& scored) {
+json to_json(const ObjectPlane& scored) {
   return {{"point", encode(scored.plane.point)},
           {"normal", encode(scored.plane.normal)},
-          {"score", scored.residual}};
+          {"residual", scored.residual}};
 }
 
 json to_json(const FunnelStep& step) { return {{"step", step.step}, {"count", step.count}}; }
@@ -63,11 +63,11 @@ json list(const std::vector<Item>& items) {
 
 json to_json(const SceneObject& object, std::size_t id, const PointCloud& completed, Index count) {
   return {{"id", id},
-          {"score", object.score},
+          {"score", object.rank()},
           {"points", indices(object.points, count)},
           {"rotational", list(object.rotational)},
           {"reflectional", list(object.reflectional)},
-          {"centroid", encode(object.centroid)},
+          {"centroid", object.centroid ? json(encode(*object.centroid)) : json(nullptr)},
           {"completed", to_json(completed)}};
 }
 

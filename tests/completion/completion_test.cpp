@@ -59,7 +59,7 @@ TEST(Completion, ReflectsByThePlanesAndTheirProducts) {
     if (whole.positions(i, 0) > -0.003F && whole.positions(i, 1) > -0.003F) quarter.push_back(i);
   }
   const PointCloud seen = select(whole, quarter);
-  const std::vector<ScoredPlane> planes{{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.0},
+  const std::vector<ObjectPlane> planes{{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.0},
                                         {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}, 0.0}};
   const PointCloud added = complete_object(seen, {}, planes, nothing_known());
   EXPECT_GT(share_covered(whole, seen, added), 0.99);

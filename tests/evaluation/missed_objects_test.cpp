@@ -33,7 +33,7 @@ class MissedObjects : public ::testing::Test {
     proposals_.planes.push_back({plane, {}, std::move(support)});
   }
   void cut(PointIndices points, HypothesisResiduals residuals = {0.1, 0.001, 0.1}) {
-    proposals_.reflectional.push_back({std::move(points), residuals, {}, {{mirror, 0.1}}});
+    proposals_.reflectional.push_back({std::move(points), residuals, {}, mirror});
   }
   /// The outcome of the object with the pipeline's own selection.
   ObjectOutcome outcome() const { return outcome(choose_objects(proposals_, options_)); }
@@ -135,8 +135,8 @@ TEST_F(MissedObjects, AGoodProposalMayBeRejectedForItsScore) {
   propose(mirror, range(0, 50));
   options_.selection.by_score = true;
   ObjectProposal proposal;
-  proposal.object.points = range(0, 100);
-  proposal.object.score = 0.5 * options_.selection.min_score;
+  proposal.merged.points = range(0, 100);
+  proposal.score = 0.5 * options_.selection.min_score;
   proposals_.objects.push_back(proposal);
   expect(Outcome::rejected, "score");
 }

@@ -16,9 +16,10 @@ SegmentationResult small_result() {
   SceneObject object;
   object.points = {0, 5, 39};
   object.score = 1.0 / 3.0;
+  object.confidence = 0.25;
   object.rotational = {{{Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d(0.6, 0, 0.8)}, 0.01}};
   object.reflectional = {{{Eigen::Vector3d(1e-20, 2, 3), Eigen::Vector3d(0, 1, 0)}, 0.02}};
-  object.centroid = {0.1, 0.7, -1e10};
+  object.centroid = Eigen::Vector3d(0.1, 0.7, -1e10);
   SceneObject overlapping;
   overlapping.points = {5, 6};
   result.objects = {object, overlapping};
@@ -40,6 +41,10 @@ TEST(Result, WritingAndReadingGiveTheSameBits) {
   const SceneObject& object = again.objects[0];
   EXPECT_EQ(object.points, result.objects[0].points);
   EXPECT_EQ(object.score, result.objects[0].score);
+  EXPECT_EQ(object.confidence, 0.25);
+  EXPECT_FALSE(again.objects[1].score);
+  EXPECT_FALSE(again.objects[1].centroid);
+  EXPECT_EQ(object.rotational[0].residual, 0.01);
   EXPECT_EQ(object.rotational[0].axis.direction, result.objects[0].rotational[0].axis.direction);
   EXPECT_EQ(object.reflectional[0].plane.point, result.objects[0].reflectional[0].plane.point);
   EXPECT_EQ(object.centroid, result.objects[0].centroid);
@@ -78,6 +83,24 @@ TEST(Result, CompletedPointsNeedNeitherNormalsNorColors) {
   result.completed[0] = random_cloud(7, 2, false, false);
   write_result(folder / "out", result);
   expect_same(read_result(folder / "out").completed[0], result.completed[0]);
+}
+
+TEST(Result, FilesOfVersionOneCallResidualsScoresAndHaveNoConfidence) {
+  const auto old = parse_objects_json(
+      R"({"version":1,"cloud":"cloud.ply","objects":[{"id":0,"points":[0,2],"score":0.9,
+          "rotational":[{"point":[0.1,0.2,0.3],"direction":[0,0,1],"score":0.01}],
+          "reflectional":[{"point":[0.1,0.2,0.3],"normal":[1,0,0],"score":0.02}],
+          "centroid":[1,2,3],"mesh":"objects/0.ply"}]})",
+      "old.json", 40);
+  ASSERT_EQ(old.objects.size(), 1U);
+  const SceneObject& object = old.objects[0];
+  EXPECT_EQ(object.score, 0.9);
+  EXPECT_EQ(object.confidence, 0.0);
+  EXPECT_EQ(object.rotational.at(0).residual, 0.01);
+  EXPECT_EQ(object.reflectional.at(0).residual, 0.02);
+  EXPECT_EQ(object.centroid, Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_NE(format_objects_json(old).find(R"("version":2)"), std::string::npos);
+  EXPECT_NE(format_objects_json(old).find(R"("residual":0.01)"), std::string::npos);
 }
 
 TEST(Result, TheTextIsTheSameForTheSameResult) {
@@ -139,7 +162,7 @@ TEST(Result, AFailedWriteLeavesTheOldResultUnchanged) {
   refuse([](SegmentationResult& r) { r.objects[0].points = {5, 5}; });
   refuse([](SegmentationResult& r) { r.objects[0].score = 1.5; });
   refuse([](SegmentationResult& r) {
-    r.objects[0].centroid.x() = std::numeric_limits<double>::quiet_NaN();
+    r.objects[0].centroid->x() = std::numeric_limits<double>::quiet_NaN();
   });
   refuse([](SegmentationResult& r) { r.completed.pop_back(); });
   refuse([](SegmentationResult& r) { r.cloud.colors.conservativeResize(3, 3); });
@@ -188,8 +211,10 @@ TEST(Result, RefusalsNameFileAndPath) {
     const std::string changed = replaced(text, from, to);
     return refusal([&] { parse_objects_json(changed, "objects.json", 40); });
   };
-  EXPECT_EQ(message("\"version\":1", "\"version\":2"),
-            "objects.json: version: expected 1, found 2");
+  EXPECT_EQ(message("\"version\":2", "\"version\":3"),
+            "objects.json: version: expected at most 2, found 3");
+  EXPECT_EQ(message("\"residual\":0.01", "\"score\":0.01"),
+            "objects.json: objects[0].rotational[0]: expected a member \"residual\", found none");
   EXPECT_EQ(message("[0,5,39]", "[0,5,40]"),
             "objects.json: objects[0].points[2]: expected an index below 40, the size of the "
             "cloud, found 40");

@@ -75,14 +75,18 @@ TEST(Pipeline, ReturnsWellFormedObjects) {
   ASSERT_EQ(result.completed.size(), result.objects.size());
   double last_score = 1.0;
   for (const SceneObject& object : result.objects) {
-    EXPECT_LE(object.score, last_score);
-    EXPECT_GE(object.score, 0.0);
-    last_score = object.score;
+    ASSERT_TRUE(object.score);
+    EXPECT_LE(*object.score, last_score);
+    EXPECT_GE(*object.score, 0.0);
+    last_score = *object.score;
+    EXPECT_GE(object.confidence, 0.0);
+    EXPECT_LE(object.confidence, 1.0);
     EXPECT_TRUE(std::is_sorted(object.points.begin(), object.points.end()));
     EXPECT_LT(object.points.back(), result.cloud.size());
-    for (const ScoredAxis& axis : object.rotational)
-      EXPECT_LT(axis.axis.distance(object.centroid), 1e-6);
-    EXPECT_TRUE(object.centroid.allFinite());
+    ASSERT_TRUE(object.centroid);
+    for (const ObjectAxis& axis : object.rotational)
+      EXPECT_LT(axis.axis.distance(*object.centroid), 1e-6);
+    EXPECT_TRUE(object.centroid->allFinite());
   }
   EXPECT_FALSE(result.timings.empty());
   EXPECT_EQ(result.funnel.back().count, result.objects.size());

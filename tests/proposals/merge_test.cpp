@@ -26,26 +26,28 @@ TEST(Merge, KeepsTheMostConfidentPointsAndAllSymmetries) {
   const ReflectionPlane x{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
   const ReflectionPlane y{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()};
   std::vector<RatedHypothesis> rated(3);
-  rated[0] = {{range(0, 100), {}, {}, {{x, 0.1}}}, 0.5};
-  rated[1] = {{range(0, 99), {}, {}, {{y, 0.2}}}, 0.9};
-  rated[2] = {{range(0, 60), {}, {}, {{x, 0.0}}}, 0.4};
+  rated[0] = {{range(0, 100), {.symmetry = 0.1}, {}, x}, 0.5};
+  rated[1] = {{range(0, 99), {.symmetry = 0.2}, {}, y}, 0.9};
+  rated[2] = {{range(0, 60), {.symmetry = 0.0}, {}, x}, 0.4};
   const std::vector<MergedHypothesis> merged = merge_hypotheses(rated, hundred_points());
   ASSERT_EQ(merged.size(), 2U);
   EXPECT_EQ(merged[0].points, range(0, 99));
   EXPECT_EQ(merged[0].confidence, 0.9);
-  EXPECT_EQ(merged[0].reflectional.size(), 2U);
-  EXPECT_EQ(merged[1].reflectional.size(), 1U);
+  ASSERT_EQ(merged[0].planes.size(), 2U);
+  EXPECT_EQ(merged[0].planes[0].plane.normal, x.normal);  // by ascending residual
+  EXPECT_EQ(merged[0].planes[0].residual, 0.1);
+  EXPECT_EQ(merged[1].planes.size(), 1U);
 }
 
 TEST(Merge, KeepsASymmetryOnce) {
   const ReflectionPlane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()};
   const ReflectionPlane nearly{{0.0, 0.002, 0.0}, -Eigen::Vector3d(0.02, 1.0, 0.0).normalized()};
   std::vector<RatedHypothesis> rated(2);
-  rated[0] = {{range(0, 100), {}, {}, {{plane, 0.1}}}, 0.5};
-  rated[1] = {{range(0, 100), {}, {}, {{nearly, 0.1}}}, 0.4};
+  rated[0] = {{range(0, 100), {}, {}, plane}, 0.5};
+  rated[1] = {{range(0, 100), {}, {}, nearly}, 0.4};
   const std::vector<MergedHypothesis> merged = merge_hypotheses(rated, hundred_points());
   ASSERT_EQ(merged.size(), 1U);
-  EXPECT_EQ(merged[0].reflectional.size(), 1U);
+  EXPECT_EQ(merged[0].planes.size(), 1U);
 }
 
 TEST(Merge, ComparesPointsByTheirOverlap) {

@@ -1,4 +1,4 @@
-#include "proposals/object_meter.hpp"
+#include "proposals/object_feature_extractor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,18 +45,18 @@ DistanceField seen_around_boxes(const PointCloud& cloud) {
   return distance_field(grid, std::nullopt);
 }
 
-ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
-                           const std::vector<WeightedEdge>& edges, const DistanceField& field) {
+OwnFeatures features_of(const PointCloud& cloud, const PointIndices& points,
+                        const std::vector<WeightedEdge>& edges, const DistanceField& field) {
   const SurfaceRegions regions =
       smooth_regions(cloud, edges, radius_neighbors(cloud.positions, 0.00866F));
   const SurfaceRegions patches = patch_regions(cloud, edges);
   const ProposalOptions options;
-  return ObjectMeter({cloud, edges, field, regions, patches}, options)
-      .measure({points, {}, {}, 0.0});
+  return ObjectFeatureExtractor({cloud, edges, field, regions, patches}, options)
+      .features({points, {}, {}, 0.0});
 }
 
-ObjectFeatures features_of(const PointCloud& cloud, const PointIndices& points,
-                           const DistanceField& field) {
+OwnFeatures features_of(const PointCloud& cloud, const PointIndices& points,
+                        const DistanceField& field) {
   return features_of(cloud, points, surface_graph(cloud), field);
 }
 
@@ -78,7 +78,7 @@ TEST(ObjectFeatures, HaveAsManyValuesAsNamesInTheirOrder) {
   EXPECT_EQ(features.confidence, 23.0);
 }
 
-TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
+TEST(ObjectFeatureExtractor, CountsTheEdgesThatLeaveAndBend) {
   // A flat row: from {0, 1}, the edge to 2 leaves smoothly and that to 3 is a crease.
   PointCloud cloud;
   cloud.positions.resize(4, 3);
@@ -87,7 +87,7 @@ TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
   cloud.normals.col(2).setOnes();
   const std::vector<WeightedEdge> edges{{0, 1, 0.75F}, {1, 2, 0.5F}, {0, 3, 0.25F}};
   const DistanceField field = testing::nothing_known(cloud);
-  const ObjectFeatures features = features_of(cloud, {0, 1}, edges, field);
+  const OwnFeatures features = features_of(cloud, {0, 1}, edges, field);
   EXPECT_DOUBLE_EQ(features.broken, 0.75 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(features.rim, 2.0 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(features.torn, 0.5);
@@ -96,11 +96,11 @@ TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
   EXPECT_DOUBLE_EQ(features.unity, 1.0);
   EXPECT_DOUBLE_EQ(features.near_others, 1.0);
 
-  const ObjectFeatures apart = features_of(cloud, {2, 3}, edges, field);
+  const OwnFeatures apart = features_of(cloud, {2, 3}, edges, field);
   EXPECT_DOUBLE_EQ(apart.unity, 0.5);
   EXPECT_DOUBLE_EQ(apart.bend, 0.0);
 
-  const ObjectFeatures all = features_of(cloud, {0, 1, 2, 3}, edges, field);
+  const OwnFeatures all = features_of(cloud, {0, 1, 2, 3}, edges, field);
   EXPECT_DOUBLE_EQ(all.broken, 0.0);
   EXPECT_DOUBLE_EQ(all.torn, 0.0);
   EXPECT_DOUBLE_EQ(all.bend, (0.25 + 0.5 + 0.75) / 3.0);
@@ -108,7 +108,7 @@ TEST(ObjectMeter, CountsTheEdgesThatLeaveAndBend) {
   EXPECT_DOUBLE_EQ(all.near_others, 0.0);
 }
 
-TEST(ObjectMeter, CountsPointsThatFaceEachOtherAsNotConvex) {
+TEST(ObjectFeatureExtractor, CountsPointsThatFaceEachOtherAsNotConvex) {
   PointCloud cloud;
   cloud.positions.resize(2, 3);
   cloud.positions << 0.0F, 0.0F, 0.0F, 0.1F, 0.0F, 0.0F;
@@ -120,13 +120,13 @@ TEST(ObjectMeter, CountsPointsThatFaceEachOtherAsNotConvex) {
   EXPECT_EQ(features_of(cloud, {0}, testing::nothing_known(cloud)).convexity, 1.0);
 }
 
-TEST(ObjectMeter, OfOneBoxIsConvexAndOfTwoIsNotAndIsEmptyBetween) {
+TEST(ObjectFeatureExtractor, OfOneBoxIsConvexAndOfTwoIsNotAndIsEmptyBetween) {
   const PointCloud cloud = two_boxes();
   const DistanceField field = seen_around_boxes(cloud);
   PointIndices first = all_of(cloud);
   first.resize(cloud.size() / 2);
-  const ObjectFeatures one = features_of(cloud, first, field);
-  const ObjectFeatures two = features_of(cloud, all_of(cloud), field);
+  const OwnFeatures one = features_of(cloud, first, field);
+  const OwnFeatures two = features_of(cloud, all_of(cloud), field);
   EXPECT_GT(one.convexity, 0.98);
   EXPECT_LT(two.convexity, one.convexity - 0.1);
   EXPECT_LT(one.empty, 0.02);
@@ -137,15 +137,15 @@ TEST(ObjectMeter, OfOneBoxIsConvexAndOfTwoIsNotAndIsEmptyBetween) {
   EXPECT_EQ(features_of(cloud, all_of(cloud), testing::nothing_known(cloud)).empty, 0.0);
 }
 
-TEST(ObjectMeter, MeasuresExtentsByTheLongest) {
+TEST(ObjectFeatureExtractor, MeasuresExtentsByTheLongest) {
   const PointCloud cloud = testing::box({0.1, 0.16, 0.23});
   const DistanceField field = testing::nothing_known(cloud);
-  const ObjectFeatures loose = features_of(cloud, all_of(cloud), field);
+  const OwnFeatures loose = features_of(cloud, all_of(cloud), field);
   EXPECT_NEAR(loose.width_ratio, 0.16 / 0.23, 0.02);
   EXPECT_NEAR(loose.thickness_ratio, 0.1 / 0.23, 0.02);
 }
 
-TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
+TEST(ObjectFeatureExtractor, FillsEveryFeatureOfAnObjectWithSymmetries) {
   const PointCloud cloud = two_boxes();
   const std::vector<WeightedEdge> edges = surface_graph(cloud);
   const SurfaceRegions regions =
@@ -155,10 +155,10 @@ TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
   const ProposalOptions options;
   MergedHypothesis box{all_of(cloud), {}, {}, 0.7};
   box.points.resize(cloud.size() / 2);
-  box.reflectional = {{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.0},
-                      {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}, 0.0}};
-  const ObjectMeter meter({cloud, edges, field, regions, patches}, options);
-  const ObjectFeatures features = meter.measure(box);
+  box.planes = {{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.0},
+                {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY()}, 0.0}};
+  const ObjectFeatureExtractor extractor({cloud, edges, field, regions, patches}, options);
+  const OwnFeatures features = extractor.features(box);
   EXPECT_EQ(features.confidence, 0.7);
   EXPECT_EQ(features.axes, 0.0);
   EXPECT_EQ(features.axis_misfit, 1.0);
@@ -169,7 +169,6 @@ TEST(ObjectMeter, FillsEveryFeatureOfAnObjectWithSymmetries) {
   EXPECT_EQ(features.fold, patches.seam(box.points));
   EXPECT_EQ(features.fold_rim, patches.rim(box.points));
   EXPECT_EQ(features.near_unity, patches.unity(box.points));
-  EXPECT_EQ(features.continued, 0.0);
 }
 
 }  // namespace

@@ -12,26 +12,26 @@ namespace {
 
 /// A carton apart from others, cut out under two mirror planes.
 ObjectFeatures carton() {
-  return {.broken = 0.6,
-          .torn = 0.4,
-          .rim = 0.5,
-          .bend = 0.018,
-          .crease = 0.008,
-          .seam = 0.14,
-          .fold = 0.03,
-          .fold_rim = 0.9,
-          .unity = 1.0,
-          .near_unity = 1.0,
-          .convexity = 0.87,
-          .empty = 0.0,
-          .width_ratio = 0.36,
-          .thickness_ratio = 0.27,
-          .near_others = 0.07,
-          .planes = 2.0,
-          .plane_inlier = 0.54,
-          .plane_occlusion = 0.0,
-          .continued = 0.01,
-          .confidence = 0.84};
+  const OwnFeatures own{.broken = 0.6,
+                        .torn = 0.4,
+                        .rim = 0.5,
+                        .bend = 0.018,
+                        .crease = 0.008,
+                        .seam = 0.14,
+                        .fold = 0.03,
+                        .fold_rim = 0.9,
+                        .unity = 1.0,
+                        .near_unity = 1.0,
+                        .convexity = 0.87,
+                        .empty = 0.0,
+                        .width_ratio = 0.36,
+                        .thickness_ratio = 0.27,
+                        .near_others = 0.07,
+                        .planes = 2.0,
+                        .plane_inlier = 0.54,
+                        .plane_occlusion = 0.0,
+                        .confidence = 0.84};
+  return {own, 0.01, 0.0};
 }
 
 /// A larger object with a concave surface.

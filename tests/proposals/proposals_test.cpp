@@ -32,9 +32,8 @@ SceneProposals proposal_of(const PointCloud& cloud, double score) {
   proposals.field =
       unknown_distance_field(bounding_box(cloud.positions).padded(0.05F), 0.005F, table);
   ObjectProposal proposal;
-  proposal.object.points = testing::all_of(cloud);
-  proposal.object.score = score;
-  proposal.object.centroid = centroid(cloud.positions);
+  proposal.merged.points = testing::all_of(cloud);
+  proposal.score = score;
   proposals.objects.push_back(proposal);
   return proposals;
 }
@@ -80,7 +79,7 @@ TEST(Choice, FindsThePlanesOfABoxAtRightAngles) {
   ASSERT_EQ(result.objects.size(), 1U);
   const SceneObject& box = result.objects[0];
   EXPECT_EQ(box.score, 0.9);
-  EXPECT_EQ(box.points, proposals.objects[0].object.points);
+  EXPECT_EQ(box.points, proposals.objects[0].merged.points);
   EXPECT_TRUE(box.rotational.empty());
   EXPECT_GE(box.reflectional.size(), 2U);
   EXPECT_LE(box.reflectional.size(), 3U);
@@ -100,17 +99,16 @@ TEST(Choice, FindsThePlanesOfABoxAtRightAngles) {
 
 TEST(Choice, LeavesParallelPlanesAndThoseThatTheSurfaceContradictsOut) {
   SceneProposals proposals = proposal_of_box({0.1, 0.16, 0.23}, 0.9);
-  SceneObject& given = proposals.objects[0].object;
   const Eigen::Vector3d middle(0.0, 0.0, 0.1);
   const Eigen::Vector3d diagonal = Eigen::Vector3d(1.0, 1.0, 0.0).normalized();
-  given.reflectional = {{{middle, Eigen::Vector3d::UnitX()}, 0.0},
-                        {{{0.002, 0.0, 0.1}, Eigen::Vector3d::UnitX()}, 0.0},
-                        {{{0.03, 0.0, 0.1}, Eigen::Vector3d::UnitX()}, 0.0},
-                        {{middle, diagonal}, 0.0}};
+  proposals.objects[0].merged.planes = {{{middle, Eigen::Vector3d::UnitX()}, 0.0},
+                                        {{{0.002, 0.0, 0.1}, Eigen::Vector3d::UnitX()}, 0.0},
+                                        {{{0.03, 0.0, 0.1}, Eigen::Vector3d::UnitX()}, 0.0},
+                                        {{middle, diagonal}, 0.0}};
   const SegmentationResult result = choose_objects(proposals);
   ASSERT_EQ(result.objects.size(), 1U);
   int along_x = 0;
-  for (const ScoredPlane& found : result.objects[0].reflectional) {
+  for (const ObjectPlane& found : result.objects[0].reflectional) {
     EXPECT_GT(line_angle(found.plane.normal, diagonal), radians(30.0));
     if (line_angle(found.plane.normal, Eigen::Vector3d::UnitX()) > radians(10.0)) continue;
     ++along_x;
@@ -146,11 +144,11 @@ TEST(Proposals, ContainBothObjectsOnATableByFallingScore) {
   for (Index i = 0; i < proposals.cloud.size(); ++i)
     (proposals.cloud.position(i).x() < 0.09F ? of_box : of_vase).push_back(i);
   for (const ObjectProposal& proposal : proposals.objects) {
-    EXPECT_TRUE(std::is_sorted(proposal.object.points.begin(), proposal.object.points.end()));
-    EXPECT_LE(proposal.object.score, last);
-    last = proposal.object.score;
-    box = std::max(box, intersection_over_union(proposal.object.points, of_box));
-    vase = std::max(vase, intersection_over_union(proposal.object.points, of_vase));
+    EXPECT_TRUE(std::is_sorted(proposal.merged.points.begin(), proposal.merged.points.end()));
+    EXPECT_LE(proposal.score, last);
+    last = proposal.score;
+    box = std::max(box, intersection_over_union(proposal.merged.points, of_box));
+    vase = std::max(vase, intersection_over_union(proposal.merged.points, of_vase));
   }
   EXPECT_GT(box, 0.95);
   EXPECT_GT(vase, 0.95);
@@ -164,14 +162,14 @@ TEST(Proposals, ScoreObjectsHighAndFragmentsAndUnionsLow) {
   double box = 0.0, vase = 0.0;
   std::size_t others = 0;
   for (const ObjectProposal& proposal : proposals.objects) {
-    const double of_whole_box = intersection_over_union(proposal.object.points, of_box);
-    const double of_whole_vase = intersection_over_union(proposal.object.points, of_vase);
-    if (of_whole_box > 0.95) box = std::max(box, proposal.object.score);
-    if (of_whole_vase > 0.95) vase = std::max(vase, proposal.object.score);
+    const double of_whole_box = intersection_over_union(proposal.merged.points, of_box);
+    const double of_whole_vase = intersection_over_union(proposal.merged.points, of_vase);
+    if (of_whole_box > 0.95) box = std::max(box, proposal.score);
+    if (of_whole_vase > 0.95) vase = std::max(vase, proposal.score);
     if (of_whole_box > 0.6 || of_whole_vase > 0.6) continue;
     ++others;
-    EXPECT_LT(proposal.object.score, SelectionOptions{}.min_score)
-        << proposal.object.points.size() << " points";
+    EXPECT_LT(proposal.score, SelectionOptions{}.min_score)
+        << proposal.merged.points.size() << " points";
   }
   EXPECT_GT(box, 0.7);
   EXPECT_GT(vase, 0.7);
@@ -180,8 +178,8 @@ TEST(Proposals, ScoreObjectsHighAndFragmentsAndUnionsLow) {
 
 TEST(Proposals, HaveOneFieldPerScore) {
   for (const ObjectProposal& proposal : propose_objects(box_and_vase()).objects) {
-    EXPECT_GT(proposal.object.score, 0.0);
-    EXPECT_LT(proposal.object.score, 1.0);
+    EXPECT_GT(proposal.score, 0.0);
+    EXPECT_LT(proposal.score, 1.0);
     EXPECT_GT(proposal.estimate, 0.0);
     EXPECT_LT(proposal.estimate, 1.0);
   }
@@ -197,7 +195,7 @@ TEST(Proposals, UseTheModelsThatAreGiven) {
   EXPECT_THROW(propose_objects(box_and_vase(), options), InputError);  // one of two
   options.models.object_among_others.model = constant(object_context_model());
   for (const ObjectProposal& proposal : propose_objects(box_and_vase(), options).objects)
-    EXPECT_NEAR(proposal.object.score, 1.0 / (1.0 + std::exp(3.0)), 1e-12);
+    EXPECT_NEAR(proposal.score, 1.0 / (1.0 + std::exp(3.0)), 1e-12);
   options.models.axis.model = options.models.object_alone.model;
   EXPECT_THROW(propose_objects(box_and_vase(), options), InputError);  // not an axis model
 }
@@ -208,8 +206,8 @@ TEST(Proposals, AreTheSameForAnyNumberOfThreads) {
   const SceneProposals one = testing::with_threads(1, run), two = testing::with_threads(2, run);
   ASSERT_EQ(one.objects.size(), two.objects.size());
   for (std::size_t k = 0; k < one.objects.size(); ++k) {
-    EXPECT_EQ(one.objects[k].object.points, two.objects[k].object.points);
-    EXPECT_EQ(one.objects[k].object.score, two.objects[k].object.score);
+    EXPECT_EQ(one.objects[k].merged.points, two.objects[k].merged.points);
+    EXPECT_EQ(one.objects[k].score, two.objects[k].score);
     EXPECT_EQ(values_of(one.objects[k].features), values_of(two.objects[k].features));
   }
 }

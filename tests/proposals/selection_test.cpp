@@ -15,16 +15,44 @@ PointIndices range(Index begin, Index end) {
   return indices;
 }
 
-SceneObject object(PointIndices points, double score) {
-  SceneObject object;
-  object.points = std::move(points);
-  object.score = score;
-  return object;
+/// An object that owns its points.
+struct TestObject {
+  PointIndices points;
+  double score = 0.0;
+  const char* kind = "surface";
+};
+
+TestObject object(PointIndices points, double score) { return {std::move(points), score}; }
+
+using Select = std::vector<std::size_t>(const std::vector<SelectionCandidate>&,
+                                        const SelectionOptions&, std::vector<Rejection>&);
+
+/// The objects that a function selects.
+std::vector<TestObject> selected_by(Select& select, const std::vector<TestObject>& objects,
+                                    const SelectionOptions& options,
+                                    std::vector<Rejection>& rejected) {
+  std::vector<SelectionCandidate> candidates;
+  for (const TestObject& each : objects) candidates.push_back({each.points, each.score, each.kind});
+  std::vector<TestObject> selected;
+  for (const std::size_t k : select(candidates, options, rejected)) selected.push_back(objects[k]);
+  return selected;
+}
+
+std::vector<TestObject> consistent(const std::vector<TestObject>& objects,
+                                   const SelectionOptions& options,
+                                   std::vector<Rejection>& rejected) {
+  return selected_by(select_consistent, objects, options, rejected);
+}
+
+std::vector<TestObject> probable(const std::vector<TestObject>& objects,
+                                 const SelectionOptions& options,
+                                 std::vector<Rejection>& rejected) {
+  return selected_by(select_probable, objects, options, rejected);
 }
 
 TEST(Selection, RejectsACompositeOfOtherObjects) {
   std::vector<Rejection> rejected;
-  const auto selected = select_consistent(
+  const auto selected = consistent(
       {object(range(0, 100), 0.9), object(range(0, 50), 0.5), object(range(50, 98), 0.4)}, {},
       rejected);
   ASSERT_EQ(selected.size(), 2U);
@@ -36,7 +64,7 @@ TEST(Selection, RejectsACompositeOfOtherObjects) {
 TEST(Selection, PrefersTheWholeToOnePart) {
   std::vector<Rejection> rejected;
   const auto selected =
-      select_consistent({object(range(0, 100), 0.8), object(range(10, 40), 0.9)}, {}, rejected);
+      consistent({object(range(0, 100), 0.8), object(range(10, 40), 0.9)}, {}, rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points.size(), 100U);
   EXPECT_EQ(rejected.at(0).reason, "overlap");
@@ -45,7 +73,7 @@ TEST(Selection, PrefersTheWholeToOnePart) {
 TEST(Selection, HasMaximumWeightAmongRandomConflicts) {
   for (const std::uint32_t seed : testing::seeds) {
     Random random(seed);
-    std::vector<SceneObject> objects;
+    std::vector<TestObject> objects;
     for (int k = 0; k < 9; ++k) {
       const Index begin = random.below(60);
       objects.push_back(
@@ -55,7 +83,7 @@ TEST(Selection, HasMaximumWeightAmongRandomConflicts) {
     options.min_parts_cover = 1.0;  // no composites are rejected
     std::vector<Rejection> rejected;
     double weight = 0.0;
-    for (const SceneObject& chosen : select_consistent(objects, options, rejected)) {
+    for (const TestObject& chosen : consistent(objects, options, rejected)) {
       weight += static_cast<double>(chosen.points.size()) * chosen.score;
     }
     double best = 0.0;
@@ -79,11 +107,11 @@ TEST(Selection, HasMaximumWeightAmongRandomConflicts) {
 }
 
 TEST(Selection, OfManyConflictsIsIndependent) {
-  std::vector<SceneObject> objects;
+  std::vector<TestObject> objects;
   for (Index k = 0; k < 80; ++k) objects.push_back(object(range(k, k + 40), 0.5));
   std::vector<Rejection> rejected;
   const std::size_t count = objects.size();
-  const auto selected = select_consistent(std::move(objects), {}, rejected);
+  const auto selected = consistent(objects, {}, rejected);
   EXPECT_EQ(selected.size() + rejected.size(), count);
   for (std::size_t i = 0; i < selected.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -102,9 +130,9 @@ SelectionOptions min_score_of_three_tenths() {
 
 TEST(Probable, RejectsImprobableObjects) {
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(
-      {object(range(0, 10), 0.3), object(range(20, 30), 0.31), object(range(40, 45), 0.1)},
-      min_score_of_three_tenths(), rejected);
+  const auto selected =
+      probable({object(range(0, 10), 0.3), object(range(20, 30), 0.31), object(range(40, 45), 0.1)},
+               min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points, range(20, 30));
   ASSERT_EQ(rejected.size(), 2U);
@@ -115,21 +143,21 @@ TEST(Probable, RejectsImprobableObjects) {
   EXPECT_EQ(rejected[0].size, 10U);
   EXPECT_EQ(rejected[0].points, range(0, 10));
   EXPECT_EQ(rejected[1].points, range(40, 45));
-  EXPECT_TRUE(select_probable({}, min_score_of_three_tenths(), rejected).empty());
+  EXPECT_TRUE(probable({}, min_score_of_three_tenths(), rejected).empty());
 }
 
 TEST(Probable, RejectsAnOverlapAboveHalfOfTheSmaller) {
   std::vector<Rejection> rejected;
   // 50 of 100 shared points are not more than half, 51 are.
-  EXPECT_EQ(select_probable({object(range(0, 100), 0.5), object(range(50, 200), 0.6)},
-                            min_score_of_three_tenths(), rejected)
+  EXPECT_EQ(probable({object(range(0, 100), 0.5), object(range(50, 200), 0.6)},
+                     min_score_of_three_tenths(), rejected)
                 .size(),
             2U);
   EXPECT_TRUE(rejected.empty());
-  SceneObject round = object(range(0, 100), 0.5);
-  round.rotational.emplace_back();
+  TestObject round = object(range(0, 100), 0.5);
+  round.kind = "rotational";
   const auto selected =
-      select_probable({round, object(range(49, 200), 0.6)}, min_score_of_three_tenths(), rejected);
+      probable({round, object(range(49, 200), 0.6)}, min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points, range(49, 200));
   ASSERT_EQ(rejected.size(), 1U);
@@ -143,7 +171,7 @@ TEST(Probable, RejectsAnOverlapAboveHalfOfTheSmaller) {
 TEST(Probable, ComparesTwoPartsWithTheWhole) {
   const auto with_parts_of = [](double score) {
     std::vector<Rejection> rejected;
-    return select_probable(
+    return probable(
         {object(range(0, 100), 0.9), object(range(0, 50), score), object(range(50, 100), score)},
         min_score_of_three_tenths(), rejected);
   };
@@ -162,19 +190,19 @@ TEST(Probable, CountsTheMinimumScoreAsTheCostOfAWrongObject) {
   SelectionOptions options;
   options.min_score = 0.1;
   std::vector<Rejection> rejected;
-  EXPECT_EQ(select_probable({object(range(0, 100), 0.9), object(range(0, 50), 0.55),
-                             object(range(50, 100), 0.55)},
-                            options, rejected)
+  EXPECT_EQ(probable({object(range(0, 100), 0.9), object(range(0, 50), 0.55),
+                      object(range(50, 100), 0.55)},
+                     options, rejected)
                 .size(),
             2U);
 }
 
 TEST(Probable, FindsManyPartsOfOneWhole) {
   // 30 parts of weight 0.3 conflict with one whole that weighs more than any: a component of 31.
-  std::vector<SceneObject> objects{object(range(0, 300), 0.99)};
+  std::vector<TestObject> objects{object(range(0, 300), 0.99)};
   for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.6));
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(objects, min_score_of_three_tenths(), rejected);
+  const auto selected = probable(objects, min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 30U);
   for (Index k = 0; k < 30; ++k) EXPECT_EQ(selected[k].points, range(10 * k, 10 * k + 10));
   ASSERT_EQ(rejected.size(), 1U);
@@ -184,11 +212,11 @@ TEST(Probable, FindsManyPartsOfOneWhole) {
 }
 
 TEST(Probable, FindsOneWholeOfManyParts) {
-  std::vector<SceneObject> objects;
+  std::vector<TestObject> objects;
   for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.31));
   objects.push_back(object(range(0, 300), 0.99));
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(objects, min_score_of_three_tenths(), rejected);
+  const auto selected = probable(objects, min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points.size(), 300U);
   EXPECT_EQ(rejected.size(), 30U);
@@ -196,11 +224,11 @@ TEST(Probable, FindsOneWholeOfManyParts) {
 
 TEST(Probable, ChoosesEverySecondLinkOfALongChain) {
   // Each link shares 15 of its 25 points with the next. The even ones score higher.
-  std::vector<SceneObject> objects;
+  std::vector<TestObject> objects;
   for (Index k = 0; k < 41; ++k)
     objects.push_back(object(range(10 * k, 10 * k + 25), k % 2 == 0 ? 0.7 : 0.6));
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(objects, min_score_of_three_tenths(), rejected);
+  const auto selected = probable(objects, min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 21U);
   for (Index k = 0; k < 21; ++k) EXPECT_EQ(selected[k].points, range(20 * k, 20 * k + 25));
   EXPECT_EQ(rejected.size(), 20U);
@@ -212,13 +240,13 @@ TEST(Probable, ChoosesALessLikelyObjectWhereNoOtherCoversIt) {
   options.uncovered_ratio = 0.5;
   options.uncovered_size = 0.25;
   std::vector<Rejection> rejected;
-  const auto selected = select_probable(
-      {object(range(0, 100), 0.9), object(range(200, 300), 0.3),  // nothing else covers it
-       object(range(40, 130), 0.3),                               // mostly covered by the first
-       object(range(150, 320), 0.25),                             // less likely than the second
-       object(range(400, 424), 0.39),                             // a fragment
-       object(range(500, 600), 0.2)},                             // not above 0.5 * 0.4
-      options, rejected);
+  const auto selected =
+      probable({object(range(0, 100), 0.9), object(range(200, 300), 0.3),  // nothing else covers it
+                object(range(40, 130), 0.3),    // mostly covered by the first
+                object(range(150, 320), 0.25),  // less likely than the second
+                object(range(400, 424), 0.39),  // a fragment
+                object(range(500, 600), 0.2)},  // not above 0.5 * 0.4
+               options, rejected);
   ASSERT_EQ(selected.size(), 2U);
   EXPECT_EQ(selected[0].points, range(0, 100));
   EXPECT_EQ(selected[1].points, range(200, 300));
@@ -231,16 +259,16 @@ TEST(Probable, ChoosesUncoveredObjectsOfAnySizeWithoutLikelierOnes) {
   options.min_score = 0.4;
   options.uncovered_ratio = 0.5;
   const auto selected =
-      select_probable({object(range(0, 100), 0.3), object(range(0, 50), 0.25)}, options, rejected);
+      probable({object(range(0, 100), 0.3), object(range(0, 50), 0.25)}, options, rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points, range(0, 100));
 }
 
 TEST(Probable, KeepsTheOrder) {
   std::vector<Rejection> rejected;
-  const auto selected = select_probable({object(range(50, 60), 0.4), object(range(0, 10), 0.9),
-                                         object(range(20, 30), 0.2), object(range(30, 40), 0.6)},
-                                        min_score_of_three_tenths(), rejected);
+  const auto selected = probable({object(range(50, 60), 0.4), object(range(0, 10), 0.9),
+                                  object(range(20, 30), 0.2), object(range(30, 40), 0.6)},
+                                 min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 3U);
   EXPECT_EQ(selected[0].points, range(50, 60));
   EXPECT_EQ(selected[1].points, range(0, 10));

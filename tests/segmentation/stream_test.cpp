@@ -64,9 +64,9 @@ TEST(SegmentRotational, CutsTheVaseOutAndNotTheBoxBesideIt) {
   const Hypothesis& found = hypotheses[0];
   EXPECT_GT(intersection_over_union(found.points, range(0, alone.size())), 0.95);
   EXPECT_EQ(intersection_size(found.points, range(alone.size(), cloud.size() - alone.size())), 0U);
-  ASSERT_EQ(found.rotational.size(), 1U);
-  EXPECT_TRUE(found.reflectional.empty());
-  EXPECT_LT(line_angle(found.rotational[0].axis.direction, Eigen::Vector3d::UnitZ()), radians(0.5));
+  ASSERT_TRUE(found.axis);
+  EXPECT_FALSE(found.plane);
+  EXPECT_LT(line_angle(found.axis->direction, Eigen::Vector3d::UnitZ()), radians(0.5));
 }
 
 TEST(SegmentRotational, DropsComponentsFarSmallerThanTheLargest) {
@@ -118,9 +118,9 @@ TEST(SegmentReflectional, CutsTheBoxOutThatHoldsTheFace) {
   const Hypothesis& found = segmented.hypotheses[0];
   EXPECT_EQ(intersection_size(found.points, scene.face()), scene.face().size());
   EXPECT_GT(intersection_over_union(found.points, range(0, scene.box_size)), 0.95);
-  ASSERT_EQ(found.reflectional.size(), 1U);
-  EXPECT_TRUE(found.rotational.empty());
-  EXPECT_LT(line_angle(found.reflectional[0].plane.normal, mirror_of_the_box.normal), radians(0.5));
+  ASSERT_TRUE(found.plane);
+  EXPECT_FALSE(found.axis);
+  EXPECT_LT(line_angle(found.plane->normal, mirror_of_the_box.normal), radians(0.5));
 }
 
 TEST(SegmentReflectional, RejectsAPlaneThatItsSupportContradicts) {

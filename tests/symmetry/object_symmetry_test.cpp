@@ -44,7 +44,7 @@ struct WholeScene {
   PointCloud cloud;
   DistanceField field = testing::all_seen(cloud);
   std::optional<Plane> table = Plane{Eigen::Vector3d::UnitZ(), 0.0};
-  SceneObject object;
+  SearchedObject object;
 };
 
 TEST(SymmetryCandidates, OfABoxAreItsThreePlanesComparedWithOneAnother) {

@@ -87,7 +87,7 @@ TEST(PlaneScore, IsHighForTheMirrorPlanesOfABoxAndLowForItsDiagonals) {
   const PointCloud box = testing::box({0.06, 0.08, 0.1});
   const DistanceField field = testing::all_seen(box);
   const PointCloud seen = testing::seen_from(box, {1.0F, 0.3F, 0.8F});
-  SceneObject object;
+  SearchedObject object;
   object.points = testing::all_of(seen);
   object.score = 0.9;
   const std::optional<Plane> below = table;

@@ -104,9 +104,9 @@ function visibleSamples(samples) {
 
 function symmetries({ kind, at, turn = 0, size }) {
   const point = [...at, size ? size[2] / 2 : 0.1];
-  if (kind === revolve) return { rotational: [{ point, direction: [0, 0, 1], score: 0.012 }], reflectional: [] };
+  if (kind === revolve) return { rotational: [{ point, direction: [0, 0, 1], residual: 0.012 }], reflectional: [] };
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
-  return { rotational: [], reflectional: [{ point, normal: [c, s, 0], score: 0.021 }, { point, normal: [-s, c, 0], score: 0.034 }] };
+  return { rotational: [], reflectional: [{ point, normal: [c, s, 0], residual: 0.021 }, { point, normal: [-s, c, 0], residual: 0.034 }] };
 }
 
 const REPORT = {

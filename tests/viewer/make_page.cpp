@@ -26,8 +26,8 @@ void add_can(symscene::SegmentationResult& result, float x) {
     object.points.push_back(static_cast<symscene::Index>(next));
   }
   object.score = 0.9;
-  object.centroid = {x, 0.0, 0.06};
-  object.rotational.push_back({{object.centroid, Eigen::Vector3d::UnitZ()}, 0.01});
+  object.centroid = Eigen::Vector3d(x, 0.0, 0.06);
+  object.rotational.push_back({{*object.centroid, Eigen::Vector3d::UnitZ()}, 0.01});
   result.objects.push_back(object);
 }
 

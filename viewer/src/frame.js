@@ -56,12 +56,12 @@ function moveObject(object, frame) {
   object.axes = object.rotational.map((s) => ({
     point: frame.point(s.point),
     direction: frame.direction(s.direction),
-    score: s.score,
+    residual: s.residual,
   }));
   object.planes = object.reflectional.map((s) => ({
     point: frame.point(s.point),
     normal: frame.direction(s.normal),
-    score: s.score,
+    residual: s.residual,
   }));
 }
 

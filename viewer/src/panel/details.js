@@ -5,7 +5,7 @@ import * as format from '../format.js';
 const vector = (v, digits) => v.map((value) => format.fixed(value, digits)).join(', ');
 
 function why(object) {
-  const fits = (list) => Math.min(...list.map((s) => s.score ?? Infinity));
+  const fits = (list) => Math.min(...list.map((s) => s.residual ?? Infinity));
   const parts = [];
   if (object.rotational.length) {
     parts.push(`${object.rotational.length === 1 ? 'rotation about an axis maps' : `rotations about ${object.rotational.length} axes map`} them onto themselves (residual ${format.fixed(fits(object.rotational), 3)})`);
@@ -24,14 +24,14 @@ function facts(object, scene, extent) {
     ['Points seen', `${format.count(object.points.length)} (${format.percent(share)})`],
     ['Completed', object.completed.count ? `+ ${format.count(object.completed.count)}` : 'none'],
     ['Size', `${extent.map(format.centimetres).join(' × ')} cm`],
-    ['Centroid', `${vector(object.centroid, 3)} m`],
+    ...(object.centroid ? [['Centroid', `${vector(object.centroid, 3)} m`]] : []),
   ];
 }
 
 function symmetryRows(object) {
   const row = (kind, s, first, second, names) =>
     h('tr', { title: `${names[0]} ${vector(first, 3)} m, ${names[1]} ${vector(second, 3)}` },
-      h('th', { scope: 'row' }, kind), h('td', {}, vector(second, 2)), h('td', {}, format.fixed(s.score, 3)));
+      h('th', { scope: 'row' }, kind), h('td', {}, vector(second, 2)), h('td', {}, format.fixed(s.residual, 3)));
   return [
     ...object.rotational.map((s) => row('Axis', s, s.point, s.direction, ['through', 'along'])),
     ...object.reflectional.map((s) => row('Plane', s, s.point, s.normal, ['through', 'normal'])),

@@ -3,8 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "symscene/proposals/proposal_options.hpp"
-#include "symscene/segmentation/hypothesis.hpp"
+#include "symscene/proposals/proposals.hpp"
 
 namespace symscene {
 
@@ -18,14 +17,6 @@ struct RatedHypothesis {
 void append_rated(const std::vector<Hypothesis>& hypotheses, const HypothesisBounds& bounds,
                   std::vector<RatedHypothesis>& rated);
 
-/// Hypotheses of the same object, merged (section 4.4).
-struct MergedHypothesis {
-  PointIndices points;                 ///< of the most confident hypothesis, ascending
-  std::vector<ScoredAxis> rotational;  ///< distinct ones of all, in ascending order of residual
-  std::vector<ScoredPlane> reflectional;
-  double confidence = 0.0;  ///< of the most confident hypothesis (section 4.3.3); 0 for none
-};
-
 /// Whether two ascending lists of indices overlap by more than `same_object` [IoU].
 bool cover_same_points(std::span<const Index> a, std::span<const Index> b, double same_object);
 
@@ -33,8 +24,5 @@ bool cover_same_points(std::span<const Index> a, std::span<const Index> b, doubl
 std::vector<MergedHypothesis> merge_hypotheses(std::vector<RatedHypothesis> hypotheses,
                                                const PointCloud& cloud,
                                                const MergeOptions& options = {});
-
-/// The object of a merged hypothesis, with its final score.
-SceneObject object_of(MergedHypothesis merged, const PointCloud& cloud, double score);
 
 }  // namespace symscene

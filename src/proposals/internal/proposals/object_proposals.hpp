@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "segmentation/workspace.hpp"
+#include "symmetry/object_symmetry.hpp"
 #include "symscene/proposals/proposals.hpp"
 #include "symscene/proposals/selection_options.hpp"
 
@@ -16,10 +17,17 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
                                              const std::vector<Hypothesis>& reflectional,
                                              const ProposalOptions& options);
 
-/// The objects that select_probable() chooses among the proposals, with the symmetries of their
-/// hypotheses. The others are appended to `rejected`.
-std::vector<SceneObject> probable_objects(const SceneProposals& proposals,
-                                          const SelectionOptions& options,
-                                          std::vector<Rejection>& rejected);
+/// The indices of the proposals that select_probable() chooses. The others are appended to
+/// `rejected`.
+std::vector<std::size_t> probable_proposals(const SceneProposals& proposals,
+                                            const SelectionOptions& options,
+                                            std::vector<Rejection>& rejected);
+
+/// A proposal as the object whose symmetries are searched.
+SearchedObject searched_object(const ObjectProposal& proposal);
+
+/// The object that a proposal becomes, with those of its symmetry candidates that are probable.
+SceneObject probable_object(const ObjectProposal& proposal, const SymmetryCandidates& candidates,
+                            const ObjectSymmetryOptions& options);
 
 }  // namespace symscene

@@ -1,18 +1,28 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
-#include "symscene/core/scene.hpp"
+#include "symscene/proposals/proposals.hpp"
 #include "symscene/proposals/selection_options.hpp"
 
 namespace symscene {
+
+/// What the selection compares of a candidate object.
+struct SelectionCandidate {
+  std::span<const Index> points;  ///< ascending; they outlive the candidate
+  double score = 0.0;             ///< in [0, 1]
+  const char* kind = "surface";   ///< Rejection::kind
+};
+SelectionCandidate selection_candidate(const MergedHypothesis& merged, double score);
 
 /// Chooses among hypotheses within the bounds of section 4.3.3. First, composites are rejected:
 /// objects that others inside them make up (two boxes side by side mirror each other and pass as
 /// one). Of the rest the choice is a maximum-weight independent set of the conflict graph, weighted
 /// by size and score; the others are rejected with the reason "overlap". `objects` come by falling
-/// score; the order is kept.
-std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
+/// score. Returns ascending indices.
+std::vector<std::size_t> select_consistent(const std::vector<SelectionCandidate>& objects,
                                            const SelectionOptions& options,
                                            std::vector<Rejection>& rejected);
 
@@ -21,8 +31,9 @@ std::vector<SceneObject> select_consistent(std::vector<SceneObject> objects,
 /// object costs `min_score`. Where this subset leaves points uncovered, less likely objects are
 /// chosen in the same way with a bound of uncovered_ratio * min_score, unless they are fragments
 /// (`uncovered_size`): what stands on a table belongs to some object. The others are rejected with
-/// the reason "score" or "overlap". The order is kept, less likely objects last.
-std::vector<SceneObject> select_probable(std::vector<SceneObject> objects,
+/// the reason "score" or "overlap". Returns ascending indices, then those of the less likely
+/// objects.
+std::vector<std::size_t> select_probable(const std::vector<SelectionCandidate>& objects,
                                          const SelectionOptions& options,
                                          std::vector<Rejection>& rejected);
 

@@ -28,6 +28,14 @@ struct PlaneCandidate {
   double probability = 0.0;  ///< plane_probability()
 };
 
+/// An object whose symmetries are searched.
+struct SearchedObject {
+  PointIndices points;                       ///< into the scene's cloud, ascending
+  double score = 0.0;                        ///< probability of being one whole object
+  std::vector<RotationAxis> axes = {};       ///< under which it was segmented
+  std::vector<ReflectionPlane> planes = {};  ///< under which it was segmented
+};
+
 struct SymmetryCandidates {
   std::optional<AxisCandidate> axis;
   std::vector<PlaneCandidate> planes;  ///< distinct, by ascending residual
@@ -36,18 +44,19 @@ struct SymmetryCandidates {
 /// The axis of lowest residual within the bounds, of those under which the object was segmented and
 /// those that its points propose; none without such an axis or without the rotational stream.
 /// Throws InputError on invalid detection options.
-std::optional<AxisCandidate> axis_candidate(const ObservedScene& scene, const SceneObject& object,
+std::optional<AxisCandidate> axis_candidate(const ObservedScene& scene,
+                                            const SearchedObject& object,
                                             const SymmetrySearchOptions& options);
 
 /// That axis, and the distinct planes under which the object was segmented or that its points
 /// propose. Planes that hold a sufficiently probable axis are implied by it and left out.
-SymmetryCandidates symmetry_candidates(const ObservedScene& scene, const SceneObject& object,
+SymmetryCandidates symmetry_candidates(const ObservedScene& scene, const SearchedObject& object,
                                        const SymmetrySearchOptions& options);
 
 /// The symmetries of an object, by ascending residual.
 struct ListedSymmetries {
-  std::vector<ScoredAxis> rotational;
-  std::vector<ScoredPlane> reflectional;
+  std::vector<ObjectAxis> rotational;
+  std::vector<ObjectPlane> reflectional;
 };
 
 /// The candidates that are sufficiently probable.

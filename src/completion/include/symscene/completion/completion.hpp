@@ -35,16 +35,16 @@ struct CompletionOptions {
 /// Normals and colours are those of the originals. `observed` has unit normals and is in the frame
 /// of the symmetries and of `field`; symmetries come by ascending residual. Throws InputError on
 /// invalid options.
-PointCloud complete_object(const PointCloud& observed, const std::vector<ScoredAxis>& axes,
-                           const std::vector<ScoredPlane>& planes, const DistanceField& field,
+PointCloud complete_object(const PointCloud& observed, const std::vector<ObjectAxis>& axes,
+                           const std::vector<ObjectPlane>& planes, const DistanceField& field,
                            const CompletionOptions& options = {});
 
 /// An object's observed points, those that complete_object() added, and its symmetries.
 struct CompletedObject {
   const PointCloud& observed;
   const PointCloud& added;
-  const std::vector<ScoredAxis>& axes;
-  const std::vector<ScoredPlane>& planes;
+  const std::vector<ObjectAxis>& axes;
+  const std::vector<ObjectPlane>& planes;
 };
 
 /// The centre of mass of a body of uniform density, which lies on every axis and plane of symmetry

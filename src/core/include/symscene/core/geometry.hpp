@@ -71,6 +71,20 @@ SymmetryDifference difference(const ReflectionPlane& a, const ReflectionPlane& b
 SymmetryDifference difference(const ReflectionPlane& plane, const RotationAxis& axis,
                               const Eigen::Vector3d& reference);
 
+/// Whether two axes or two planes are one: they differ by less than `angle` and, near `reference`,
+/// `distance`.
+struct SameSymmetry {
+  Eigen::Vector3d reference;
+  double angle;     ///< [rad]
+  double distance;  ///< [m]
+
+  template <class Symmetry>
+  bool operator()(const Symmetry& a, const Symmetry& b) const {
+    const SymmetryDifference apart = difference(a, b, reference);
+    return apart.angle < angle && apart.distance < distance;
+  }
+};
+
 /// Maps [min, max] linearly to [0, 1] and clamps outside (Eqs. 3.5, 3.9, 4.2, 4.3, 4.6, 4.7).
 template <class Scalar>
 constexpr Scalar ramp(Scalar value, Scalar min, Scalar max) {

@@ -23,24 +23,29 @@ struct Scene {
   std::vector<std::string> warnings = {};  ///< of its reader or builder, one sentence each
 };
 
-/// A symmetry of an object and its residual, 0 for a perfect fit.
-struct ScoredAxis {
+/// A symmetry of an object and its residual over the object's points, 0 for a perfect fit.
+struct ObjectAxis {
   RotationAxis axis;
   double residual = 0.0;
 };
-struct ScoredPlane {
+struct ObjectPlane {
   ReflectionPlane plane;
   double residual = 0.0;
 };
 
-/// An object of the result. Its score is the probability of being one whole object; without
-/// selection.by_score, the confidence of the hypothesis.
+/// An object of the result.
 struct SceneObject {
-  PointIndices points;                 ///< into the result's cloud, ascending
-  double score = 0.0;                  ///< in [0, 1]
-  std::vector<ScoredAxis> rotational;  ///< in ascending order of residual
-  std::vector<ScoredPlane> reflectional;
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< centre of mass under the symmetries [m]
+  PointIndices points;  ///< into the result's cloud, ascending
+  /// Probability of being one whole object; none without selection.by_score.
+  std::optional<double> score = {};
+  double confidence = 0.0;  ///< of its best hypothesis (section 4.3.3), in [0, 1]; 0 for none
+  std::vector<ObjectAxis> rotational = {};  ///< in ascending order of residual
+  std::vector<ObjectPlane> reflectional = {};
+  /// Centre of mass under the symmetries, once the object is completed. [m]
+  std::optional<Eigen::Vector3d> centroid = {};
+
+  /// By which objects are sorted.
+  double rank() const { return score.value_or(confidence); }
 };
 
 /// A hypothesis that was rejected or merged, and the bound that it failed.
@@ -63,7 +68,7 @@ struct FunnelStep {
 struct SegmentationResult {
   PointCloud cloud;                   ///< downsampled, by default to 5 mm; all indices refer to it
   std::optional<Plane> table;         ///< of the scene, if known
-  std::vector<SceneObject> objects;   ///< in descending order of score
+  std::vector<SceneObject> objects;   ///< in descending order of rank()
   std::vector<PointCloud> completed;  ///< per object: the points that its symmetries add
   std::vector<Rejection> rejected;    ///< hypotheses that did not become objects
   std::vector<FunnelStep> funnel;

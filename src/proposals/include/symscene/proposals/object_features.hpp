@@ -4,9 +4,9 @@
 
 namespace symscene {
 
-/// Features of a proposal: how likely its points are one whole object. Edges are those of the
+/// Features of a proposal that do not depend on the others of its scene. Edges are those of the
 /// surface graph, whose weights are in [0, 1]. The thresholds are ObjectFeatureOptions.
-struct ObjectFeatures {
+struct OwnFeatures {
   double broken = 0.0;           ///< weight of the edges that leave, by the root of its size
   double torn = 0.0;             ///< share of the leaving edges that are not creases
   double rim = 0.0;              ///< points with a leaving edge, by the root of its size
@@ -28,9 +28,13 @@ struct ObjectFeatures {
   double planes = 0.0;           ///< reflectional symmetries of its hypotheses, at most 4
   double plane_inlier = 0.0;     ///< greatest inlier share of these (Eq. 3.10)
   double plane_occlusion = 1.0;  ///< least occlusion residual (Eq. 4.7)
-  double continued = 0.0;        ///< greatest continuation by another proposal (continuation())
-  double joined = 0.0;           ///< continuation of two proposals by each other that make it up
   double confidence = 0.0;       ///< of its most confident hypothesis (section 4.3.3); 0 for none
+};
+
+/// Features of a proposal: how likely its points are one whole object.
+struct ObjectFeatures : OwnFeatures {
+  double continued = 0.0;  ///< greatest continuation by another proposal (continuation())
+  double joined = 0.0;     ///< continuation of two proposals by each other that make it up
 
   /// Calls visit(name, value) for every feature, in this order, which is that of the models.
   template <class Self, class Visit>

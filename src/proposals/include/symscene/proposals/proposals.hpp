@@ -13,13 +13,31 @@
 
 namespace symscene {
 
-/// A candidate object: a set of points with the symmetries of its hypotheses, if any, its features
-/// and its scores, each in [0, 1].
+/// A symmetry of a hypothesis and its HypothesisResiduals::symmetry.
+struct HypothesisAxis {
+  RotationAxis axis;
+  double residual = 0.0;
+};
+struct HypothesisPlane {
+  ReflectionPlane plane;
+  double residual = 0.0;
+};
+
+/// Hypotheses of the same object, merged (section 4.4).
+struct MergedHypothesis {
+  PointIndices points;                       ///< of the most confident hypothesis, ascending
+  std::vector<HypothesisAxis> axes = {};     ///< distinct ones of all, by ascending residual
+  std::vector<HypothesisPlane> planes = {};  ///< distinct ones of all, by ascending residual
+  double confidence = 0.0;  ///< of the most confident hypothesis (section 4.3.3); 0 for none
+};
+
+/// A candidate object with its features and its scores, each in [0, 1].
 struct ObjectProposal {
-  SceneObject object;  ///< its score is `estimate` pooled with that from its relations to others
+  MergedHypothesis merged;
   ObjectFeatures features;
-  double own_score = 0.0;  ///< from its features but `continued` and `joined`
-  double estimate = 0.0;   ///< probability from all its features
+  double own_score = 0.0;  ///< from its OwnFeatures
+  double estimate = 0.0;   ///< from all its features
+  double score = 0.0;      ///< `estimate` pooled with that from its relations to others
 };
 
 /// The proposals of a scene with the detections and hypotheses that they are made of, before

@@ -51,8 +51,8 @@ struct HypothesisBounds {
 struct Hypothesis {
   PointIndices points;  ///< into the cloud that was cut, ascending
   HypothesisResiduals residuals;
-  std::vector<ScoredAxis> rotational;     ///< one, or none
-  std::vector<ScoredPlane> reflectional;  ///< one, or none
+  std::optional<RotationAxis> axis = {};      ///< of the rotational stream
+  std::optional<ReflectionPlane> plane = {};  ///< of the reflectional stream
 };
 
 /// The hypotheses of one stream.

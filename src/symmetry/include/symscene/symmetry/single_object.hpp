@@ -50,8 +50,8 @@ struct SingleObjectOptions {
 
 /// The symmetries of one object, in the frame and units of its cloud.
 struct ObjectSymmetries {
-  std::vector<ScoredAxis> rotational;     ///< at most one
-  std::vector<ScoredPlane> reflectional;  ///< by ascending residual
+  std::vector<ObjectAxis> rotational;     ///< at most one
+  std::vector<ObjectPlane> reflectional;  ///< by ascending residual
   bool sphere = false;  ///< every line and plane through the centroid is a symmetry; none is listed
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   std::size_t points = 0;  ///< of the subsampled object that was searched

@@ -1,4 +1,4 @@
-#include "object_meter.hpp"
+#include "object_feature_extractor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,8 @@ constexpr double min_length = 1e-6;  // [m], of a proposal of one point
 
 }  // namespace
 
-ObjectMeter::ObjectMeter(const MeasuredScene& scene, const ProposalOptions& options)
+ObjectFeatureExtractor::ObjectFeatureExtractor(const SegmentedScene& scene,
+                                               const ProposalOptions& options)
     : scene_(scene),
       options_(options),
       cells_(scene.cloud.positions, static_cast<float>(options.object_features.neighbor_distance)) {
@@ -32,7 +33,7 @@ ObjectMeter::ObjectMeter(const MeasuredScene& scene, const ProposalOptions& opti
   }
 }
 
-ObjectFeatures ObjectMeter::measure(const MergedHypothesis& merged) const {
+OwnFeatures ObjectFeatureExtractor::features(const MergedHypothesis& merged) const {
   const PointIndices& points = merged.points;
   Flags inside(scene_.cloud.size(), 0);
   for (const Index i : points) inside[i] = 1;
@@ -61,18 +62,16 @@ ObjectFeatures ObjectMeter::measure(const MergedHypothesis& merged) const {
           .planes = symmetry.planes,
           .plane_inlier = symmetry.plane_inlier,
           .plane_occlusion = symmetry.plane_occlusion,
-          .continued = 0.0,
-          .joined = 0.0,
           .confidence = merged.confidence};
 }
 
-bool ObjectMeter::is_crease(const Neighbor& neighbor) const {
+bool ObjectFeatureExtractor::is_crease(const Neighbor& neighbor) const {
   return neighbor.concave &&
          neighbor.weight < static_cast<float>(options_.object_features.crease_weight);
 }
 
-ObjectMeter::EdgeFeatures ObjectMeter::edge_features(const PointIndices& points,
-                                                     const Flags& inside) const {
+ObjectFeatureExtractor::EdgeFeatures ObjectFeatureExtractor::edge_features(
+    const PointIndices& points, const Flags& inside) const {
   double rim = 0, leaving = 0, leaving_weight = 0, torn = 0;
   double edges = 0, weakness = 0, creases = 0;
   for (const Index i : points) {
@@ -100,7 +99,8 @@ ObjectMeter::EdgeFeatures ObjectMeter::edge_features(const PointIndices& points,
           .crease = edges > 0.0 ? creases / edges : 0.0};
 }
 
-ObjectMeter::PairFeatures ObjectMeter::pair_features(const PointIndices& points) const {
+ObjectFeatureExtractor::PairFeatures ObjectFeatureExtractor::pair_features(
+    const PointIndices& points) const {
   const ObjectFeatureOptions& options = options_.object_features;
   const auto max_offset = static_cast<float>(options.convex_offset);
   const auto max_slope = static_cast<float>(options.convex_slope);
@@ -128,7 +128,8 @@ ObjectMeter::PairFeatures ObjectMeter::pair_features(const PointIndices& points)
           .empty = places > 0.0 ? empty / places : 0.0};
 }
 
-ObjectMeter::ExtentFeatures ObjectMeter::extent_features(const PointIndices& points) const {
+ObjectFeatureExtractor::ExtentFeatures ObjectFeatureExtractor::extent_features(
+    const PointIndices& points) const {
   Points positions(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t k = 0; k < points.size(); ++k)
     positions.row(static_cast<Eigen::Index>(k)) = scene_.cloud.positions.row(points[k]);
@@ -140,7 +141,7 @@ ObjectMeter::ExtentFeatures ObjectMeter::extent_features(const PointIndices& poi
 }
 
 /// The share of the largest connected component of the surface graph inside the proposal.
-double ObjectMeter::largest_component(const PointIndices& points, Flags inside) const {
+double ObjectFeatureExtractor::largest_component(const PointIndices& points, Flags inside) const {
   std::size_t largest = 0;
   PointIndices reached;
   for (const Index seed : points) {
@@ -161,7 +162,8 @@ double ObjectMeter::largest_component(const PointIndices& points, Flags inside) 
   return static_cast<double>(largest) / static_cast<double>(points.size());
 }
 
-double ObjectMeter::share_near_others(const PointIndices& points, const Flags& inside) const {
+double ObjectFeatureExtractor::share_near_others(const PointIndices& points,
+                                                 const Flags& inside) const {
   const ObjectFeatureOptions& options = options_.object_features;
   const auto near = static_cast<float>(options.neighbor_distance);
   std::size_t close = 0;

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "proposals/merge.hpp"
 #include "segmentation/surface_regions.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/scene.hpp"
@@ -15,8 +14,8 @@
 
 namespace symscene {
 
-/// The scene whose proposals are measured; the referenced objects must outlive the meter.
-struct MeasuredScene {
+/// The scene of the proposals; the referenced objects must outlive the extractor.
+struct SegmentedScene {
   const PointCloud& cloud;
   const std::vector<WeightedEdge>& edges;  ///< surface graph of the cloud
   const DistanceField& field;
@@ -25,13 +24,12 @@ struct MeasuredScene {
 };
 
 /// Computes the features of proposals of one scene.
-class ObjectMeter {
+class ObjectFeatureExtractor {
  public:
-  ObjectMeter(const MeasuredScene& scene, const ProposalOptions& options);
+  ObjectFeatureExtractor(const SegmentedScene& scene, const ProposalOptions& options);
 
-  /// The features that do not depend on other proposals: all but `continued` and `joined`, which
-  /// are 0. `merged` has points.
-  ObjectFeatures measure(const MergedHypothesis& merged) const;
+  /// `merged` has points.
+  OwnFeatures features(const MergedHypothesis& merged) const;
 
  private:
   using Flags = std::vector<std::uint8_t>;
@@ -57,7 +55,7 @@ class ObjectMeter {
   double largest_component(const PointIndices& points, Flags inside) const;
   double share_near_others(const PointIndices& points, const Flags& inside) const;
 
-  MeasuredScene scene_;
+  SegmentedScene scene_;
   const ProposalOptions& options_;
   std::vector<Index> first_;  ///< N+1: the neighbours of i are [first_[i], first_[i + 1])
   std::vector<Neighbor> neighbors_;
