@@ -64,46 +64,46 @@ Arguments::Arguments(CommandLine& line, const char* name, const char* summary, c
   command_.footer(fmt::format("Example:\n  {}", example));
 }
 
-void Arguments::input(fs::path& value, const char* name, const char* help) {
+void Arguments::input(fs::path& value, const char* name, const std::string& help) {
   command_.add_option(name, value, help)->required()->type_name("");
 }
 
-void Arguments::inputs(std::vector<fs::path>& values, const char* name, const char* help) {
+void Arguments::inputs(std::vector<fs::path>& values, const char* name, const std::string& help) {
   command_.add_option(name, values, help)->required()->type_name("");
 }
 
-void Arguments::required_output(SharedOptions& shared, const char* help) {
+void Arguments::required_output(SharedOptions& shared, const std::string& help) {
   command_.add_option("-o,--output", shared.output, help)->required()->type_name("OUT");
 }
 
-void Arguments::optional_output(SharedOptions& shared, const char* help) {
+void Arguments::optional_output(SharedOptions& shared, const std::string& help) {
   command_.add_option("-o,--output", shared.output, help)->type_name("OUT");
 }
 
-void Arguments::file(const char* flag, fs::path& value, const char* help) {
+void Arguments::file(const char* flag, fs::path& value, const std::string& help) {
   command_.add_option(flag, value, help)->type_name("FILE");
 }
 
-void Arguments::folder(const char* flag, fs::path& value, const char* help) {
+void Arguments::folder(const char* flag, fs::path& value, const std::string& help) {
   command_.add_option(flag, value, help)->type_name("FOLDER");
 }
 
-void Arguments::flag(const char* name, bool& value, const char* help) {
+void Arguments::flag(const char* name, bool& value, const std::string& help) {
   command_.add_flag(name, value, help);
 }
 
 void Arguments::choice(const char* flag, std::string& value,
-                       const std::vector<std::string>& choices, const char* help) {
+                       const std::vector<std::string>& choices, const std::string& help) {
   command_.add_option(flag, value, help)
       ->type_name(fmt::format("{}", fmt::join(choices, "|")))
       ->check(CLI::IsMember(choices).description(""));
 }
 
-void Arguments::text(const char* flag, std::string& value, const char* help) {
+void Arguments::text(const char* flag, std::string& value, const std::string& help) {
   command_.add_option(flag, value, help)->type_name("TEXT");
 }
 
-void Arguments::count(const char* flag, std::optional<int>& value, const char* help) {
+void Arguments::count(const char* flag, std::optional<int>& value, const std::string& help) {
   command_.add_option(flag, value, help)
       ->type_name("N")
       ->check(CLI::Range(1, 10000).description(""));
@@ -127,8 +127,10 @@ void Arguments::sequence_options(SequenceOptions& options) {
       ->check(check_positive);
 }
 
-void Arguments::seed(std::optional<std::uint64_t>& value) {
-  command_.add_option("--seed", value, "seed of all random numbers (default 1)")
+void Arguments::seed(std::optional<std::uint64_t>& value, std::uint64_t default_seed) {
+  command_
+      .add_option("--seed", value,
+                  fmt::format("seed of all random numbers (default {})", default_seed))
       ->type_name("S")
       ->check(check_whole);
 }

@@ -44,22 +44,23 @@ class Arguments {
  public:
   Arguments(CommandLine& line, const char* name, const char* summary, const char* example);
 
-  void input(std::filesystem::path& value, const char* name, const char* help);
+  void input(std::filesystem::path& value, const char* name, const std::string& help);
   /// One or more.
-  void inputs(std::vector<std::filesystem::path>& values, const char* name, const char* help);
-  void required_output(SharedOptions& shared, const char* help);
-  void optional_output(SharedOptions& shared, const char* help);
-  void file(const char* flag, std::filesystem::path& value, const char* help);
-  void folder(const char* flag, std::filesystem::path& value, const char* help);
-  void flag(const char* name, bool& value, const char* help);
+  void inputs(std::vector<std::filesystem::path>& values, const char* name,
+              const std::string& help);
+  void required_output(SharedOptions& shared, const std::string& help);
+  void optional_output(SharedOptions& shared, const std::string& help);
+  void file(const char* flag, std::filesystem::path& value, const std::string& help);
+  void folder(const char* flag, std::filesystem::path& value, const std::string& help);
+  void flag(const char* name, bool& value, const std::string& help);
   /// One of `choices`, or none.
   void choice(const char* flag, std::string& value, const std::vector<std::string>& choices,
-              const char* help);
-  void text(const char* flag, std::string& value, const char* help);
-  void count(const char* flag, std::optional<int>& value, const char* help);
+              const std::string& help);
+  void text(const char* flag, std::string& value, const std::string& help);
+  void count(const char* flag, std::optional<int>& value, const std::string& help);
   /// --intrinsics and --depth-scale, for sequences whose files do not give them.
   void sequence_options(SequenceOptions& options);
-  void seed(std::optional<std::uint64_t>& value);
+  void seed(std::optional<std::uint64_t>& value, std::uint64_t default_seed);
   void threads(SharedOptions& shared);
   /// -v, --quiet and --json.
   void reporting(SharedOptions& shared);

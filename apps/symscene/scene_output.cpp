@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/plane_text.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/table_plane.hpp"
 #include "symscene/io/truth.hpp"
@@ -11,11 +12,6 @@
 
 namespace symscene::app {
 namespace {
-
-std::string plane_numbers(const Plane& plane) {
-  return fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}", plane.normal.x(), plane.normal.y(),
-                     plane.normal.z(), plane.offset);
-}
 
 /// The ground truth of a simulated sequence, transferred to the frame and points of the scene.
 std::optional<SceneTruth> scene_truth(const std::filesystem::path& input,
@@ -63,7 +59,7 @@ void report_table(const BuiltScene& built, Session& session) {
   const auto& supports = built.table.planes.supports;
   if (!supports.empty()) {
     session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
-                                   plane_numbers(supports.front().plane), supports.front().area,
+                                   plane_text(supports.front().plane), supports.front().area,
                                    1e3 * supports.front().residual));
   }
   session.warn(built.scene.warnings);

@@ -147,9 +147,12 @@ void add_simulate(CommandLine& line) {
   arguments.folder("--meshes", state->meshes,
                    "drop the meshes of this folder onto the table instead of household objects");
   arguments.file("--symmetries", state->symmetries, "JSON file with the symmetries of the meshes");
-  arguments.count("--objects", state->objects, "number of objects (default 6)");
-  arguments.count("--frames", state->frames, "number of frames (default 20, with --sequence 200)");
-  arguments.seed(state->seed);
+  arguments.count("--objects", state->objects,
+                  fmt::format("number of objects (default {})", state->tabletop().objects));
+  arguments.count("--frames", state->frames,
+                  fmt::format("number of frames (default {}, with --sequence {})",
+                              state->fused.scan.camera.frames, state->sweep.camera.frames));
+  arguments.seed(state->seed, state->tabletop().seed);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

@@ -155,8 +155,10 @@ void add_symmetry(CommandLine& line) {
   arguments.inputs(state->inputs, "MODEL", "files with a mesh or a point cloud, folders of meshes");
   arguments.optional_output(state->shared, "file to write (default: standard output)");
   arguments.choice("--format", state->format, {"json", "yaml", "bop"},
-                   "what is written; bop is models_info.json of the BOP benchmark (default json)");
-  arguments.choice("--units", state->units, {"m", "mm"}, "unit of the models (default m)");
+                   "format of the output; bop is models_info.json of the BOP benchmark (default " +
+                       state->format + ")");
+  arguments.choice("--units", state->units, {"m", "mm"},
+                   "unit of the models (default " + state->units + ")");
   arguments.flag("--partial", state->is_partial,
                  "the model is a partial scan: detect its probable axis and mirror planes");
   arguments.threads(state->shared);

@@ -1,6 +1,7 @@
 #include "symscene/baselines/euclidean_clusters.hpp"
 
 #include "core/disjoint_sets.hpp"
+#include "core/evenly_spaced.hpp"
 #include "core/parallel.hpp"
 #include "segments.hpp"
 #include "symscene/core/error.hpp"
@@ -26,13 +27,13 @@ std::vector<PointIndices> euclidean_clusters(const PointCloud& cloud,
 
 BaselineSweep euclidean_sweep(const PointCloud& cloud, const EuclideanClusterOptions& options,
                               std::vector<double> distances) {
-  if (distances.empty()) distances = parameter_grid(0.005, 0.03, 0.0025);
+  if (distances.empty()) distances = evenly_spaced(0.005, 0.03, 0.0025);
   BaselineSweep sweep{"Euclidean clusters", "distance", std::move(distances), {}};
-  sweep.segments.resize(sweep.values.size());
+  sweep.masks.resize(sweep.values.size());
   parallel_for_each(sweep.values.size(), [&](std::size_t i) {
     EuclideanClusterOptions at = options;
     at.distance = sweep.values[i];
-    sweep.segments[i] = euclidean_clusters(cloud, at);
+    sweep.masks[i] = euclidean_clusters(cloud, at);
   });
   return sweep;
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "core/disjoint_sets.hpp"
+#include "core/evenly_spaced.hpp"
 #include "core/parallel.hpp"
 #include "graph_segmentation.hpp"
 #include "segments.hpp"
@@ -95,12 +96,12 @@ std::vector<Index> segment_graph(std::size_t nodes, std::vector<DissimilarEdge> 
 
 std::vector<PointIndices> felzenszwalb_segments(const PointCloud& cloud,
                                                 const FelzenszwalbOptions& options) {
-  return felzenszwalb_sweep(cloud, options, {options.k}).segments.front();
+  return felzenszwalb_sweep(cloud, options, {options.k}).masks.front();
 }
 
 BaselineSweep felzenszwalb_sweep(const PointCloud& cloud, const FelzenszwalbOptions& options,
                                  std::vector<double> ks) {
-  if (ks.empty()) ks = parameter_grid(0.5, 7.0, 0.5);
+  if (ks.empty()) ks = evenly_spaced(0.5, 7.0, 0.5);
   FelzenszwalbOptions checked = options;
   for (const double k : ks) {
     checked.k = k;
@@ -108,9 +109,9 @@ BaselineSweep felzenszwalb_sweep(const PointCloud& cloud, const FelzenszwalbOpti
   }
   const std::vector<DissimilarEdge> edges = sorted_graph(cloud, options);
   BaselineSweep sweep{"Felzenszwalb", "k", std::move(ks), {}};
-  sweep.segments.resize(sweep.values.size());
+  sweep.masks.resize(sweep.values.size());
   parallel_for_each(sweep.values.size(), [&](std::size_t i) {
-    sweep.segments[i] = segments_of_labels(
+    sweep.masks[i] = segments_of_labels(
         segment_sorted(cloud.size(), edges, sweep.values[i], options.merge_size), options.min_size);
   });
   return sweep;

@@ -1,5 +1,6 @@
 #include "symscene/baselines/lccp.hpp"
 
+#include "core/evenly_spaced.hpp"
 #include "lccp_labels.hpp"
 #include "segments.hpp"
 #include "symscene/core/error.hpp"
@@ -12,7 +13,7 @@ void LccpOptions::validate() const {
 }
 
 std::vector<PointIndices> lccp_segments(const PointCloud& cloud, const LccpOptions& options) {
-  return lccp_sweep(cloud, options, {options.concavity_tolerance}).segments.front();
+  return lccp_sweep(cloud, options, {options.concavity_tolerance}).masks.front();
 }
 
 BaselineSweep lccp_sweep(const PointCloud& cloud, const LccpOptions& options,
@@ -21,7 +22,7 @@ BaselineSweep lccp_sweep(const PointCloud& cloud, const LccpOptions& options,
     throw InputError("LCCP", "a build with PCL (install libpcl-dev and build again)",
                      "one without");
   if (tolerances.empty()) {
-    for (const double angle : parameter_grid(10.0, 70.0, 5.0)) tolerances.push_back(radians(angle));
+    for (const double angle : evenly_spaced(10.0, 70.0, 5.0)) tolerances.push_back(radians(angle));
   }
   LccpOptions checked = options;
   for (const double tolerance : tolerances) {
@@ -30,11 +31,11 @@ BaselineSweep lccp_sweep(const PointCloud& cloud, const LccpOptions& options,
   }
   require_oriented(cloud);
   BaselineSweep sweep{"LCCP", "concavity_tolerance", std::move(tolerances), {}};
-  sweep.segments.resize(sweep.values.size());
+  sweep.masks.resize(sweep.values.size());
   if (cloud.empty()) return sweep;
   const std::vector<std::vector<Index>> labels = lccp_labels(cloud, options, sweep.values);
   for (std::size_t i = 0; i < labels.size(); ++i)
-    sweep.segments[i] = segments_of_labels(labels[i], options.min_size);
+    sweep.masks[i] = segments_of_labels(labels[i], options.min_size);
   return sweep;
 }
 

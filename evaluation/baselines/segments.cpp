@@ -1,7 +1,6 @@
 #include "segments.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "symscene/core/error.hpp"
@@ -26,13 +25,6 @@ std::vector<PointIndices> segments_of_labels(std::span<const Index> labels, int 
     return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
   });
   return segments;
-}
-
-std::vector<double> parameter_grid(double low, double high, double step) {
-  std::vector<double> values;
-  const auto steps = std::lround((high - low) / step);
-  for (long i = 0; i <= steps; ++i) values.push_back(low + static_cast<double>(i) * step);
-  return values;
 }
 
 void require_oriented(const PointCloud& cloud) {

@@ -13,9 +13,6 @@ inline constexpr Index no_segment = ~Index{0};
 /// `min_size` points are left out.
 std::vector<PointIndices> segments_of_labels(std::span<const Index> labels, int min_size);
 
-/// low, low + step, … up to high.
-std::vector<double> parameter_grid(double low, double high, double step);
-
 /// Throws InputError unless every point has a finite position and a finite normal.
 void require_oriented(const PointCloud& cloud);
 

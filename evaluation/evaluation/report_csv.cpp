@@ -39,7 +39,7 @@ void add_sweeps(const std::string& subset, const std::vector<Sweep>& sweeps, std
 void add_pixel_line(const std::string& subset, const Sweep& sweep, const std::string& setting,
                     const SettingCounts& counts, std::string& csv) {
   if (counts.images == 0) return;
-  const SegmentMetrics mean = counts.pixels.mean(counts.images);
+  const SegmentationMetrics mean = counts.pixels.mean(counts.images);
   csv += fmt::format("{},{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n",
                      field(sweep.method), field(subset), field(setting), counts.images,
                      mean.overlap_precision, mean.overlap_recall, mean.overlap_f,

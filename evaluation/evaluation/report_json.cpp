@@ -11,10 +11,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// 3 since every labelled object counts, and since there are metrics of pixels.
-constexpr int report_version = 3;
+/// 3 since every labelled object counts, and since there are metrics of pixels; 4 since the metrics
+/// on points are called `points`. The headline is the same in both.
+constexpr int report_version = 4;
+constexpr int first_comparable_version = 3;
 
-Json to_json(const SegmentMetrics& metrics) {
+Json to_json(const SegmentationMetrics& metrics) {
   return {{"overlap_precision", metrics.overlap_precision},
           {"overlap_recall", metrics.overlap_recall},
           {"overlap_f", metrics.overlap_f},
@@ -38,7 +40,7 @@ Json to_json(const Sweep& sweep, const SettingCounts& counts) {
   }
   if (has_masks(sweep)) {
     json["mean_iou"] = counts.mean_overlap();
-    json["segments"] = to_json(counts.segments.mean(counts.scenes));
+    json["points"] = to_json(counts.points.mean(counts.scenes));
   }
   if (counts.images > 0) json["pixels"] = to_json(counts.pixels.mean(counts.images));
   return json;
@@ -81,9 +83,9 @@ Json headline_json(const std::vector<Sweep>& sweeps) {
       if (f) numbers[metric_name(metric)] = *f;
     }
     numbers["mean_iou"] = row.mean_overlap;
-    numbers["overlap_f"] = row.segments.overlap_f;
-    numbers["boundary_f"] = row.segments.boundary_f;
-    numbers["f_75"] = row.segments.found_75;
+    numbers["overlap_f"] = row.points.overlap_f;
+    numbers["boundary_f"] = row.points.boundary_f;
+    numbers["f_75"] = row.points.found_75;
     if (row.pixels) {
       numbers["pixel_overlap_f"] = row.pixels->overlap_f;
       numbers["pixel_boundary_f"] = row.pixels->boundary_f;
@@ -157,9 +159,11 @@ std::map<std::string, std::map<std::string, double>> headline_numbers(const std:
   try {
     const Json report = Json::parse(text);
     const int version = report.at("version").get<int>();
-    if (version != report_version) {
-      throw InputError(name, fmt::format("a report of version {}", report_version),
-                       fmt::format("one of version {}, made by another release", version));
+    if (version < first_comparable_version || version > report_version) {
+      throw InputError(
+          name,
+          fmt::format("a report of version {} to {}", first_comparable_version, report_version),
+          fmt::format("one of version {}, made by another release", version));
     }
     for (const Json& row : report.at("headline")) {
       const std::string key =

@@ -20,7 +20,7 @@ HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string 
                   std::move(setting),
                   {},
                   counts.mean_overlap(),
-                  counts.segments.mean(counts.scenes),
+                  counts.points.mean(counts.scenes),
                   {},
                   counts.detections(Metric::masks_90).found};
   if (counts.images > 0) row.pixels = counts.pixels.mean(counts.images);
@@ -106,7 +106,7 @@ TextTable headline_table(const std::vector<Sweep>& sweeps) {
     std::vector<std::string> cells{row.method, row.setting};
     for (const auto& f : row.f) cells.push_back(percent_or_dash(f));
     for (const double share :
-         {row.mean_overlap, row.segments.overlap_f, row.segments.boundary_f, row.segments.found_75})
+         {row.mean_overlap, row.points.overlap_f, row.points.boundary_f, row.points.found_75})
       cells.push_back(percent(share));
     cells.push_back(fmt::format("{}", row.returned));
     table.push_back(std::move(cells));
@@ -120,7 +120,7 @@ TextTable pixel_table(const std::vector<Sweep>& sweeps) {
   const auto add = [&](const Sweep& sweep, const std::string& setting,
                        const SettingCounts& counts) {
     if (counts.images == 0) return;
-    const SegmentMetrics mean = counts.pixels.mean(counts.images);
+    const SegmentationMetrics mean = counts.pixels.mean(counts.images);
     table.push_back({sweep.method, setting});
     for (const double share :
          {mean.overlap_precision, mean.overlap_recall, mean.overlap_f, mean.boundary_precision,

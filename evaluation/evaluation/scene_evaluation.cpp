@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "assignment.hpp"
+#include "core/evenly_spaced.hpp"
 #include "core/parallel.hpp"
 #include "pipeline/detections.hpp"
 #include "proposals/object_proposals.hpp"
@@ -127,7 +128,7 @@ Sweep score_sweep(const SceneProposals& proposals, const CountingContext& contex
 
 Sweep baseline_sweep(const BaselineMethod& baseline, const PointCloud& cloud,
                      const CountingContext& context, StageTimer& timer) {
-  const BaselineMasks found = timer.time("baselines", [&] { return baseline(cloud); });
+  const BaselineSweep found = timer.time("baselines", [&] { return baseline(cloud); });
   if (found.values.size() != found.masks.size()) {
     throw InputError(found.method, "masks for each of its values",
                      fmt::format("{} for {}", found.masks.size(), found.values.size()));

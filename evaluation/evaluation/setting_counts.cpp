@@ -56,7 +56,7 @@ SettingCounts CountingContext::count(const std::vector<PointIndices>& found,
   for (std::size_t k = 0; k < mask_overlaps.size(); ++k)
     counts.counts[k] = mask_detections(overlaps, mask_overlaps[k]);
   for (const double best : best_overlaps(overlaps)) counts.overlap_sum += best;
-  counts.segments = segment_metrics(masks_, found, neighbors_);
+  counts.points = segmentation_metrics(masks_, found, neighbors_);
   return counts;
 }
 

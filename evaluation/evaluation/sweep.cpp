@@ -1,7 +1,6 @@
 #include "symscene/evaluation/sweep.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -25,7 +24,7 @@ double SettingCounts::mean_overlap() const {
 SettingCounts& SettingCounts::operator+=(const SettingCounts& other) {
   for (std::size_t m = 0; m < counts.size(); ++m) counts[m] += other.counts[m];
   overlap_sum += other.overlap_sum;
-  segments += other.segments;
+  points += other.points;
   scenes += other.scenes;
   pixels += other.pixels;
   images += other.images;
@@ -98,15 +97,6 @@ std::vector<std::vector<double>> all_settings(const std::vector<std::vector<doub
     settings = std::move(longer);
   }
   return settings;
-}
-
-std::vector<double> evenly_spaced(double min, double max, double step) {
-  require_option(step > 0.0 && min <= max, "step", "a step above 0 from min up to max", step);
-  std::vector<double> values;
-  const auto count = static_cast<int>(std::floor((max - min) / step + 1e-6));
-  // Rounded to what the tables print, so that 0.1 in steps of 0.1 holds 0.3 itself.
-  for (int k = 0; k <= count; ++k) values.push_back(std::round((min + k * step) * 1e9) / 1e9);
-  return values;
 }
 
 }  // namespace symscene

@@ -92,10 +92,7 @@ CellList::CellList(const Points& points, float cell_size) {
     const int x = clamped_cell(points(i, 0), 0);
     const int y = clamped_cell(points(i, 1), 1);
     const int z = clamped_cell(points(i, 2), 2);
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y()) +
-            static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(cells_.x()) +
-           static_cast<std::size_t>(x);
+    return row_begin(y, z) + static_cast<std::size_t>(x);
   };
   // Counting sort: cell sizes, prefix sums, then the position of every point.
   cell_begin_.assign(static_cast<std::size_t>(cells.prod()) + 1, 0);
@@ -112,9 +109,7 @@ CellList::CellList(const Points& points, float cell_size) {
 
 inline void CellList::visit_row(const Row& row, const Eigen::Vector3f& query,
                                 std::pair<Index, float>& best) const {
-  const auto begin = (static_cast<std::size_t>(row.z) * static_cast<std::size_t>(cells_.y()) +
-                      static_cast<std::size_t>(row.y)) *
-                     static_cast<std::size_t>(cells_.x());
+  const std::size_t begin = row_begin(row.y, row.z);
   const Index end = cell_begin_[begin + static_cast<std::size_t>(row.x_high) + 1];
   for (Index k = cell_begin_[begin + static_cast<std::size_t>(row.x_low)]; k < end; ++k) {
     const Entry& entry = entries_[k];

@@ -167,7 +167,7 @@ SurfaceRegions::Tree SurfaceRegions::tree() const {
   return tree;
 }
 
-/// The regions that belong to a set, and how many of its points each holds.
+/// The regions that belong to a proposal, and how many of its points each holds.
 std::map<Index, std::size_t> SurfaceRegions::held_by(std::span<const Index> points) const {
   std::map<Index, std::size_t> held;
   for (const Index i : points) ++held[region_of_[i]];

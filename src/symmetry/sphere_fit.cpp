@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "nearest_point.hpp"
 #include "symscene/core/geometry.hpp"
 
 namespace symscene {
@@ -12,15 +13,10 @@ namespace {
 
 /// The point nearest to the lines of all normals: Σ (I − n nᵀ)(p − c) = 0.
 Eigen::Vector3d meeting_point_of_normals(const PointCloud& cloud) {
-  Eigen::Matrix3d matrix = 1e-9 * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-  for (Index i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d n = cloud.normal(i).cast<double>();
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - n * n.transpose();
-    matrix += across;
-    right_side += across * cloud.position(i).cast<double>();
-  }
-  return matrix.ldlt().solve(right_side);
+  NearestPoint meeting(Eigen::Vector3d::Zero(), 1e-9);
+  for (Index i = 0; i < cloud.size(); ++i)
+    meeting.add_line(cloud.position(i).cast<double>(), cloud.normal(i).cast<double>());
+  return meeting.solve();
 }
 
 }  // namespace

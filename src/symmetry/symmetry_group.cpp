@@ -9,6 +9,7 @@
 
 #include "finite_group.hpp"
 #include "group_search.hpp"
+#include "nearest_point.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -19,20 +20,11 @@ constexpr std::size_t max_group = 120;  ///< the icosahedron with its reflection
 /// The point nearest to all planes and axes, which every symmetry leaves in place; near `start`
 /// where they leave it open.
 Eigen::Vector3d common_point(const SymmetryGroup& group, const Eigen::Vector3d& start) {
-  constexpr double open = 1e-6;
-  Eigen::Matrix3d sum = open * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d target = open * start;
-  const auto add = [&](const Eigen::Matrix3d& across, const Eigen::Vector3d& point) {
-    sum += across;
-    target += across * point;
-  };
+  NearestPoint common(start, 1e-6);
   for (const GroupPlane& found : group.planes)
-    add(found.plane.normal * found.plane.normal.transpose(), found.plane.point);
-  for (const GroupAxis& found : group.axes) {
-    const Eigen::Vector3d& d = found.axis.direction;
-    add(Eigen::Matrix3d::Identity() - d * d.transpose(), found.axis.point);
-  }
-  return sum.ldlt().solve(target);
+    common.add_plane(found.plane.point, found.plane.normal);
+  for (const GroupAxis& found : group.axes) common.add_line(found.axis.point, found.axis.direction);
+  return common.solve();
 }
 
 /// A turn or reflection that generates symmetries.

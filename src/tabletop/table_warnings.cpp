@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/plane_text.hpp"
+
 namespace symscene {
 namespace {
 
 std::string text_of(const SupportPlane& support) {
-  const Eigen::Vector3d& n = support.plane.normal;
-  return fmt::format("{:.4f},{:.4f},{:.4f},{:.4f} ({:.2f} m^2)", n.x(), n.y(), n.z(),
-                     support.plane.offset, support.area);
+  return fmt::format("{} ({:.2f} m^2)", plane_text(support.plane), support.area);
 }
 
 std::string no_table(const std::vector<SupportPlane>& others) {

@@ -127,14 +127,14 @@ TEST(Felzenszwalb, SweepEqualsTheSegmentsAtEachK) {
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
     FelzenszwalbOptions options;
     options.k = sweep.values[i];
-    EXPECT_EQ(sweep.segments[i], felzenszwalb_segments(cloud, options));
-    expect_partition(sweep.segments[i], cloud.size());
+    EXPECT_EQ(sweep.masks[i], felzenszwalb_segments(cloud, options));
+    expect_partition(sweep.masks[i], cloud.size());
   }
 }
 
 TEST(Felzenszwalb, IsTheSameForAnyNumberOfThreads) {
   const PointCloud cloud = testing::vase();
-  const auto run = [&] { return felzenszwalb_sweep(cloud).segments; };
+  const auto run = [&] { return felzenszwalb_sweep(cloud).masks; };
   EXPECT_EQ(testing::with_threads(1, run), testing::with_threads(4, run));
 }
 
@@ -158,7 +158,7 @@ TEST(EuclideanClusters, OnlyGrowWithTheDistance) {
   EXPECT_DOUBLE_EQ(sweep.values.front(), 0.005);
   EXPECT_DOUBLE_EQ(sweep.values.back(), 0.03);
   for (std::size_t i = 1; i < sweep.values.size(); ++i)
-    EXPECT_EQ(sweep.segments[i], sweep.values[i] < 0.0151 ? both_halves : one_whole);
+    EXPECT_EQ(sweep.masks[i], sweep.values[i] < 0.0151 ? both_halves : one_whole);
 }
 
 TEST(Lccp, CutsAValleyAndKeepsARidge) {
@@ -215,8 +215,8 @@ TEST(Lccp, SweepEqualsTheSegmentsAtEachTolerance) {
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
     LccpOptions options;
     options.concavity_tolerance = sweep.values[i];
-    EXPECT_EQ(sweep.segments[i], lccp_segments(cloud, options));
-    expect_partition(sweep.segments[i], cloud.size());
+    EXPECT_EQ(sweep.masks[i], lccp_segments(cloud, options));
+    expect_partition(sweep.masks[i], cloud.size());
   }
 }
 
@@ -235,10 +235,10 @@ TEST(Baselines, FindTheSameInARotatedScene) {
 
 TEST(Baselines, FindNothingInAnEmptyCloud) {
   const BaselineSweep graph = felzenszwalb_sweep({});
-  EXPECT_EQ(graph.segments, std::vector<std::vector<PointIndices>>(14));
-  EXPECT_EQ(euclidean_sweep({}).segments, std::vector<std::vector<PointIndices>>(11));
+  EXPECT_EQ(graph.masks, std::vector<std::vector<PointIndices>>(14));
+  EXPECT_EQ(euclidean_sweep({}).masks, std::vector<std::vector<PointIndices>>(11));
   if (has_lccp()) {
-    EXPECT_EQ(lccp_sweep({}).segments, std::vector<std::vector<PointIndices>>(13));
+    EXPECT_EQ(lccp_sweep({}).masks, std::vector<std::vector<PointIndices>>(13));
   }
 }
 

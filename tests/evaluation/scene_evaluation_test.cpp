@@ -34,7 +34,7 @@ SceneTruth truth_of(std::initializer_list<PointIndices> masks) {
 }
 
 /// Takes the whole cloud for one object, or for none.
-BaselineMasks everything(const PointCloud& cloud) {
+BaselineSweep everything(const PointCloud& cloud) {
   PointIndices all;
   for (Index i = 0; i < cloud.size(); ++i) all.push_back(i);
   return {"everything", "share", {0.0, 1.0}, {{}, {all}}};
@@ -142,7 +142,7 @@ TEST(EvaluateScene, AcceptsAnEmptyScene) {
 
 TEST(EvaluateScene, RefusesABaselineWithAnotherNumberOfMasksThanValues) {
   EvaluationOptions options;
-  options.baselines = {[](const PointCloud&) { return BaselineMasks{"odd", "k", {1.0}, {}}; }};
+  options.baselines = {[](const PointCloud&) { return BaselineSweep{"odd", "k", {1.0}, {}}; }};
   EXPECT_THROW(evaluate_scene(Scene{}, SceneTruth{}, options), InputError);
   options.boundary_radius = 0.0;
   EXPECT_THROW(evaluate_scene(Scene{}, SceneTruth{}, options), InputError);

@@ -66,13 +66,6 @@ TEST(Settings, AreEveryCombinationTheLastParameterFastest) {
   EXPECT_EQ(settings[2], (std::vector<double>{2, 3}));
 }
 
-TEST(Settings, AreTheNumbersOfTheTables) {
-  EXPECT_EQ(evenly_spaced(0.1, 0.6, 0.1), (std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}));
-  EXPECT_EQ(evenly_spaced(0.005, 0.045, 0.01).back(), 0.045);
-  EXPECT_EQ(evenly_spaced(0.004, 0.03, 0.002).size(), 14U);
-  EXPECT_THROW(evenly_spaced(0.0, 1.0, 0.0), InputError);
-}
-
 TEST(Settings, AreWrittenWithTheirNames) {
   Sweep sweep;
   sweep.parameters = {"a", "b"};

@@ -121,16 +121,24 @@ void add_dataset(CommandLine& line) {
       "symscene dataset scenes --scenes 89 --seed 1\n"
       "  symscene dataset scenes --split training --meshes ycb --symmetries ycb.json");
   arguments.input(state->dir, "DIR", "dataset folder to make or to continue");
-  arguments.count("--scenes", state->scenes, "number of scenes (default 89)");
-  arguments.choice("--split", state->split_name, {"training", "test"},
-                   "split to make: the two share no seeds and no meshes (default: test)");
+  const DatasetOptions defaults;
+  const auto with_default = [](const char* text, int value) {
+    return fmt::format("{} (default {})", text, value);
+  };
+  arguments.count("--scenes", state->scenes, with_default("number of scenes", defaults.scenes));
+  arguments.choice(
+      "--split", state->split_name, {"training", "test"},
+      "split to make: the two share no seeds and no meshes (default: " + state->split_name + ")");
   arguments.folder("--meshes", state->meshes,
                    "drop the split's half of the meshes in this folder among household objects");
   arguments.file("--symmetries", state->symmetries, "JSON file with the symmetries of the meshes");
-  arguments.count("--min-objects", state->min_objects, "fewest objects per scene (default 1)");
-  arguments.count("--max-objects", state->max_objects, "most objects per scene (default 15)");
-  arguments.count("--frames", state->frames, "frames per sweep (default 150)");
-  arguments.seed(state->seed);
+  arguments.count("--min-objects", state->min_objects,
+                  with_default("fewest objects per scene", defaults.min_objects));
+  arguments.count("--max-objects", state->max_objects,
+                  with_default("most objects per scene", defaults.max_objects));
+  arguments.count("--frames", state->frames,
+                  with_default("frames per sweep", defaults.camera.frames));
+  arguments.seed(state->seed, defaults.seed);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

@@ -191,10 +191,9 @@ void add_evaluate(CommandLine& line) {
   arguments.required_output(state->shared, "report folder to write");
   arguments.file("--compare", state->earlier,
                  "report.json of an earlier run: print the differences");
-  arguments.text(
-      "--baselines", state->baselines,
-      ("baselines to compare with, separated by commas: " + baseline_names() + " (default: all)")
-          .c_str());
+  arguments.text("--baselines", state->baselines,
+                 fmt::format("baselines to compare with, separated by commas: {} (default: {})",
+                             baseline_names(), state->baselines));
   arguments.flag("--fast", state->fast, "leave out the variant without the rotational stream");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

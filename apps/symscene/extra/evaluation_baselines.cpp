@@ -18,18 +18,12 @@ struct NamedBaseline {
   BaselineMethod method;
 };
 
-BaselineMasks to_masks(BaselineSweep sweep) {
-  return {std::move(sweep.method), std::move(sweep.parameter), std::move(sweep.values),
-          std::move(sweep.segments)};
-}
-
 std::vector<NamedBaseline> known_baselines() {
   std::vector<NamedBaseline> baselines = {
-      {"felzenszwalb", [](const PointCloud& cloud) { return to_masks(felzenszwalb_sweep(cloud)); }},
-      {"euclidean", [](const PointCloud& cloud) { return to_masks(euclidean_sweep(cloud)); }}};
+      {"felzenszwalb", [](const PointCloud& cloud) { return felzenszwalb_sweep(cloud); }},
+      {"euclidean", [](const PointCloud& cloud) { return euclidean_sweep(cloud); }}};
   if (has_lccp())
-    baselines.push_back(
-        {"lccp", [](const PointCloud& cloud) { return to_masks(lccp_sweep(cloud)); }});
+    baselines.push_back({"lccp", [](const PointCloud& cloud) { return lccp_sweep(cloud); }});
   return baselines;
 }
 

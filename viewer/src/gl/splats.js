@@ -1,5 +1,6 @@
 // A point cloud drawn as discs on its surface.
 import * as THREE from 'three';
+import { emphasisUniforms, setEmphasis } from './emphasis.js';
 import { HIDDEN } from '../ownership.js';
 import { colorFragment, depthFragment, splatVertex } from './shaders.js';
 import { quantile } from '../vector.js';
@@ -30,9 +31,7 @@ function splatMaterials(radius) {
     near: { value: 0.1 },
     far: { value: 10 },
     depths: { value: null },
-    selected: { value: -1 },
-    hovered: { value: -1 },
-    paper: { value: new THREE.Color(1, 1, 1) },
+    ...emphasisUniforms(),
   };
   const depth = new THREE.ShaderMaterial({
     vertexShader: splatVertex, fragmentShader: depthFragment, uniforms, blending: THREE.NoBlending,
@@ -75,9 +74,6 @@ export class Splats {
   }
 
   emphasise(selected, hovered, paper) {
-    const { uniforms } = this.materials;
-    uniforms.selected.value = selected ?? -1;
-    uniforms.hovered.value = hovered ?? -1;
-    uniforms.paper.value.setRGB(...paper.map((value) => value / 255));
+    setEmphasis(this.materials.uniforms, selected, hovered, paper);
   }
 }

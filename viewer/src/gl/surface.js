@@ -1,5 +1,6 @@
 // The reconstructed surface as a mesh, lit like the cloud and drawn in the same two passes.
 import * as THREE from 'three';
+import { emphasisUniforms, setEmphasis } from './emphasis.js';
 import { surfaceColorFragment, surfaceDepthFragment, surfaceVertex } from './shaders.js';
 
 function surfaceMaterials() {
@@ -7,9 +8,7 @@ function surfaceMaterials() {
     near: { value: 0.1 },
     far: { value: 10 },
     depths: { value: null },
-    selected: { value: -1 },
-    hovered: { value: -1 },
-    paper: { value: new THREE.Color(1, 1, 1) },
+    ...emphasisUniforms(),
   };
   const shared = { vertexShader: surfaceVertex, uniforms, side: THREE.DoubleSide };
   const depth = new THREE.ShaderMaterial({
@@ -52,9 +51,6 @@ export class Surface {
   }
 
   emphasise(selected, hovered, paper) {
-    const { uniforms } = this.materials;
-    uniforms.selected.value = selected ?? -1;
-    uniforms.hovered.value = hovered ?? -1;
-    uniforms.paper.value.setRGB(...paper.map((value) => value / 255));
+    setEmphasis(this.materials.uniforms, selected, hovered, paper);
   }
 }

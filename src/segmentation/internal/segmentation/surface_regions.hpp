@@ -46,15 +46,17 @@ class SurfaceRegions {
   /// a border, at each of several: partitions of the surface at several scales.
   std::vector<PointIndices> parts_at(std::span<const double> weaknesses) const;
 
-  /// The weakness of the weakest border that joins two large parts of a set, in [0, 1]: 0 for a
-  /// smooth surface, towards 1 for two objects that touch. `points` ascend.
+  /// The weakness of the weakest border that joins two large parts of a proposal, in [0, 1]: 0 for
+  /// a smooth surface, towards 1 for two objects that touch. `points` are the proposal's,
+  /// ascending, as in the functions below.
   double seam(std::span<const Index> points) const;
 
-  /// The share of a set's points in its largest connected component, of the regions that it holds.
+  /// The share of a proposal's points in its largest connected component of the regions that it
+  /// holds.
   double unity(std::span<const Index> points) const;
 
-  /// The mean weakness of the borders between the regions that a set holds and all others, in
-  /// [0, 1]; 1 if there is none. `points` ascend.
+  /// The mean weakness of the borders between the regions that a proposal holds and all others, in
+  /// [0, 1]; 1 if there is none.
   double rim(std::span<const Index> points) const;
 
  private:

@@ -7,13 +7,12 @@
 
 namespace symscene {
 
-/// The segments of a baseline in one cloud over a range of its parameter, as table 4.2 compares
-/// them.
+/// The masks of a baseline in one cloud over a range of its parameter, as table 4.2 compares them.
 struct BaselineSweep {
   std::string method;
-  std::string parameter;                            ///< the option of the method that is varied
-  std::vector<double> values;                       ///< its values [SI units]
-  std::vector<std::vector<PointIndices>> segments;  ///< one list per value, largest first
+  std::string parameter;                         ///< the option of the method that is varied
+  std::vector<double> values;                    ///< its values [SI units]
+  std::vector<std::vector<PointIndices>> masks;  ///< one list per value, largest first
 };
 
 }  // namespace symscene

@@ -17,11 +17,11 @@ struct HeadlineRow {
   std::string method;
   std::string setting;  ///< "default", or "best of 180"
   std::array<std::optional<double>, all_metrics.size()>
-      f;                                 ///< per metric; none where it does not apply
-  double mean_overlap = 0.0;             ///< [IoU]
-  SegmentMetrics segments;               ///< mean over scenes
-  std::optional<SegmentMetrics> pixels;  ///< mean over images, if there are label images
-  std::size_t returned = 0;              ///< number of masks
+      f;                                      ///< per metric; none where it does not apply
+  double mean_overlap = 0.0;                  ///< [IoU]
+  SegmentationMetrics points;                 ///< mean over scenes
+  std::optional<SegmentationMetrics> pixels;  ///< mean over images, if there are label images
+  std::size_t returned = 0;                   ///< number of masks
 };
 
 /// "24 scenes, 130 objects", and how many of them are small.

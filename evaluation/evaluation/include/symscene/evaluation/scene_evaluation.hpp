@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "symscene/baselines/baseline_sweep.hpp"
 #include "symscene/evaluation/missed_objects.hpp"
 #include "symscene/evaluation/sweep.hpp"
 #include "symscene/labels/label_image.hpp"
@@ -11,16 +12,7 @@
 
 namespace symscene {
 
-/// The masks of a baseline in a scene for each value of its parameter, by descending confidence if
-/// it has one.
-struct BaselineMasks {
-  std::string method;
-  std::string parameter;
-  std::vector<double> values;
-  std::vector<std::vector<PointIndices>>
-      masks;  ///< indices into the given cloud, one list per value
-};
-using BaselineMethod = std::function<BaselineMasks(const PointCloud&)>;
+using BaselineMethod = std::function<BaselineSweep(const PointCloud&)>;
 
 struct EvaluationOptions {
   PipelineOptions pipeline;
@@ -81,8 +73,8 @@ void require_usable_truth(const Scene& scene, const SceneTruth& truth);
 SettingCounts count_result(const Scene& scene, const SceneTruth& truth,
                            const SegmentationResult& result, const EvaluationOptions& options = {});
 
-/// Evaluates the pipeline and the baselines in a scene. Segments and scores are computed once and
-/// thresholds are swept over them: the least probability over all proposals, the bounds of
+/// Evaluates the pipeline and the baselines in a scene. Proposals and scores are computed once
+/// and thresholds are swept over them: the least probability over all proposals, the bounds of
 /// table 4.2 over the hypotheses of the pipeline and of its variant without rotations, and the
 /// bounds of table 3.1 over the symmetries before segmentation. Equal candidate symmetries are
 /// merged before the sweep, not at each of its bounds. All but the wall times is equal for any

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "symscene/evaluation/mask_metrics.hpp"
-#include "symscene/evaluation/segment_metrics.hpp"
+#include "symscene/evaluation/segmentation_metrics.hpp"
 
 namespace symscene {
 
@@ -32,11 +32,11 @@ std::string metric_name(Metric metric);
 /// The counts of one setting of a method, in a scene or summed over scenes.
 struct SettingCounts {
   std::array<DetectionCounts, all_metrics.size()> counts;  ///< in the order of all_metrics
-  double overlap_sum = 0.0;  ///< of the best overlap of each true object [IoU]
-  SegmentMetrics segments;   ///< summed over scenes
+  double overlap_sum = 0.0;    ///< of the best overlap of each true object [IoU]
+  SegmentationMetrics points;  ///< summed over scenes
   std::size_t scenes = 0;
-  SegmentMetrics pixels;   ///< on label images, summed over images
-  std::size_t images = 0;  ///< scenes with label images
+  SegmentationMetrics pixels;  ///< on label images, summed over images
+  std::size_t images = 0;      ///< scenes with label images
 
   const DetectionCounts& detections(Metric metric) const {
     return counts[static_cast<std::size_t>(metric)];
@@ -75,9 +75,5 @@ std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric
 
 /// Every combination of the values of the parameters, the last parameter fastest.
 std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values);
-
-/// The values from `min` to `max` in steps of `step`, both ends included. Throws InputError unless
-/// step > 0 and min <= max.
-std::vector<double> evenly_spaced(double min, double max, double step);
 
 }  // namespace symscene

@@ -12,10 +12,10 @@ namespace symscene {
 /// The path of the camera around the table: the arc of section 2.2.
 struct CameraArcOptions {
   int frames = 20;
-  double arc = 2.0943951;
+  double arc = radians(120.0);
   double radius = 1.0;
-  double min_elevation = 0.6108652;
-  double max_elevation = 0.8726646;
+  double min_elevation = radians(35.0);
+  double max_elevation = radians(50.0);
   double target_height = 0.06;
   int width = 640;
   int height = 480;
@@ -50,7 +50,7 @@ std::vector<Eigen::Isometry3d> camera_arc(const CameraArcOptions& options);
 /// Deviation of a hand-held camera from its intended path.
 struct HandShakeOptions {
   double translation = 0.005;
-  double rotation = 0.0087266;
+  double rotation = radians(0.5);
   double min_frequency = 0.5;
   double max_frequency = 2.5;
 

@@ -44,8 +44,8 @@ struct SensorNoiseOptions {
   double grain = 2.0;
   double disparity_step = 2.85e-3;
   double lateral = 0.4;
-  double grazing_begin = 1.2217305;
-  double grazing_end = 1.4486233;
+  double grazing_begin = radians(70.0);
+  double grazing_end = radians(83.0);
   double edge_step = 0.03;
   double edge_dropout = 0.4;
   double max_depth = 4.0;

@@ -13,7 +13,7 @@ struct DropOptions {
   double spread = 0.16;
   double drop_height = 0.01;
   double upright = 0.6;
-  double tilt = 0.0523599;
+  double tilt = radians(3.0);
   double area = 0.32;
   double min_thickness = 0.03;
   double fall_time = 0.8;

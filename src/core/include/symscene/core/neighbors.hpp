@@ -51,6 +51,12 @@ class CellList {
   };
 
   int clamped_cell(float coordinate, int axis) const;
+  /// The first cell of the row along x at (y, z).
+  std::size_t row_begin(int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y()) +
+            static_cast<std::size_t>(y)) *
+           static_cast<std::size_t>(cells_.x());
+  }
   /// Replaces `best` by the nearest point of a row, if it is nearer.
   void visit_row(const Row& row, const Eigen::Vector3f& query, std::pair<Index, float>& best) const;
 
@@ -87,9 +93,7 @@ void CellList::for_each_within(const Eigen::Vector3f& query, float radius, Visit
   }
   for (int z = low.z(); z <= high.z(); ++z) {
     for (int y = low.y(); y <= high.y(); ++y) {
-      const auto row = (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y()) +
-                        static_cast<std::size_t>(y)) *
-                       static_cast<std::size_t>(cells_.x());
+      const std::size_t row = row_begin(y, z);
       const Index begin = cell_begin_[row + static_cast<std::size_t>(low.x())];
       const Index end = cell_begin_[row + static_cast<std::size_t>(high.x()) + 1];
       for (Index k = begin; k < end; ++k) {

@@ -27,13 +27,12 @@ struct SurfacePartsOptions {
           "smaller regions are merged before all others (Arbelaez et al. 2011)");
     visit("min_size", self.min_size, "points", at_least(1.0),
           "smaller parts are not proposed (Arbelaez et al. 2011)");
-    visit(
-        "min_seam_share", self.min_seam_share, "", between(0.0, 0.5),
-        "a border counts as a seam of a set if both sides hold this share of its points (Stein et "
-        "al. 2014)");
+    visit("min_seam_share", self.min_seam_share, "", between(0.0, 0.5),
+          "a border counts as a seam of a proposal if both sides hold this share of its points "
+          "(Stein et al. 2014)");
     visit("min_region_share", self.min_region_share, "", between(0.0, 1.0),
-          "a region belongs to a set if the set holds this share of its points (Stein et al. "
-          "2014)");
+          "a region belongs to a proposal that holds this share of the region's points (Stein "
+          "et al. 2014)");
     visit("patch_size", self.patch_size, "m", above(0.0),
           "spacing of the patches whose folds propose parts and score seams (Papon et al. 2013)");
     visit(

@@ -9,7 +9,7 @@ namespace symscene {
 /// The search for planes that objects stand on.
 struct SupportPlaneOptions {
   double inlier_distance = 0.01;
-  double normal_angle = 0.4363323;
+  double normal_angle = radians(25.0);
   int sample = 6000;
   int hypotheses = 300;
   int max_planes = 6;
@@ -17,7 +17,7 @@ struct SupportPlaneOptions {
   double refined_sigmas = 2.5;
   double min_area = 0.03;
   double wall_area = 0.25;
-  double max_tilt = 1.2217305;
+  double max_tilt = radians(70.0);
   double facing_factor = 0.2;
   double patch_gap = 0.4;
   double max_beneath = 0.5;
@@ -28,7 +28,7 @@ struct SupportPlaneOptions {
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    constexpr double right_angle = 1.5707963267948966;
+    constexpr double right_angle = radians(90.0);
     visit("inlier_distance", self.inlier_distance, "m", strictly_between(0.0, 1.0),
           "largest distance of an inlier from its plane; drift bends tables by as much");
     visit("normal_angle", self.normal_angle, "rad", strictly_between(0.0, right_angle),

@@ -16,14 +16,14 @@ struct ViewPointOptions {
   double noise = 1.425e-3;
   double normal_noise = 0.05;
   double edge_sigmas = 4.0;
-  double max_slant = 1.3089969;
+  double max_slant = radians(75.0);
   double min_cosine = 0.1;
   int max_hole = 2;
   bool sharpen = true;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    constexpr double right_angle = 1.5707963267948966;
+    constexpr double right_angle = radians(90.0);
     visit("min_depth", self.min_depth, "m", above(0.0), "nearer depths are ignored");
     visit("max_depth", self.max_depth, "m", above_up_to(0.0, 65.0), "farther depths are ignored");
     visit("noise", self.noise, "1/m", between(1e-6, 1.0),

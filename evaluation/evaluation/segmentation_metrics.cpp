@@ -1,4 +1,4 @@
-#include "symscene/evaluation/segment_metrics.hpp"
+#include "symscene/evaluation/segmentation_metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,8 +79,8 @@ double met_boundary(const Labeling& of, const Labeling& other, const std::vector
 
 /// The metrics but for found_75, which also depends on the pairs.
 template <class AnyNear>
-SegmentMetrics metrics_of(const Labeling& of_truth, const Labeling& of_found,
-                          const AnyNear& any_near, std::vector<MaskPair>& pairs) {
+SegmentationMetrics metrics_of(const Labeling& of_truth, const Labeling& of_found,
+                               const AnyNear& any_near, std::vector<MaskPair>& pairs) {
   OverlapMatrix common;
   pairs = assign_masks(overlap_f(of_truth, of_found, common));
   std::vector<Index> found_for(of_truth.sizes.size(), unlabeled);
@@ -91,7 +91,7 @@ SegmentMetrics metrics_of(const Labeling& of_truth, const Labeling& of_found,
     truth_for[pair.found] = pair.truth;
     shared += common(pair.truth, pair.found);
   }
-  SegmentMetrics metrics;
+  SegmentationMetrics metrics;
   metrics.overlap_precision = ratio(shared, of_found.total);
   metrics.overlap_recall = ratio(shared, of_truth.total);
   metrics.overlap_f = f_measure(metrics.overlap_precision, metrics.overlap_recall);
@@ -169,7 +169,7 @@ class PixelGrid {
 
 }  // namespace
 
-SegmentMetrics& SegmentMetrics::operator+=(const SegmentMetrics& other) {
+SegmentationMetrics& SegmentationMetrics::operator+=(const SegmentationMetrics& other) {
   overlap_precision += other.overlap_precision;
   overlap_recall += other.overlap_recall;
   overlap_f += other.overlap_f;
@@ -183,7 +183,7 @@ SegmentMetrics& SegmentMetrics::operator+=(const SegmentMetrics& other) {
   return *this;
 }
 
-SegmentMetrics SegmentMetrics::mean(std::size_t scenes) const {
+SegmentationMetrics SegmentationMetrics::mean(std::size_t scenes) const {
   const double n = scenes == 0 ? 1.0 : static_cast<double>(scenes);
   const double b = with_boundary > 0.0 ? with_boundary : 1.0;
   return {overlap_precision / n, overlap_recall / n, overlap_f / n,     boundary_precision / b,
@@ -204,9 +204,9 @@ std::vector<Index> label_points(const std::vector<PointIndices>& masks, std::siz
   return labels;
 }
 
-SegmentMetrics segment_metrics(const std::vector<PointIndices>& truth,
-                               const std::vector<PointIndices>& found,
-                               const NeighborLists& neighbors) {
+SegmentationMetrics segmentation_metrics(const std::vector<PointIndices>& truth,
+                                         const std::vector<PointIndices>& found,
+                                         const NeighborLists& neighbors) {
   const auto is_at_border = [&](const std::vector<Index>& labels, std::size_t i) {
     const auto others = neighbors.of(i);
     return std::any_of(others.begin(), others.end(),
@@ -218,16 +218,16 @@ SegmentMetrics segment_metrics(const std::vector<PointIndices>& truth,
   };
   const std::size_t points = neighbors.size();
   std::vector<MaskPair> pairs;
-  SegmentMetrics metrics = metrics_of(
+  SegmentationMetrics metrics = metrics_of(
       labeling_of(label_points(truth, points), truth.size(), is_at_border),
       labeling_of(label_points(found, points), found.size(), is_at_border), any_near, pairs);
   metrics.found_75 = share_of(pairs, truth.size(), [](double f) { return f >= 0.75; });
   return metrics;
 }
 
-SegmentMetrics pixel_metrics(std::span<const std::uint16_t> truth,
-                             std::span<const std::uint16_t> found, std::size_t width,
-                             std::size_t height) {
+SegmentationMetrics pixel_metrics(std::span<const std::uint16_t> truth,
+                                  std::span<const std::uint16_t> found, std::size_t width,
+                                  std::size_t height) {
   for (const auto& image : {truth, found}) {
     if (image.size() != width * height)
       throw InputError("label image", std::to_string(width * height) + " pixels",
@@ -241,7 +241,7 @@ SegmentMetrics pixel_metrics(std::span<const std::uint16_t> truth,
   auto [true_labels, objects] = dense_labels(truth);
   auto [found_labels, masks] = dense_labels(found);
   std::vector<MaskPair> pairs;
-  SegmentMetrics metrics =
+  SegmentationMetrics metrics =
       metrics_of(labeling_of(std::move(true_labels), objects, is_at_border),
                  labeling_of(std::move(found_labels), masks, is_at_border), any_near, pairs);
   metrics.found_75 = share_of(pairs, objects, [](double f) { return f > 0.75; });

@@ -1,4 +1,4 @@
-#include "symscene/evaluation/segment_metrics.hpp"
+#include "symscene/evaluation/segmentation_metrics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,9 +80,9 @@ TEST(LabelPoints, GivesAPointToTheFirstMaskThatHoldsIt) {
   EXPECT_THROW(label_points({{4}}, 4), InputError);
 }
 
-TEST(SegmentMetrics, BoundariesOnePointApartMatch) {
-  const SegmentMetrics m =
-      segment_metrics({range(0, 5), range(5, 10)}, {range(0, 6), range(6, 10)}, row_of_ten());
+TEST(SegmentationMetrics, BoundariesOnePointApartMatch) {
+  const SegmentationMetrics m =
+      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 6), range(6, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 0.9);
   EXPECT_DOUBLE_EQ(m.overlap_recall, 0.9);
   EXPECT_DOUBLE_EQ(m.overlap_f, 0.9);
@@ -91,54 +91,55 @@ TEST(SegmentMetrics, BoundariesOnePointApartMatch) {
   EXPECT_DOUBLE_EQ(m.found_75, 1.0);
 }
 
-TEST(SegmentMetrics, BoundariesTwoPointsApartDoNotMatch) {
-  const SegmentMetrics m =
-      segment_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
+TEST(SegmentationMetrics, BoundariesTwoPointsApartDoNotMatch) {
+  const SegmentationMetrics m =
+      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 0.8);
   EXPECT_DOUBLE_EQ(m.boundary_f, 0.0);
   EXPECT_DOUBLE_EQ(m.found_75, 1.0);  // 10/12, and 6/8 is just enough
 }
 
-TEST(SegmentMetrics, ExtraMasksReducePrecisionAndMissedMasksReduceRecall) {
+TEST(SegmentationMetrics, ExtraMasksReducePrecisionAndMissedMasksReduceRecall) {
   // One true object of five points at an edge of the cloud; found whole, with a stray mask.
-  const SegmentMetrics stray =
-      segment_metrics({range(0, 5)}, {range(0, 5), range(7, 9)}, row_of_ten());
+  const SegmentationMetrics stray =
+      segmentation_metrics({range(0, 5)}, {range(0, 5), range(7, 9)}, row_of_ten());
   EXPECT_DOUBLE_EQ(stray.overlap_precision, 5.0 / 7.0);
   EXPECT_DOUBLE_EQ(stray.overlap_recall, 1.0);
   EXPECT_DOUBLE_EQ(stray.boundary_precision, 1.0 / 3.0);  // 4; 7 and 8 belong to no object
   EXPECT_DOUBLE_EQ(stray.boundary_recall, 1.0);
-  const SegmentMetrics missed =
-      segment_metrics({range(0, 5), range(7, 9)}, {range(0, 5)}, row_of_ten());
+  const SegmentationMetrics missed =
+      segmentation_metrics({range(0, 5), range(7, 9)}, {range(0, 5)}, row_of_ten());
   EXPECT_DOUBLE_EQ(missed.overlap_recall, 5.0 / 7.0);
   EXPECT_DOUBLE_EQ(missed.boundary_recall, 1.0 / 3.0);
   EXPECT_DOUBLE_EQ(missed.found_75, 0.5);
 }
 
-TEST(SegmentMetrics, TheMeanOfBoundariesIsOverScenesThatHaveOne) {
-  const SegmentMetrics touching =
-      segment_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
+TEST(SegmentationMetrics, TheMeanOfBoundariesIsOverScenesThatHaveOne) {
+  const SegmentationMetrics touching =
+      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
   // One object is all of the cloud: it has no boundary, and a stray mask would have one.
-  const SegmentMetrics alone =
-      segment_metrics({range(0, 10)}, {range(0, 8), range(8, 10)}, row_of_ten());
+  const SegmentationMetrics alone =
+      segmentation_metrics({range(0, 10)}, {range(0, 8), range(8, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(touching.with_boundary, 1.0);
   EXPECT_DOUBLE_EQ(alone.with_boundary, 0.0);
-  SegmentMetrics sum;
-  sum += segment_metrics({range(0, 5), range(5, 10)}, {range(0, 5), range(5, 10)}, row_of_ten());
+  SegmentationMetrics sum;
+  sum +=
+      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 5), range(5, 10)}, row_of_ten());
   sum += touching;
   sum += alone;
   EXPECT_DOUBLE_EQ(sum.mean(3).boundary_f, 0.5);
   EXPECT_DOUBLE_EQ(sum.mean(3).overlap_f, (1.0 + 0.8 + 0.8) / 3.0);
-  SegmentMetrics none;
+  SegmentationMetrics none;
   none += alone;
   EXPECT_DOUBLE_EQ(none.mean(1).boundary_f, 0.0);
 }
 
-TEST(SegmentMetrics, WithoutFoundMasksPrecisionIsOneAndRecallZero) {
-  const SegmentMetrics m = segment_metrics({range(0, 5)}, {}, row_of_ten());
+TEST(SegmentationMetrics, WithoutFoundMasksPrecisionIsOneAndRecallZero) {
+  const SegmentationMetrics m = segmentation_metrics({range(0, 5)}, {}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 1.0);
   EXPECT_DOUBLE_EQ(m.overlap_recall, 0.0);
   EXPECT_DOUBLE_EQ(m.overlap_f, 0.0);
-  const SegmentMetrics nothing = segment_metrics({}, {}, row_of_ten());
+  const SegmentationMetrics nothing = segmentation_metrics({}, {}, row_of_ten());
   EXPECT_DOUBLE_EQ(nothing.overlap_f, 1.0);
   EXPECT_DOUBLE_EQ(nothing.boundary_f, 1.0);
 }
@@ -164,7 +165,7 @@ TEST(PixelMetrics, AreThoseCountedByHand) {
   // Objects of 10 and 20 columns; the first is found whole, of the second 12 columns with 4 others.
   const auto truth = stripes({{0, 10, 3}, {10, 30, 7}});
   const auto found = stripes({{0, 10, 1}, {18, 34, 2}});
-  const SegmentMetrics m = pixel_metrics(truth, found, 40, 10);
+  const SegmentationMetrics m = pixel_metrics(truth, found, 40, 10);
   EXPECT_DOUBLE_EQ(m.overlap_precision, 22.0 / 26.0);
   EXPECT_DOUBLE_EQ(m.overlap_recall, 22.0 / 30.0);
   EXPECT_DOUBLE_EQ(m.overlap_f, 44.0 / 56.0);
@@ -197,7 +198,7 @@ TEST(PixelMetrics, DoNotDependOnTheNumbersOfLabels) {
 }
 
 TEST(PixelMetrics, OfNothingFoundArePrecisionOneAndRecallZero) {
-  const SegmentMetrics m = pixel_metrics(stripes({{0, 10, 1}}), stripes({}), 40, 10);
+  const SegmentationMetrics m = pixel_metrics(stripes({{0, 10, 1}}), stripes({}), 40, 10);
   EXPECT_DOUBLE_EQ(m.overlap_precision, 1.0);
   EXPECT_DOUBLE_EQ(m.overlap_recall, 0.0);
   EXPECT_DOUBLE_EQ(m.found_75, 0.0);
