@@ -124,7 +124,7 @@ TEST(Measurement, GivesNoWeightToEdges) {
   }
 }
 
-TEST(Measurement, WeightsPixelsByRangeAndAngle) {
+TEST(Measurement, WeightsPixelsLessFarAwayAndAtAnAngle) {
   const auto middle = [](double depth, double tilt) {
     const Eigen::Vector3d normal(std::sin(tilt), 0, -std::cos(tilt));
     const Bodies wall{plane(normal, depth * std::cos(tilt))};
@@ -132,9 +132,12 @@ TEST(Measurement, WeightsPixelsByRangeAndAngle) {
         render(wall, small_camera(), Eigen::Isometry3d::Identity()), small_camera(), {});
     return weight_of(measurement.packed[60 * 160 + 79]);
   };
-  EXPECT_NEAR(middle(1.0, 0.0), 1.0, 0.07);
-  EXPECT_NEAR(middle(0.7, 0.0), std::pow(0.7, -4), 0.1);
-  EXPECT_NEAR(middle(0.6, 1.0), std::pow(std::cos(1.0), 2) * std::pow(0.6, -4), 0.1);
+  EXPECT_NEAR(middle(1.0, 0.0), 1.0, 0.07);  // the unit
+  for (const double tilt : {0.0, 0.5, 1.0}) {
+    EXPECT_GT(middle(0.6, tilt), middle(0.7, tilt));
+    EXPECT_GT(middle(0.7, tilt), middle(1.0, tilt));
+    EXPECT_GT(middle(0.6, tilt), middle(0.6, tilt + 0.2));
+  }
   EXPECT_GT(middle(2.9, 0.0), 0.0);
   EXPECT_EQ(middle(0.6, radians(86.0)), 0.0);
 }
