@@ -155,7 +155,7 @@ std::vector<ObjectOutcome> object_outcomes(const SceneTruth& truth,
     ObjectOutcome outcome;
     outcome.kind = truth.objects[k].name;
     outcome.points = target.mask.size();
-    outcome.is_small = thinned_size(proposals.cloud.positions, target.mask) < small_object_points;
+    outcome.is_small = thinned_size(result.cloud.positions, target.mask) < small_object_points;
     for (const SceneObject& object : result.objects)
       outcome.best_overlap = std::max(outcome.best_overlap, target.overlap(object.points));
     judge_outcome(target, proposals, result, outcome);

@@ -26,6 +26,12 @@ CellCorners corner_offsets() {
   return offsets;
 }
 
+/// The corners of a cell that share an edge with one of a set.
+constexpr int next_corners(int corners) {
+  return ((corners & 0x55) << 1) | ((corners >> 1) & 0x55) | ((corners & 0x33) << 2) |
+         ((corners >> 2) & 0x33) | ((corners & 0x0F) << 4) | (corners >> 4);
+}
+
 /// The weights that the voxels of each block need to count as seen, by slot: a number of frontal
 /// looks from where the block was seen, in proportion to the frames below `full_frames`. [16ths]
 std::vector<std::uint16_t> weights_needed(const TsdfVolume& volume,
@@ -104,15 +110,20 @@ class SurfaceExtractor {
     });
   }
 
-  /// The set of corners of a cell behind the surface; 0 if one has too little weight.
+  /// The set of corners of a cell behind the surface; 0 if not all edges that it crosses were seen.
+  /// Corners that were not seen, as they lie deep below a surface that was seen at a flat angle,
+  /// count as behind it if none of them is next to one before the surface.
   int corners_behind(const PaddedField& field, int base) const {
-    int corners = 0;
+    int front = 0, unseen = 0;
     for (std::size_t k = 0; k < 8; ++k) {
       const auto at = static_cast<std::size_t>(base + offsets_[k]);
-      if (field.seen[at] == 0) return 0;
-      if (field.distance[at] < 0.0F) corners |= 1 << k;
+      if (field.seen[at] == 0) {
+        unseen |= 1 << k;
+      } else if (field.distance[at] >= 0.0F) {
+        front |= 1 << k;
+      }
     }
-    return corners;
+    return (next_corners(front) & unseen) != 0 ? 0 : 255 & ~front;
   }
 
   /// An edge carries a vertex if the surface crosses it and one of the four cells around it is
@@ -261,14 +272,17 @@ class SurfaceExtractor {
   }
 
   Index vertex_of(std::size_t slot, int voxel, const CellEdge& on) const {
-    std::pair<std::int32_t, int> home{static_cast<std::int32_t>(slot), voxel};
+    // Not from corner to corner: blocks on the way there need not exist.
+    Eigen::Vector3i block = volume_.index().blocks()[slot];
+    int home = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      if ((on.corner >> axis & 1) != 0) {
-        home = neighbor(static_cast<std::size_t>(home.first), home.second, axis);
-      }
+      const int at = ((voxel >> (3 * axis)) & 7) + ((on.corner >> axis) & 1);
+      block[axis] += at >> 3;
+      home |= (at & 7) << (3 * axis);
     }
-    return vertices_[static_cast<std::size_t>(home.first)].vertex(
-        BlockVertices::bit(home.second, on.axis));
+    const bool same = block == volume_.index().blocks()[slot];
+    const std::size_t found = same ? slot : static_cast<std::size_t>(volume_.index().find(block));
+    return vertices_[found].vertex(BlockVertices::bit(home, on.axis));
   }
 
   const TsdfVolume& volume_;

@@ -111,16 +111,57 @@ TEST(Measurement, BridgesNoHoleBetweenTwoSurfaces) {
   }
 }
 
-TEST(Measurement, GivesNoWeightToEdges) {
-  DepthFrame frame = flat_frame(small_camera(), 1.0F);
+/// Two frontal planes that meet in the middle of the image.
+DepthFrame step_frame(float left, float right) {
+  DepthFrame frame = flat_frame(small_camera(), left);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
-    if (i % 160 >= 80) frame.depth[i] = 0.8F;
+    if (i % 160 >= 80) frame.depth[i] = right;
   }
+  return frame;
+}
+
+TEST(Measurement, FusesPixelsBesideEdgesWithTheirOwnSurface) {
+  const DepthFrame frame = step_frame(1.0F, 0.8F);
   const Measurement measurement = prepare_measurement(frame, small_camera(), {});
-  for (Index v = 10; v < 110; ++v) {
-    for (const Index u : {79U, 80U}) EXPECT_EQ(measurement.packed[v * 160 + u], 0U);
-    for (const Index u : {70U, 90U}) EXPECT_NE(measurement.packed[v * 160 + u], 0U);
-    for (const Index u : {79U, 80U}) EXPECT_EQ(measurement.pyramid[0].pixels[v * 160 + u].nz, 0.0F);
+  for (std::size_t v = 10; v < 110; ++v) {
+    for (const std::size_t u : {70U, 79U, 80U, 90U}) {
+      const std::uint32_t packed = measurement.packed[v * 160 + u];
+      EXPECT_NEAR((packed >> 16) * 1e-4, frame.depth[v * 160 + u], 6e-5);
+      EXPECT_NEAR(((packed >> 8) & 255) / 255.0, 1.0, 0.02) << "seen from the front";
+    }
+    for (const std::size_t u : {79U, 80U})
+      EXPECT_EQ(measurement.pyramid[0].pixels[v * 160 + u].nz, 0.0F) << "not used for tracking";
+  }
+}
+
+TEST(Measurement, GivesNoWeightToDepthsBetweenTwoSurfaces) {
+  DepthFrame frame = step_frame(1.0F, 0.8F);
+  for (std::size_t v = 0; v < 120; ++v) frame.depth[v * 160 + 80] = 0.86F;
+  const Measurement measurement = prepare_measurement(frame, small_camera(), {});
+  for (std::size_t v = 10; v < 110; ++v) EXPECT_EQ(measurement.packed[v * 160 + 80], 0U);
+}
+
+TEST(Measurement, GivesNoWeightToEdgesWhoseNoiseHidesTheirShape) {
+  const double depth = 2.0;
+  MeasurementOptions options;
+  ASSERT_GT(options.deviation(depth), options.max_edge_deviation);
+  const Measurement measurement =
+      prepare_measurement(step_frame(2.0F, 1.5F), small_camera(), options);
+  for (std::size_t v = 10; v < 110; ++v) {
+    EXPECT_EQ(measurement.packed[v * 160 + 79], 0U);
+    EXPECT_NE(measurement.packed[v * 160 + 70], 0U);
+  }
+}
+
+TEST(Measurement, FusesTheEdgeOfABoxSeenAtAFlatAngle) {
+  const double tilt = radians(75.0);
+  const Bodies corner{
+      plane(Eigen::Vector3d(std::sin(tilt), 0, -std::cos(tilt)), 0.7 * std::cos(tilt)),
+      plane(Eigen::Vector3d(-std::sin(0.3), 0, -std::cos(0.3)), 0.7 * std::cos(0.3))};
+  const DepthFrame frame = render(corner, small_camera(), Eigen::Isometry3d::Identity());
+  const Measurement measurement = prepare_measurement(frame, small_camera(), {});
+  for (std::size_t v = 10; v < 110; ++v) {
+    for (std::size_t u = 70; u < 90; ++u) EXPECT_NE(measurement.packed[v * 160 + u], 0U) << u;
   }
 }
 

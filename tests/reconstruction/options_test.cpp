@@ -48,7 +48,7 @@ int expect_every_field_is_checked() {
 }
 
 TEST(ReconstructionOptions, OutOfRangeAreRefusedFieldByField) {
-  EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 7);
+  EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 8);
   EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 7);
   EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 31);
   EXPECT_EQ(expect_every_field_is_checked<SurfaceExtractionOptions>(), 3);

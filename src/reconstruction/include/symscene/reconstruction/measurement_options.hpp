@@ -10,6 +10,7 @@ struct MeasurementOptions {
   double max_depth = 3.0;
   double noise = 1.425e-3;
   double edge_step = 0.015;
+  double max_edge_deviation = 0.0025;
   double smoothing_sigmas = 4.0;
   double min_cosine = 0.1;
   int tracking_width = 320;
@@ -23,6 +24,9 @@ struct MeasurementOptions {
           "standard deviation of a depth over its square (Khoshelham and Elberink 2012, Eq. 10)");
     visit("edge_step", self.edge_step, "m", above_up_to(0.0, 1.0),
           "depth step between neighbouring pixels, at 1 m, that makes an edge");
+    visit("max_edge_deviation", self.max_edge_deviation, "m", between(0.0, 1.0),
+          "largest standard deviation of a depth at which pixels beside edges are fused, if they "
+          "lie on the surface around them");
     visit("smoothing_sigmas", self.smoothing_sigmas, "", above_up_to(0.0, 100.0),
           "depth difference in deviations at which the bilateral filter's weight falls to zero");
     visit("min_cosine", self.min_cosine, "", strictly_between(0.0, 1.0),
