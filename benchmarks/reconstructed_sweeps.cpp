@@ -8,6 +8,7 @@
 #include "simulation/true_surface.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/dataset/swept_scene.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
@@ -85,7 +86,7 @@ void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& model
   if (arguments.save.empty()) return;
   const std::filesystem::path folder =
       arguments.save / fmt::format("seed{}", options.tabletop.seed);
-  write_scene(folder / "scene", sweep.scene, {.truth = &sweep.truth});
+  write_scene(folder / "scene", sweep.scene, {.truth_json = format_truth(sweep.truth)});
   write_result(folder / "result", result);
 }
 

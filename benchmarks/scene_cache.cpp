@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/scene.hpp"
-#include "symscene/io/truth.hpp"
 
 namespace symscene::bench {
 namespace {
@@ -51,7 +51,8 @@ TrueScene simulated_scene(const SimulationOptions& options, const std::filesyste
     return cached;
   }
   SimulatedScene simulated = simulate_tabletop(options);
-  if (!cache.empty()) write_scene(folder, simulated.scene, {.truth = &simulated.truth});
+  if (!cache.empty())
+    write_scene(folder, simulated.scene, {.truth_json = format_truth(simulated.truth)});
   return {std::move(simulated.scene), std::move(simulated.truth)};
 }
 

@@ -5,6 +5,7 @@
 
 #include "symscene/core/scene.hpp"
 #include "symscene/evaluation/evaluation.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 
 namespace symscene::bench {
 

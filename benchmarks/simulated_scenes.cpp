@@ -8,6 +8,7 @@
 #include "scene_cache.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/thread_limit.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
@@ -58,7 +59,7 @@ Run timed_segmentation(const Scene& scene) {
 
 void save(const std::filesystem::path& folder, const TrueScene& scene,
           const SegmentationResult& result) {
-  write_scene(folder / "scene", scene.scene, {.truth = &scene.truth});
+  write_scene(folder / "scene", scene.scene, {.truth_json = format_truth(scene.truth)});
   write_result(folder / "result", result);
 }
 

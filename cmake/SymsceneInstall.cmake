@@ -1,24 +1,33 @@
 include(CMakePackageConfigHelpers)
 
-# The evaluation's wing is a component of its own: find_package(symscene COMPONENTS evaluation).
+# The evaluation's wing is a component of its own: find_package(symscene COMPONENTS evaluation), and
+# cmake --install BUILD --component robot leaves it out.
 foreach(wing LIBRARIES EVALUATION_LIBRARIES)
   get_property(libraries GLOBAL PROPERTY SYMSCENE_${wing})
+  if(NOT libraries)
+    continue()
+  endif()
   set(export symsceneTargets)
+  set(component robot)
   if(wing STREQUAL "EVALUATION_LIBRARIES")
     set(export symsceneEvaluationTargets)
+    set(component evaluation)
   endif()
-  install(TARGETS ${libraries} EXPORT ${export} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT ${export} NAMESPACE symscene:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/symscene)
+  install(TARGETS ${libraries} EXPORT ${export} ARCHIVE
+    DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component})
+  install(EXPORT ${export} NAMESPACE symscene:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/symscene
+    COMPONENT ${component})
   foreach(library ${libraries})
     get_target_property(folder ${library} SYMSCENE_FOLDER)
-    install(DIRECTORY ${folder}/include/symscene DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(DIRECTORY ${folder}/include/symscene DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+      COMPONENT ${component})
   endforeach()
   list(APPEND installed ${libraries})
 endforeach()
 # What is installed, without tests and benchmarks.
 add_custom_target(symscene_installed DEPENDS ${installed} $<TARGET_NAME_IF_EXISTS:symscene_app>)
 if(TARGET symscene_app)
-  install(TARGETS symscene_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS symscene_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT robot)
 endif()
 
 configure_package_config_file(cmake/symsceneConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfig.cmake
@@ -26,7 +35,7 @@ configure_package_config_file(cmake/symsceneConfig.cmake.in ${CMAKE_CURRENT_BINA
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/symscene)
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/symscene COMPONENT robot)
 
 # cpack -G DEB: the command, the libraries with their headers, and through the command the page.
 set(CPACK_GENERATOR DEB)

@@ -86,3 +86,14 @@ function(symscene_optional name source definition)
     COMPILE_DEFINITIONS ${definition} COMPILE_OPTIONS "${arg_INCLUDES}" SKIP_UNITY_BUILD_INCLUSION ON)
   target_link_libraries(symscene_${name} PRIVATE ${arg_LIBRARIES})
 endfunction()
+
+# symscene_see_private_headers(TARGET FOLDER)
+# TARGET, which tests the room in src/ROOM, evaluation/ROOM, includes what stands beside the room's sources as
+# "ROOM/header.hpp". It sees those of no other room: hence not all of src/, but a folder with this one in it.
+function(symscene_see_private_headers target folder)
+  get_filename_component(room ${folder} NAME)
+  set(only ${PROJECT_BINARY_DIR}/private_headers/${room})
+  file(MAKE_DIRECTORY ${only})
+  file(CREATE_LINK ${folder} ${only}/${room} SYMBOLIC)
+  target_include_directories(${target} PRIVATE ${only})
+endfunction()

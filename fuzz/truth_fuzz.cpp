@@ -2,7 +2,7 @@
 #include <string>
 
 #include "accepted.hpp"
-#include "symscene/io/truth.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 
 /// Any bytes are a ground truth whose text stays the same when read and written again, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

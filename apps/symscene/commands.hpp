@@ -3,8 +3,8 @@
 // The subcommands in the order of --help. A new subcommand needs a file that defines add_NAME() and
 // a line here.
 #define SYMSCENE_SUBCOMMANDS(SUBCOMMAND) \
-  SUBCOMMAND(simulate)                   \
   SUBCOMMAND(reconstruct)                \
+  SUBCOMMAND(stitch)                     \
   SUBCOMMAND(segment)                    \
   SUBCOMMAND(masks)                      \
   SUBCOMMAND(symmetry)                   \
@@ -12,9 +12,10 @@
   SUBCOMMAND(info)                       \
   SUBCOMMAND(options)
 
-// Those that a build without SYMSCENE_BUILD_EVALUATION leaves out.
+// Those of the evaluation's wing. Without SYMSCENE_BUILD_EVALUATION a build has the first list only
+// with SYMSCENE_BUILD_SIMULATION, and never the second.
+#define SYMSCENE_SIMULATION_SUBCOMMANDS(SUBCOMMAND) SUBCOMMAND(simulate)
 #define SYMSCENE_EVALUATION_SUBCOMMANDS(SUBCOMMAND) \
-  SUBCOMMAND(stitch)                                \
   SUBCOMMAND(dataset)                               \
   SUBCOMMAND(evaluate)
 
@@ -25,6 +26,7 @@ struct CommandLine;
 // add_NAME() adds its subcommand to the command line; parsing the line runs it.
 #define SYMSCENE_DECLARE_SUBCOMMAND(name) void add_##name(CommandLine& line);
 SYMSCENE_SUBCOMMANDS(SYMSCENE_DECLARE_SUBCOMMAND)
+SYMSCENE_SIMULATION_SUBCOMMANDS(SYMSCENE_DECLARE_SUBCOMMAND)
 SYMSCENE_EVALUATION_SUBCOMMANDS(SYMSCENE_DECLARE_SUBCOMMAND)
 #undef SYMSCENE_DECLARE_SUBCOMMAND
 

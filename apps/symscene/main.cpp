@@ -35,7 +35,7 @@ ExitCode fail_usage(const CLI::App& app, const CLI::ParseError& error) {
   return fail(bad_usage, app, fmt::format("{} (see {} --help)", error.what(), name_of(app)));
 }
 
-#ifndef SYMSCENE_HAS_EVALUATION
+#if !defined(SYMSCENE_HAS_SIMULATION) || !defined(SYMSCENE_HAS_EVALUATION)
 /// A subcommand that this build leaves out reports how to get it.
 void add_missing(CLI::App& app, const std::string& name) {
   CLI::App* command = app.add_subcommand(name, "Not in this build: ./run build adds it");
@@ -59,6 +59,11 @@ void add_commands(symscene::app::CommandLine& line) {
 #define SYMSCENE_ADD_SUBCOMMAND(name) symscene::app::add_##name(line);
 #define SYMSCENE_ADD_MISSING(name) add_missing(app, #name);
   SYMSCENE_SUBCOMMANDS(SYMSCENE_ADD_SUBCOMMAND)
+#ifdef SYMSCENE_HAS_SIMULATION
+  SYMSCENE_SIMULATION_SUBCOMMANDS(SYMSCENE_ADD_SUBCOMMAND)
+#else
+  SYMSCENE_SIMULATION_SUBCOMMANDS(SYMSCENE_ADD_MISSING)
+#endif
 #ifdef SYMSCENE_HAS_EVALUATION
   SYMSCENE_EVALUATION_SUBCOMMANDS(SYMSCENE_ADD_SUBCOMMAND)
 #else

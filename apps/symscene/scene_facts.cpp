@@ -6,12 +6,12 @@
 
 #include "core/spacing.hpp"
 #include "facts.hpp"
+#include "ground_truth.hpp"
 #include "models.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
 #include "symscene/io/octomap.hpp"
 #include "symscene/io/scene.hpp"
-#include "symscene/io/truth.hpp"
 
 namespace symscene::app {
 namespace {
@@ -86,15 +86,6 @@ void add_table(Facts& facts, const Plane& table) {
       "table", {n.x(), n.y(), n.z(), table.offset});
 }
 
-void add_truth(Facts& facts, const SceneTruth& truth) {
-  std::string names;
-  for (const TrueObject& object : truth.objects) {
-    names += (names.empty() ? ": " : ", ") + object.name;
-  }
-  facts.add("ground truth", fmt::format("{} objects{}", truth.objects.size(), names),
-            "true_objects", truth.objects.size());
-}
-
 }  // namespace
 
 Facts scene_facts(const fs::path& dir) {
@@ -105,9 +96,7 @@ Facts scene_facts(const fs::path& dir) {
   add_cloud(facts, scene.cloud);
   if (scene.occupancy) add_occupancy(facts, *scene.occupancy);
   if (scene.table) add_table(facts, *scene.table);
-  if (fs::exists(dir / "truth.json")) {
-    add_truth(facts, read_truth(dir / "truth.json", scene.cloud.size()));
-  }
+  add_ground_truth(facts, dir, scene.cloud.size());
   if (fs::exists(dir / "mesh.ply")) add_mesh(facts, read_mesh(dir / "mesh.ply"));
   return facts;
 }

@@ -5,26 +5,11 @@
 #include <fmt/format.h>
 
 #include "core/plane_text.hpp"
+#include "ground_truth.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/table_plane.hpp"
-#include "symscene/io/truth.hpp"
-#include "symscene/simulation/truth_transfer.hpp"
 
 namespace symscene::app {
-namespace {
-
-/// The ground truth of a simulated sequence, transferred to the frame and points of the scene.
-std::optional<SceneTruth> scene_truth(const std::filesystem::path& input,
-                                      const DepthSequence& sequence, const PlacedFrames& placed,
-                                      const PointCloud& cloud) {
-  if (!std::filesystem::exists(input / "truth.json")) return {};
-  const PosesAndTruth known = poses_and_truth(sequence, placed);
-  const SceneTruth truth = read_truth(input / "truth.json");
-  return transfer_truth(truth, read_truth_meshes(input, truth), cloud,
-                        align_poses(known.poses, known.truth));
-}
-
-}  // namespace
 
 void require_folder(const std::filesystem::path& output) {
   if (std::filesystem::exists(output) && !std::filesystem::is_directory(output))
@@ -105,10 +90,10 @@ std::vector<ReportMember> SceneOutput::write(const SceneContent& content, const 
   timer.time("write", [&] {
     LogOddsMap log_odds;
     if (!built.scene.cloud.empty()) log_odds = content.occupancy.log_odds(built.region);
-    const auto truth = scene_truth(input, source.sequence, source.placed, built.scene.cloud);
+    const PosesAndTruth known = poses_and_truth(source.sequence, source.placed);
     write_scene(absolute(output), built.scene,
                 {.scene_json = source.scene_json,
-                 .truth = truth ? &*truth : nullptr,
+                 .truth_json = transferred_truth(input, known, built.scene.cloud, session),
                  .mesh = &surface,
                  .trajectory = &source.placed.trajectory,
                  .camera = &source.sequence.camera(),

@@ -9,10 +9,10 @@
 #include "io/json_cursor.hpp"
 #include "single_view_scene.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/image.hpp"
 #include "symscene/io/intrinsics.hpp"
 #include "symscene/io/scene.hpp"
-#include "symscene/io/truth.hpp"
 
 namespace symscene {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "symscene/core/scene.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 
 namespace symscene {
 

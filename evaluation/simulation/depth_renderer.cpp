@@ -1,4 +1,4 @@
-#include "depth_renderer.hpp"
+#include "simulation/depth_renderer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "footprint.hpp"
 #include "paint.hpp"
-#include "shapes.hpp"
+#include "simulation/shapes.hpp"
 
 namespace symscene {
 namespace {

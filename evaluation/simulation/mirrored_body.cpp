@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "mesh_builder.hpp"
-#include "shapes.hpp"
+#include "simulation/shapes.hpp"
 
 namespace symscene {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
-#include "frame_fusion.hpp"
+#include "simulation/frame_fusion.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

@@ -7,8 +7,8 @@
 #include "core/random.hpp"
 #include "core/surface_sampling.hpp"
 #include "symscene/core/neighbors.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/mesh.hpp"
-#include "symscene/io/truth.hpp"
 
 namespace symscene {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/random.hpp"
 #include "core/surface_sampling.hpp"
 #include "paint.hpp"
-#include "shapes.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
 #include "tabletop_parts.hpp"
 

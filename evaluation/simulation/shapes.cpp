@@ -1,4 +1,4 @@
-#include "shapes.hpp"
+#include "simulation/shapes.hpp"
 
 #include <cmath>
 #include <map>

@@ -9,8 +9,8 @@
 
 #include "core/parallel.hpp"
 #include "core/random.hpp"
-#include "depth_renderer.hpp"
 #include "hand_shake.hpp"
+#include "simulation/depth_renderer.hpp"
 #include "symscene/core/error.hpp"
 #include "tabletop_meshes.hpp"
 #include "tabletop_parts.hpp"

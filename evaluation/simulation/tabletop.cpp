@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "footprint.hpp"
-#include "shapes.hpp"
 #include "simulation/household_object.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
 #include "tabletop_parts.hpp"
 

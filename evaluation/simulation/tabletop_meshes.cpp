@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "shapes.hpp"
+#include "simulation/shapes.hpp"
 
 namespace symscene {
 namespace {

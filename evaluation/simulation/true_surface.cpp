@@ -1,4 +1,4 @@
-#include "true_surface.hpp"
+#include "simulation/true_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

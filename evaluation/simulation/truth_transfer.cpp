@@ -9,9 +9,9 @@
 #include "core/parallel.hpp"
 #include "core/pixel_showing.hpp"
 #include "core/thinned_size.hpp"
-#include "shapes.hpp"
+#include "simulation/shapes.hpp"
+#include "simulation/true_surface.hpp"
 #include "symscene/core/error.hpp"
-#include "true_surface.hpp"
 
 namespace symscene {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "symscene/core/scene.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 namespace symscene::bench {

@@ -14,7 +14,6 @@
 #include "symscene/io/octomap.hpp"
 #include "symscene/io/table_plane.hpp"
 #include "symscene/io/trajectory.hpp"
-#include "symscene/io/truth.hpp"
 
 namespace symscene {
 namespace {
@@ -76,7 +75,7 @@ void write_scene(const fs::path& dir, const Scene& scene, const SceneExtras& ext
   if (scene.occupancy) folder.write("occupancy.bt", format_octomap(*scene.occupancy));
   if (scene.table) folder.write("table_plane.txt", format_table_plane(*scene.table));
   folder.write("scene.json", scene_text(extras.scene_json));
-  if (extras.truth != nullptr) folder.write("truth.json", format_truth(*extras.truth));
+  if (!extras.truth_json.empty()) folder.write("truth.json", extras.truth_json);
   if (extras.mesh != nullptr) folder.write("mesh.ply", format_ply(*extras.mesh));
   if (extras.trajectory != nullptr)
     folder.write("poses.txt", format_trajectory(*extras.trajectory));

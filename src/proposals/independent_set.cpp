@@ -1,4 +1,4 @@
-#include "independent_set.hpp"
+#include "proposals/independent_set.hpp"
 
 #include <algorithm>
 

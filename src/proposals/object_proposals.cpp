@@ -8,8 +8,8 @@
 #include "core/parallel.hpp"
 #include "joined_pairs.hpp"
 #include "object_feature_extractor.hpp"
-#include "object_score.hpp"
 #include "proposals/merge.hpp"
+#include "proposals/object_score.hpp"
 #include "proposals/selection.hpp"
 #include "segmentation/surface_regions.hpp"
 

@@ -1,4 +1,4 @@
-#include "object_score.hpp"
+#include "proposals/object_score.hpp"
 
 #include <algorithm>
 #include <cmath>

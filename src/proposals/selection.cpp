@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/median.hpp"
-#include "independent_set.hpp"
+#include "proposals/independent_set.hpp"
 
 namespace symscene {
 namespace {

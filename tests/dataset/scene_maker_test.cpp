@@ -9,8 +9,8 @@
 #include "io/ply.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/octomap.hpp"
-#include "symscene/io/truth.hpp"
 #include "threads.hpp"
 
 namespace symscene {

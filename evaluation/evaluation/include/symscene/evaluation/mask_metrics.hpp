@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "symscene/core/scene.hpp"
+#include "symscene/core/point_cloud.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 
 namespace symscene {
 

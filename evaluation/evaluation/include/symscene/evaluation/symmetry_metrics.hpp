@@ -4,6 +4,7 @@
 
 #include "symscene/core/scene.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 
 namespace symscene {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "symscene/core/scene.hpp"
 #include "symscene/core/triangle_mesh.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 
 namespace symscene {
 

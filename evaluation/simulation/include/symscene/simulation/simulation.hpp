@@ -1,6 +1,7 @@
 #pragma once
 
 #include "symscene/core/scene.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 #include "symscene/simulation/camera_path.hpp"
 #include "symscene/simulation/occupancy_fusion.hpp"
 #include "symscene/simulation/sensor_noise.hpp"

@@ -5,8 +5,9 @@
 #include <Eigen/Geometry>
 
 #include "symscene/core/options.hpp"
-#include "symscene/core/scene.hpp"
+#include "symscene/core/point_cloud.hpp"
 #include "symscene/core/triangle_mesh.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 #include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {

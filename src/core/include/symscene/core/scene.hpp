@@ -76,32 +76,4 @@ struct SegmentationResult {
   std::vector<std::string> warnings;  ///< limitations of the result, one sentence each
 };
 
-/// A ground-truth symmetry. `strict` is false for a weak symmetry, whose detection counts neither
-/// as correct nor as wrong.
-struct TrueAxis {
-  RotationAxis axis;
-  bool strict = true;
-};
-struct TruePlane {
-  ReflectionPlane plane;
-  bool strict = true;
-};
-
-/// The ground truth of an object. World frame.
-struct TrueObject {
-  std::string name;
-  PointIndices points;  ///< into the scene's cloud.ply, ascending
-  std::vector<TrueAxis> rotational;
-  std::vector<TruePlane> reflectional;
-  bool sphere = false;  ///< any axis through the centroid is correct
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  std::string mesh = {};                                         ///< name of its model, if known
-  std::optional<Eigen::Isometry3d> T_world_mesh = std::nullopt;  ///< pose of the model
-};
-
-struct SceneTruth {
-  Plane table;
-  std::vector<TrueObject> objects;
-};
-
 }  // namespace symscene

@@ -17,7 +17,7 @@ Scene read_scene(const std::filesystem::path& dir);
 /// Optional files of a scene folder.
 struct SceneExtras {
   std::string scene_json = {};               ///< text of scene.json: parameters, times, version
-  const SceneTruth* truth = nullptr;         ///< truth.json
+  std::string truth_json = {};               ///< text of truth.json, where there is ground truth
   const TriangleMesh* mesh = nullptr;        ///< mesh.ply
   const Trajectory* trajectory = nullptr;    ///< poses.txt
   const CameraIntrinsics* camera = nullptr;  ///< intrinsics.txt, of the frames at these poses

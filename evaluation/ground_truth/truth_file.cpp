@@ -1,4 +1,4 @@
-#include "symscene/io/truth.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 
 #include <algorithm>
 

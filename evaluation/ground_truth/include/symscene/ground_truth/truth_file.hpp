@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "symscene/core/scene.hpp"
 #include "symscene/core/triangle_mesh.hpp"
+#include "symscene/ground_truth/scene_truth.hpp"
 
 namespace symscene {
 

@@ -6,9 +6,9 @@
 #include "commands.hpp"
 #include "io/ply.hpp"
 #include "session.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/sequence.hpp"
-#include "symscene/io/truth.hpp"
 #include "symscene/simulation/scanned_models.hpp"
 #include "symscene/simulation/simulation.hpp"
 #include "symscene/simulation/sweep.hpp"
@@ -80,7 +80,8 @@ struct Simulate {
     });
     timer.time("write", [&] {
       write_scene(absolute(shared.output), simulated.scene,
-                  {.scene_json = describe_run("simulate", fields), .truth = &simulated.truth});
+                  {.scene_json = describe_run("simulate", fields),
+                   .truth_json = format_truth(simulated.truth)});
     });
     const Index points = simulated.scene.cloud.size();
     const std::size_t count = simulated.truth.objects.size();

@@ -7,7 +7,7 @@
 
 #include "facts.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
-#include "symscene/io/truth.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 
 namespace symscene::app {
 namespace {

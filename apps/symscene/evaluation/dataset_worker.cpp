@@ -9,6 +9,7 @@
 #include "core/process_pool.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
+#include "symscene/ground_truth/truth_file.hpp"
 #include "symscene/io/scene.hpp"
 
 namespace symscene::app {
@@ -89,8 +90,9 @@ std::string make_and_write_scene(const std::filesystem::path& dir, const Dataset
   if (!made.facts.failed.empty())
     warnings.push_back(fmt::format("another seed was used ({})", failed_seeds(made.facts)));
   const SignalDelay complete_or_absent;
-  write_scene(scene_folder(dir, index), made.scene,
-              {.scene_json = scene_description(made.facts), .truth = &made.truth});
+  write_scene(
+      scene_folder(dir, index), made.scene,
+      {.scene_json = scene_description(made.facts), .truth_json = format_truth(made.truth)});
   return report_text(made, warnings);
 }
 
