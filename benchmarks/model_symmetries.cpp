@@ -66,34 +66,47 @@ class Comparison {
     return apart.angle < max_angle && apart.distance < max_distance * known_.diagonal;
   }
 
+  /// Counts the symmetries of a group. Returns those that are wrong or missed.
   std::string add(const SymmetryGroup& group, Counts& axes, Counts& planes) const {
     std::vector<RotationAxis> turning;
     for (const GroupAxis& found : group.axes) {
       if (found.order == GroupAxis::continuous) turning.push_back(found.axis);
     }
+    return count_found(group, turning, axes, planes) + count_known(group, turning, axes, planes);
+  }
+
+ private:
+  static std::string note(const SymmetryGroup& group, const char* what, double residual) {
+    return fmt::format("  {} {:.1f} %", what, 100 * residual / group.diameter);
+  }
+
+  std::string count_found(const SymmetryGroup& group, const std::vector<RotationAxis>& turning,
+                          Counts& axes, Counts& planes) const {
     std::string text;
-    const auto note = [&](const char* what, double residual) {
-      text += residual < 0.0 ? fmt::format("  {}", what)
-                             : fmt::format("  {} {:.1f} %", what, 100 * residual / group.diameter);
-    };
     for (const RotationAxis& axis : turning) {
       const bool right = std::any_of(known_.axes.begin(), known_.axes.end(),
                                      [&](const auto& known) { return same(axis, known.symmetry); });
       ++(right ? axes.right : axes.wrong);
-      if (!right) note("axis not known", group.axes.front().residual);
+      if (!right) text += note(group, "axis not known", group.axes.front().residual);
     }
     for (const GroupPlane& found : group.planes) {
       const bool right = holds(found.plane);
       ++(right ? planes.right : planes.wrong);
-      if (!right) note("plane not known", found.residual);
+      if (!right) text += note(group, "plane not known", found.residual);
     }
+    return text;
+  }
+
+  std::string count_known(const SymmetryGroup& group, const std::vector<RotationAxis>& turning,
+                          Counts& axes, Counts& planes) const {
+    std::string text;
     for (const auto& known : known_.axes) {
       if (!known.strict) continue;
       const bool seen =
           group.sphere || std::any_of(turning.begin(), turning.end(),
                                       [&](const auto& axis) { return same(axis, known.symmetry); });
       ++(seen ? axes.found : axes.missed);
-      if (!seen) note("axis missed", -1.0);
+      if (!seen) text += "  axis missed";
     }
     for (const auto& known : known_.planes) {
       if (!known.strict) continue;
@@ -104,12 +117,11 @@ class Comparison {
           std::any_of(group.planes.begin(), group.planes.end(),
                       [&](const auto& found) { return same(found.plane, known.symmetry); });
       ++(seen ? planes.found : planes.missed);
-      if (!seen) note("plane missed", -1.0);
+      if (!seen) text += "  plane missed";
     }
     return text;
   }
 
- private:
   bool holds(const ReflectionPlane& plane) const {
     return std::any_of(known_.planes.begin(), known_.planes.end(),
                        [&](const auto& known) { return same(plane, known.symmetry); }) ||

@@ -9,6 +9,7 @@
 #include "io/atomic_file.hpp"
 #include "models.hpp"
 #include "session.hpp"
+#include "symmetry/greatest_distance.hpp"
 #include "symmetry_formats.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"

@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "simulation/household_object.hpp"
 #include "symscene/core/error.hpp"
+#include "varied_scene.hpp"
 
 namespace symscene {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "symscene/core/error.hpp"
+#include "varied_scene.hpp"
 
 namespace symscene {
 namespace {

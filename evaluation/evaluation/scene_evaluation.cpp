@@ -12,6 +12,7 @@
 #include "pipeline/detections.hpp"
 #include "proposals/object_proposals.hpp"
 #include "setting_counts.hpp"
+#include "sweep_settings.hpp"
 #include "symmetry/object_symmetry.hpp"
 #include "symscene/core/error.hpp"
 

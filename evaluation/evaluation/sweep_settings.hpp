@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "symscene/evaluation/sweep.hpp"
 
@@ -12,5 +13,8 @@ std::optional<std::size_t> best_setting(const Sweep& sweep, Metric metric);
 
 /// The setting of this number as text: "refl_symmetry=0.3 refl_occlusion=0.005".
 std::string setting_text(const Sweep& sweep, std::size_t setting);
+
+/// Every combination of the values of the parameters, the last parameter fastest.
+std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values);
 
 }  // namespace symscene

@@ -87,23 +87,27 @@ CellList::CellList(const Points& points, float cell_size) {
   box_ = box;
   inverse_cell_size_ = 1.0F / cell_size;
   cells_ = cells.cast<int>().matrix();
+  sort(points);
+}
 
-  const auto cell_of = [&](Eigen::Index i) {
-    const int x = clamped_cell(points(i, 0), 0);
-    const int y = clamped_cell(points(i, 1), 1);
-    const int z = clamped_cell(points(i, 2), 2);
-    return row_begin(y, z) + static_cast<std::size_t>(x);
-  };
+std::size_t CellList::cell_of(const Eigen::Vector3f& point) const {
+  const int x = clamped_cell(point.x(), 0);
+  const int y = clamped_cell(point.y(), 1);
+  const int z = clamped_cell(point.z(), 2);
+  return row_begin(y, z) + static_cast<std::size_t>(x);
+}
+
+void CellList::sort(const Points& points) {
   // Counting sort: cell sizes, prefix sums, then the position of every point.
-  cell_begin_.assign(static_cast<std::size_t>(cells.prod()) + 1, 0);
-  for (Eigen::Index i = 0; i < points.rows(); ++i) ++cell_begin_[cell_of(i) + 1];
+  cell_begin_.assign(static_cast<std::size_t>(cells_.cast<double>().prod()) + 1, 0);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) ++cell_begin_[cell_of(points.row(i)) + 1];
   for (std::size_t cell = 1; cell < cell_begin_.size(); ++cell)
     cell_begin_[cell] += cell_begin_[cell - 1];
   std::vector<Index> next(cell_begin_.begin(), cell_begin_.end() - 1);
   entries_.resize(static_cast<std::size_t>(points.rows()));
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    entries_[next[cell_of(i)]++] = {points(i, 0), points(i, 1), points(i, 2),
-                                    static_cast<Index>(i)};
+    entries_[next[cell_of(points.row(i))]++] = {points(i, 0), points(i, 1), points(i, 2),
+                                                static_cast<Index>(i)};
   }
 }
 

@@ -1,6 +1,6 @@
 #include "pipeline/detections.hpp"
 
-#include "workspace.hpp"
+#include "stage_options.hpp"
 
 namespace symscene {
 
@@ -8,7 +8,7 @@ SceneDetections detect_symmetries(const Scene& scene, const PipelineOptions& opt
                                   const StageTimer::OnBegin& on_begin) {
   options.validate();
   StageTimer timer(on_begin);
-  Workspace space = build_workspace(scene, options, timer);
+  Workspace space = build_workspace(scene, workspace_options(options), timer);
   SceneDetections detections;
   detections.axes = timer.time("rotational detection", [&] {  // section 3.5.2
     return detect_rotational(space.cloud, space.segments, space.field, space.up,

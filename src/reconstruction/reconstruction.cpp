@@ -123,8 +123,6 @@ TriangleMesh Reconstruction::surface(const SurfaceExtractionOptions& options) co
 
 const OccupancyVolume& Reconstruction::occupancy() const { return implementation_->occupancy; }
 
-const TsdfVolume& Reconstruction::volume() const { return implementation_->volume; }
-
 std::size_t Reconstruction::bytes() const {
   return implementation_->volume.bytes() + implementation_->occupancy.memory();
 }

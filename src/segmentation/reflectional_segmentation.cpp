@@ -9,7 +9,7 @@
 #include "labeling.hpp"
 #include "symmetry/plane_fit.hpp"
 #include "symmetry/point_scores.hpp"
-#include "symmetry/require_score_ranges.hpp"
+#include "symmetry/score_range.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -57,7 +57,7 @@ class ReflectionalCutter {
 
  private:
   float occlusion(const PlaneReflector& reflector, Index i) const {
-    return options_.occlusion_range()(field_.at(reflector.point(cloud_.position(i))));
+    return occlusion_range(options_)(field_.at(reflector.point(cloud_.position(i))));
   }
 
   /// Eqs. 4.4 to 4.9. A point whose normal lies in the plane looks symmetric under any parallel
@@ -77,7 +77,7 @@ class ReflectionalCutter {
               ? 0.0F
               : ScoreRange{options_.full_weight_angle, options_.zero_weight_angle}(facing);
       affinities[match.from].object =
-          (1.0F - options_.angle_range()(safe_acos(match.cosine))) * (1.0F - weak);
+          (1.0F - angle_range(options_)(safe_acos(match.cosine))) * (1.0F - weak);
     }
     return affinities;
   }
@@ -158,7 +158,7 @@ class ReflectionalCutter {
     double matched = 0.0;
     for (const Correspondence& match : labelling.matches) {
       if (labelling.is_object[match.from] == 0) continue;
-      symmetry += double{options_.angle_range()(safe_acos(match.cosine))};
+      symmetry += double{angle_range(options_)(safe_acos(match.cosine))};
       matched += 1.0;
     }
     const PlaneReflector reflector(plane);

@@ -7,8 +7,8 @@
 #include "labeling.hpp"
 #include "symmetry/axis_fit.hpp"
 #include "symmetry/point_scores.hpp"
-#include "symmetry/require_score_ranges.hpp"
 #include "symmetry/rotational_scores.hpp"
+#include "symmetry/score_range.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -63,8 +63,8 @@ class RotationalCutter {
   Affinity affinity(const AxisScorer& scorer, Index i) const {
     const Eigen::Vector3f p = cloud_.position(i);
     const Eigen::Vector3f n = cloud_.normal(i);
-    const float symmetry = options_.angle_range()(scorer.plane_angle(p, n));
-    const float occlusion = options_.occlusion_range()(scorer.free_distance(p, field_));
+    const float symmetry = angle_range(options_)(scorer.plane_angle(p, n));
+    const float occlusion = occlusion_range(options_)(scorer.free_distance(p, field_));
     const float weight =
         ramp(scorer.axis_angle(n), 0.0F, static_cast<float>(options_.full_weight_angle));
     return {(1.0F - symmetry) * (1.0F - occlusion) * weight,

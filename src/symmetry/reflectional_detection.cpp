@@ -8,7 +8,7 @@
 #include "core/without_repeats.hpp"
 #include "plane_placement.hpp"
 #include "symmetry/reflectional_scores.hpp"
-#include "symmetry/require_score_ranges.hpp"
+#include "symmetry/score_range.hpp"
 
 namespace symscene {
 namespace {

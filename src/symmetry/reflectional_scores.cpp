@@ -1,6 +1,7 @@
 #include "symmetry/reflectional_scores.hpp"
 
 #include "symmetry/point_scores.hpp"
+#include "symmetry/score_range.hpp"
 
 namespace symscene {
 
@@ -10,16 +11,16 @@ ReflectionalScores reflectional_scores(const IndexedCloud& target, std::span<con
   if (members.empty()) return {0.0, 0.0, 1.0};
   const std::vector<Correspondence> matches =
       one_to_one(reflect_onto(target, members, plane, options.scoring));
-  const ScoreRange angle_range = options.angle_range();
+  const ScoreRange angles = angle_range(options);
   double agreement = 0.0;
   for (const Correspondence& match : matches)
-    agreement += 1.0 - double{angle_range(safe_acos(match.cosine))};  // Eq. 3.9
+    agreement += 1.0 - double{angles(safe_acos(match.cosine))};  // Eq. 3.9
   const PlaneReflector reflector(plane);
-  const ScoreRange occlusion_range = options.occlusion_range();
+  const ScoreRange occlusions = occlusion_range(options);
   double occlusion = 0.0;
   for (const Index i : members) {
     occlusion +=
-        double{occlusion_range(field.at(reflector.point(target.cloud.position(i))))};  // Eq. 4.7
+        double{occlusions(field.at(reflector.point(target.cloud.position(i))))};  // Eq. 4.7
   }
   const auto count = static_cast<double>(members.size());
   const double symmetry = matches.empty() ? 0.0 : agreement / static_cast<double>(matches.size());

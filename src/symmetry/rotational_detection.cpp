@@ -6,8 +6,8 @@
 #include "core/parallel.hpp"
 #include "core/without_repeats.hpp"
 #include "symmetry/axis_fit.hpp"
-#include "symmetry/require_score_ranges.hpp"
 #include "symmetry/rotational_scores.hpp"
+#include "symmetry/score_range.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {

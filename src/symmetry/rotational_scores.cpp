@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "symmetry/point_scores.hpp"
+#include "symmetry/score_range.hpp"
 
 namespace symscene {
 
@@ -34,17 +35,16 @@ RotationalScores rotational_scores(const PointCloud& cloud, const RotationAxis& 
                                    const RotationalDetectionOptions& options) {
   if (cloud.empty()) return {1.0, 1.0, 0.0, 1.0};
   const AxisScorer scorer(axis);
-  const ScoreRange angle_range = options.angle_range();
-  const ScoreRange occlusion_range = options.occlusion_range();
+  const ScoreRange angles = angle_range(options);
+  const ScoreRange occlusions = occlusion_range(options);
   RotationalScores scores;
   for (Index i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f p = cloud.position(i);
     const Eigen::Vector3f n = cloud.normal(i);
-    scores.symmetry_residual += double{angle_range(scorer.plane_angle(p, n))};  // Eq. 3.5
+    scores.symmetry_residual += double{angles(scorer.plane_angle(p, n))};  // Eq. 3.5
     scores.perpendicularity +=
-        1.0 - double{scorer.axis_angle(n)} / (std::numbers::pi / 2);  // Eq. 3.6
-    scores.occlusion_residual +=
-        double{occlusion_range(scorer.free_distance(p, field))};  // Eq. 4.3
+        1.0 - double{scorer.axis_angle(n)} / (std::numbers::pi / 2);                  // Eq. 3.6
+    scores.occlusion_residual += double{occlusions(scorer.free_distance(p, field))};  // Eq. 4.3
   }
   const auto count = static_cast<double>(cloud.size());
   scores.symmetry_residual /= count;

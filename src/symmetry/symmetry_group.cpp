@@ -10,6 +10,7 @@
 #include "finite_group.hpp"
 #include "group_search.hpp"
 #include "nearest_point.hpp"
+#include "symmetry/greatest_distance.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

@@ -1,4 +1,4 @@
-#include "symscene/dataset/scene_variation.hpp"
+#include "dataset/varied_scene.hpp"
 
 #include <set>
 

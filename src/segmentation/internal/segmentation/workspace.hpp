@@ -5,10 +5,15 @@
 #include <vector>
 
 #include "symscene/core/neighbors.hpp"
+#include "symscene/core/normal_estimation.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "symscene/core/scene.hpp"
 #include "symscene/occupancy/distance_field.hpp"
+#include "symscene/occupancy/outward_vote.hpp"
 #include "symscene/segmentation/graph_cut.hpp"
 #include "symscene/segmentation/hypothesis.hpp"
+#include "symscene/segmentation/oversegmentation.hpp"
+#include "symscene/segmentation/surface_graph.hpp"
 
 namespace symscene {
 
@@ -25,5 +30,24 @@ struct Workspace {
 
   ObservedSurface surface() const { return {cloud, edges, field}; }
 };
+
+/// Options of the stages that prepare a scene, declared in PipelineOptions.
+struct WorkspaceOptions {
+  double voxel_size = 0.0;    ///< [m]
+  double stray_radius = 0.0;  ///< [m]
+  int stray_neighbors = 0;
+  double space_margin = 0.0;  ///< [m]
+  NormalEstimationOptions normals;
+  OutwardVoteOptions outward_vote;
+  DistanceFieldOptions distance_field;
+  OversegmentationOptions oversegmentation;
+  SurfaceGraphOptions surface_graph;
+};
+
+/// Prepares a scene for both streams: samples its cloud (section 2.1.1), drops stray points,
+/// computes the distance field (2.1.2), completes the normals, and builds the surface graph (4.3.2)
+/// and the smooth segments (3.5.1). Its warnings begin with the scene's. Throws InputError if the
+/// cloud has no finite point or spans more space than memory holds.
+Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, StageTimer& timer);
 
 }  // namespace symscene

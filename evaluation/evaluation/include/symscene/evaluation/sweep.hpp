@@ -73,7 +73,4 @@ struct CurvePoint {
 /// precision: no setting dominates a point of the curve.
 std::vector<CurvePoint> precision_recall_curve(const Sweep& sweep, Metric metric);
 
-/// Every combination of the values of the parameters, the last parameter fastest.
-std::vector<std::vector<double>> all_settings(const std::vector<std::vector<double>>& values);
-
 }  // namespace symscene

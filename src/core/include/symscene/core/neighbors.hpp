@@ -50,6 +50,9 @@ class CellList {
     int y, z, x_low, x_high;
   };
 
+  /// Sorts the points by cell.
+  void sort(const Points& points);
+  std::size_t cell_of(const Eigen::Vector3f& point) const;
   int clamped_cell(float coordinate, int axis) const;
   /// The first cell of the row along x at (y, z).
   std::size_t row_begin(int y, int z) const {

@@ -13,8 +13,6 @@
 
 namespace symscene {
 
-class TsdfVolume;
-
 struct ReconstructionOptions {
   MeasurementOptions measurement;
   TsdfOptions tsdf;
@@ -101,9 +99,6 @@ class Reconstruction {
 
   /// The free, occupied and unseen space.
   const OccupancyVolume& occupancy() const;
-
-  /// The signed distances, for the rooms that include reconstruction/tsdf_volume.hpp.
-  const TsdfVolume& volume() const;
 
   /// Memory of the model. [bytes]
   std::size_t bytes() const;

@@ -40,6 +40,17 @@ struct TrackingOptions {
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
+    visit_alignment_fields(self, visit);
+    visit_pose_fields(self, visit);
+    visit_relocalization_fields(self, visit);
+  }
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
+
+ private:
+  /// How a frame is aligned with the model.
+  template <class Self, class Visit>
+  static void visit_alignment_fields(Self& self, Visit& visit) {
     visit("iterations_coarse", self.iterations_coarse, "", between(0.0, 100.0),
           "iterations at a quarter of the tracking image's size");
     visit("iterations_middle", self.iterations_middle, "", between(0.0, 100.0),
@@ -57,6 +68,11 @@ struct TrackingOptions {
           "residual in deviations at which Cauchy's weight is one half");
     visit("model_deviation", self.model_deviation, "m", above_up_to(0.0, 1e6),
           "standard deviation of the model's surface");
+  }
+
+  /// Which poses are accepted.
+  template <class Self, class Visit>
+  static void visit_pose_fields(Self& self, Visit& visit) {
     visit("min_matches", self.min_matches, "", at_least(6.0),
           "fewer matched pixels than this do not determine a pose");
     visit("min_overlap", self.min_overlap, "", between(0.0, 1.0),
@@ -80,6 +96,11 @@ struct TrackingOptions {
           "share of disagreeing pixels that is assumed before the first frame");
     visit("disagreement_gain", self.disagreement_gain, "", above_up_to(0.0, 1.0),
           "weight of the last frame in the running mean of the disagreement");
+  }
+
+  /// Which keyframes are kept, and how a lost camera is searched.
+  template <class Self, class Visit>
+  static void visit_relocalization_fields(Self& self, Visit& visit) {
     visit("keyframe_distance", self.keyframe_distance, "m", above_up_to(0.0, 1e6),
           "distance between keyframes");
     visit("keyframe_angle", self.keyframe_angle, "rad", above_up_to(0.0, 1e6),
@@ -105,8 +126,6 @@ struct TrackingOptions {
     visit("relocalize_distance", self.relocalize_distance, "m", above_up_to(0.0, 1e6),
           "largest distance between matched points in the search grid");
   }
-  /// Throws InputError if a value is out of its range.
-  void validate() const { check_fields(*this); }
 };
 
 }  // namespace symscene

@@ -19,9 +19,6 @@ struct ReflectionalSegmentationOptions {
   double min_support_share = 0.5;
   HypothesisBounds bounds{0.3, 0.005, 0.3, 200};
 
-  ScoreRange angle_range() const { return {min_angle, max_angle}; }
-  ScoreRange occlusion_range() const { return {min_occlusion, max_occlusion}; }
-
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("matching", self.matching);

@@ -17,9 +17,6 @@ struct RotationalSegmentationOptions {
   double min_component = 0.1;
   HypothesisBounds bounds{0.03, 0.015, 0.3, 100};
 
-  ScoreRange angle_range() const { return {min_angle, max_angle}; }
-  ScoreRange occlusion_range() const { return {min_occlusion, max_occlusion}; }
-
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("min_angle", self.min_angle, "rad", between(0.0, std::numbers::pi / 2),

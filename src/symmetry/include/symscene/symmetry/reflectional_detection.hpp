@@ -7,7 +7,6 @@
 #include "symscene/core/scene.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/symmetry/plane_fit_options.hpp"
-#include "symscene/symmetry/score_range.hpp"
 
 namespace symscene {
 
@@ -84,9 +83,6 @@ struct ReflectionalDetectionOptions {
   double same_angle = radians(7.0);
   double same_distance = 0.01;
   double max_support_distance = 0.3;
-
-  ScoreRange angle_range() const { return {min_angle, max_angle}; }
-  ScoreRange occlusion_range() const { return {min_occlusion, max_occlusion}; }
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {

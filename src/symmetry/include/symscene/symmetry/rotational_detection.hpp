@@ -7,7 +7,6 @@
 #include "symscene/core/scene.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/symmetry/axis_fit_options.hpp"
-#include "symscene/symmetry/score_range.hpp"
 
 namespace symscene {
 
@@ -33,9 +32,6 @@ struct RotationalDetectionOptions {
   double max_occlusion_residual = 0.012;
   double same_angle = radians(10.0);
   double same_distance = 0.01;
-
-  ScoreRange angle_range() const { return {min_angle, max_angle}; }
-  ScoreRange occlusion_range() const { return {min_occlusion, max_occlusion}; }
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {

@@ -81,7 +81,4 @@ SymmetryGroup find_symmetry_group(const PointCloud& surface,
 /// normals estimated where there are none. Throws InputError if the points span no surface.
 PointCloud even_surface(const PointCloud& cloud);
 
-/// The greatest distance between two points, within 0.1 %; zero for fewer than two. [m]
-double greatest_distance(const Points& points);
-
 }  // namespace symscene

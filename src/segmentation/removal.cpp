@@ -1,19 +1,18 @@
-#include "removal.hpp"
+#include "segmentation/removal.hpp"
 
 namespace symscene {
 namespace {
 
 constexpr Index removed = ~Index{0};
 
-bool is_certain(const Hypothesis& hypothesis, const PipelineOptions& options) {
-  const HypothesisBounds& bounds = options.rotational_segmentation.bounds;
-  return !judge(hypothesis, bounds, "rotational") &&
-         confidence(hypothesis.residuals, bounds) >= options.min_removal_score;
+bool is_certain(const Hypothesis& hypothesis, const RemovalOptions& options) {
+  return !judge(hypothesis, options.bounds, "rotational") &&
+         confidence(hypothesis.residuals, options.bounds) >= options.min_confidence;
 }
 
 /// The points of a cloud of `count` that no certain hypothesis holds.
 PointIndices uncovered_points(std::size_t count, const std::vector<Hypothesis>& hypotheses,
-                              const PipelineOptions& options) {
+                              const RemovalOptions& options) {
   std::vector<bool> covered(count, false);
   for (const Hypothesis& hypothesis : hypotheses) {
     if (!is_certain(hypothesis, options)) continue;
@@ -52,7 +51,7 @@ PointIndices Remainder::in_whole(const PointIndices& points) const {
 
 Remainder without_rotational_objects(const Workspace& space,
                                      const std::vector<Hypothesis>& hypotheses,
-                                     const PipelineOptions& options) {
+                                     const RemovalOptions& options) {
   Remainder rest;
   rest.original = uncovered_points(space.cloud.size(), hypotheses, options);
   rest.cloud = select(space.cloud, rest.original);
@@ -63,7 +62,7 @@ Remainder without_rotational_objects(const Workspace& space,
   }
   for (const PointIndices& segment : space.segments) {
     PointIndices kept = kept_points(segment, place);
-    if (kept.size() >= static_cast<std::size_t>(options.oversegmentation.min_size))
+    if (kept.size() >= static_cast<std::size_t>(options.min_segment_size))
       rest.segments.push_back(std::move(kept));
   }
   return rest;

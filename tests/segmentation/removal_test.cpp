@@ -1,4 +1,4 @@
-#include "pipeline/removal.hpp"
+#include "segmentation/removal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,8 @@ Workspace chain() {
   return space;
 }
 
-PipelineOptions options_for_few_points() {
-  PipelineOptions options;
-  options.oversegmentation.min_size = 3;
-  options.rotational_segmentation.bounds = {1.0, 1.0, 1.0, 1};
-  options.min_removal_score = 0.5;
-  return options;
+RemovalOptions options_for_few_points() {
+  return {.bounds = {1.0, 1.0, 1.0, 1}, .min_confidence = 0.5, .min_segment_size = 3};
 }
 
 Hypothesis hypothesis(PointIndices points, double residual) {
@@ -47,8 +43,8 @@ TEST(Removal, LeavesWhatNoCertainHypothesisHolds) {
 
 TEST(Removal, LeavesTheWholeSceneIfNoHypothesisIsWithinTheBounds) {
   const Workspace space = chain();
-  PipelineOptions options = options_for_few_points();
-  options.rotational_segmentation.bounds.min_size = 4;
+  RemovalOptions options = options_for_few_points();
+  options.bounds.min_size = 4;
   const Remainder rest = without_rotational_objects(space, {hypothesis({0, 1, 2}, 0.0)}, options);
   EXPECT_EQ(rest.original, testing::all_of(space.cloud));
   EXPECT_EQ(rest.segments, space.segments);

@@ -1,4 +1,4 @@
-#include "workspace.hpp"
+#include "segmentation/workspace.hpp"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ using Warnings = std::vector<std::string>;
 /// Whether so many points of a cloud are left out that the result may suffer: more than 5 %.
 bool is_notable(Index left_out, Index all) { return 20 * std::size_t{left_out} > all; }
 
-PointCloud sample_cloud(const Scene& scene, const PipelineOptions& options, Warnings& warnings) {
+PointCloud sample_cloud(const Scene& scene, const WorkspaceOptions& options, Warnings& warnings) {
   const PointCloud sampled = voxel_downsample(scene.cloud, options.voxel_size);
   if (sampled.empty()) {
     throw InputError("point cloud", "at least one point with finite coordinates",
@@ -41,7 +41,7 @@ PointCloud sample_cloud(const Scene& scene, const PipelineOptions& options, Warn
 }
 
 DistanceField space_around(const Scene& scene, const PointCloud& cloud,
-                           const PipelineOptions& options, Warnings& warnings) {
+                           const WorkspaceOptions& options, Warnings& warnings) {
   const Box box = bounding_box(cloud.positions).padded(static_cast<float>(options.space_margin));
   if (!scene.occupancy) {
     warnings.emplace_back("no occupancy map: all space off the surface counts as never seen");
@@ -64,7 +64,7 @@ DistanceField space_around(const Scene& scene, const PointCloud& cloud,
 }
 
 /// Estimates normals if no point has one; drops points that have none.
-void complete_normals(const Scene& scene, const PipelineOptions& options, Workspace& space) {
+void complete_normals(const Scene& scene, const WorkspaceOptions& options, Workspace& space) {
   PointCloud& cloud = space.cloud;
   if (oriented_points(cloud).empty()) {
     space.warnings.emplace_back(
@@ -92,7 +92,7 @@ NeighborLists voxel_neighbors(const PointCloud& cloud, double voxel_size) {
 
 }  // namespace
 
-Workspace build_workspace(const Scene& scene, const PipelineOptions& options, StageTimer& timer) {
+Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, StageTimer& timer) {
   Workspace space;
   space.warnings = scene.warnings;
   if (scene.table) space.up = scene.table->normal;
