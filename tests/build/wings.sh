@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # wings.sh COMMAND ROOM...: the command's files for the robot include no header of these rooms of the evaluation's wing,
 # except where SYMSCENE_HAS_... asks for them. The build cannot see it, as the command links both wings. Lists the
-# includes that do, and exits with 1 if there are any.
+# includes that do, and fails if there are any.
 set -euo pipefail
 command=$1
 shift
