@@ -14,7 +14,7 @@ namespace symscene::app {
 /// Writes a masks folder (docs/formats.md), frame by frame.
 class MaskImageWriter {
  public:
-  /// `result` has to outlive the writer. Throws InputError if `folder` cannot be written or holds
+  /// `result` must outlive the writer. Throws InputError if `folder` cannot be written or holds
   /// other files.
   MaskImageWriter(const std::filesystem::path& folder, const SegmentationResult& result,
                   const LabelImageOptions& options);

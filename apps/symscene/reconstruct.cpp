@@ -169,7 +169,9 @@ struct Reconstruct {
     const std::string reason = reason_to_stitch(sequence, tracked, options.hand_over);
     if (reason.empty()) return tracked;
     session.on_begin()("stitch");
-    auto stitched = stitch_sequence(sequence, tracked, options.stitching.with(measurement()),
+    const double min_placed =
+        options.hand_over.min_placed * static_cast<double>(tracked.log.fused());
+    auto stitched = stitch_sequence(sequence, min_placed, options.stitching.with(measurement()),
                                     options.reconstruction, timer);
     PlacedSequence& chosen = stitched ? *stitched : tracked;
     chosen.log.warn(stitched ? fmt::format("{}: they were placed by stitching, {} of {}", reason,

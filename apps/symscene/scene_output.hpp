@@ -36,7 +36,7 @@ struct TableArguments {
   /// Throws InputError if the text of --plane is not a plane, or --no-table is given too.
   std::optional<Plane> table() const;
 
-  /// What is known of the table, with what the cameras tell.
+  /// What is known about the table, from the command line and the cameras.
   TablePrior known(TablePrior from_cameras) const;
 };
 

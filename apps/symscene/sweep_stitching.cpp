@@ -8,9 +8,6 @@
 namespace symscene::app {
 namespace {
 
-/// Share of the tracked frames that stitching must place to be preferred.
-constexpr double min_placed = 0.8;
-
 /// The median rotation from one placed frame to the next of the sequence. [rad]
 double median_rotation(const PlacedFrames& placed) {
   std::vector<double> angles;
@@ -74,8 +71,7 @@ std::string reason_to_stitch(const DepthSequence& sequence, const PlacedSequence
   return "";
 }
 
-std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence,
-                                              const PlacedSequence& tracked,
+std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence, double min_placed,
                                               const StitchingOptions& stitching,
                                               const ReconstructionOptions& options,
                                               StageTimer& timer) {
@@ -83,8 +79,7 @@ std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence,
   const StitchingResult stitched =
       stitch_sweep(read.frames, sequence.camera(), stitching, options.tracking);
   for (const StageTime& time : stitched.times) timer.add("stitch: " + time.stage, time.seconds);
-  const auto least = min_placed * static_cast<double>(tracked.log.fused());
-  if (stitched.placed == 0 || static_cast<double>(stitched.placed) < least) return {};
+  if (stitched.placed == 0 || static_cast<double>(stitched.placed) < min_placed) return {};
   PlacedSequence result{
       fuse_placed(stitched, read, sequence.camera(), options), placed_frames(stitched, read), {}};
   std::size_t next = 0;

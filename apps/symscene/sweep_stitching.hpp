@@ -14,6 +14,7 @@ struct HandOverOptions {
   int max_frames = 30;
   double max_doubtful = 0.1;
   double max_rotation = radians(6.0);
+  double min_placed = 0.8;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -24,6 +25,9 @@ struct HandOverOptions {
           "stitched");
     visit("max_rotation", self.max_rotation, "rad", at_least(0.0),
           "median rotation between consecutive frames above which they are placed by stitching");
+    visit("min_placed", self.min_placed, "", at_least(0.0),
+          "stitching is preferred if it places at least this share of the frames that tracking "
+          "fuses");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
@@ -74,10 +78,9 @@ Reconstruction fuse_placed(const StitchingResult& stitched, const ReadFrames& re
 std::string reason_to_stitch(const DepthSequence& sequence, const PlacedSequence& tracked,
                              const HandOverOptions& options);
 
-/// The sequence placed by stitching, from its frames that can be read. None if that places far
-/// fewer frames than tracking.
-std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence,
-                                              const PlacedSequence& tracked,
+/// The sequence placed by stitching, from its frames that can be read. None if that places no frame
+/// or fewer than `min_placed`.
+std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence, double min_placed,
                                               const StitchingOptions& stitching,
                                               const ReconstructionOptions& options,
                                               StageTimer& timer);

@@ -8,11 +8,11 @@ namespace symscene {
 SettingCounts count_symmetries(const SceneTruth& truth, const std::vector<RotationAxis>& axes,
                                const std::vector<ReflectionPlane>& planes);
 
-/// What the counts of all settings in one scene share: the true masks in the cloud of the found
-/// masks, and the neighbours in that cloud.
+/// What the counts of all settings in one scene have in common: the true masks in the cloud of the
+/// found masks, and the neighbours in that cloud.
 class CountingContext {
  public:
-  /// What `view` refers to has to outlive the context.
+  /// The referents of `view` must outlive the context.
   CountingContext(const Scene& scene, const SceneTruth& truth, const PointCloud& cloud,
                   const EvaluationOptions& options,
                   const std::optional<LabeledView>& view = std::nullopt);

@@ -135,7 +135,7 @@ class Arranger {
     return checked(object, below, bowl.object.cavity->floor, room);
   }
 
-  /// On a flat top, which has to support most of the outline.
+  /// On a flat top, which must support most of the outline.
   std::optional<Place> place_on_top(const HouseholdObject& object, Index below) {
     constexpr double supported = 0.7;
     const double top = standing_[below].object.top_radius;

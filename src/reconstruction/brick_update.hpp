@@ -6,7 +6,7 @@
 
 namespace symscene {
 
-/// What one frame shows of space.
+/// The free and occupied space that one frame shows.
 struct FrameEvidence {
   const OccupancyView& view;
   const OccupancyHits& hits;

@@ -60,7 +60,7 @@ bool CameraTracker::agrees(const TrackingResult& result) const {
 }
 
 /// The model as seen from a pose. Smoothed as measured images are: the noise of the model's own
-/// normals would add constraints that hold the camera back.
+/// normals would bias the alignment towards no motion.
 ModelView CameraTracker::predict(const CameraIntrinsics& camera,
                                  const Eigen::Isometry3d& T_world_camera) {
   return smoothed_view(camera, T_world_camera, {});

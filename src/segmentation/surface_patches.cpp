@@ -14,8 +14,6 @@ namespace symscene {
 namespace {
 
 constexpr Index no_patch = ~Index{0};
-constexpr int rounds = 3;            // of assignment; more change few points
-constexpr float normal_cost = 4.0F;  // of a right angle, in patch sizes (Papon et al. 2013)
 
 /// The neighbours of each point along the edges of the surface graph.
 class Adjacency {
@@ -68,7 +66,10 @@ struct Seed {
 
 /// The patch of every point, by the shortest path from a seed (Dijkstra 1959).
 std::vector<Index> nearest_seeds(const PointCloud& cloud, const Adjacency& adjacency,
-                                 const std::vector<Seed>& seeds, float size) {
+                                 const std::vector<Seed>& seeds,
+                                 const SurfacePartsOptions& options) {
+  const auto size = static_cast<float>(options.patch_size);
+  const auto bend_cost = static_cast<float>(options.bend_cost);
   struct Step {
     float cost;
     Index point, patch;
@@ -92,7 +93,7 @@ std::vector<Index> nearest_seeds(const PointCloud& cloud, const Adjacency& adjac
       if (patch_of[next] != no_patch) continue;
       const float length = (cloud.position(next) - cloud.position(step.point)).norm() / size;
       const float bend = 1.0F - seeds[step.patch].normal.dot(cloud.normal(next));
-      const float cost = step.cost + length * (1.0F + normal_cost * bend);
+      const float cost = step.cost + length * (1.0F + bend_cost * bend);
       if (cost >= best[next]) continue;
       best[next] = cost;
       queue.push({cost, next, step.patch});
@@ -141,8 +142,8 @@ std::vector<SurfacePatch> surface_patches(const PointCloud& cloud,
   std::vector<Seed> seeds;
   for (const Index point : grid_seeds(cloud, size)) seeds.push_back({point, cloud.normal(point)});
   std::vector<SurfacePatch> patches;
-  for (int round = 0; round < rounds; ++round) {
-    patches = patches_of(cloud, nearest_seeds(cloud, adjacency, seeds, size), seeds.size());
+  for (int round = 0; round < options.patch_rounds; ++round) {
+    patches = patches_of(cloud, nearest_seeds(cloud, adjacency, seeds, options), seeds.size());
     seeds.clear();
     for (const SurfacePatch& patch : patches) seeds.push_back(middle_seed(cloud, patch));
   }

@@ -92,9 +92,6 @@ class RegionJoiner {
   std::priority_queue<Candidate> queue_;
 };
 
-/// Edges that a border across a gap counts as: few, so that one without a gap outweighs it.
-constexpr double gap_edges = 3.0;
-
 /// The region of every point.
 std::vector<Index> labels_of(std::size_t points, const std::vector<PointIndices>& regions) {
   std::vector<Index> labels(points);
@@ -263,7 +260,7 @@ SurfaceRegions patch_regions(const PointCloud& cloud, const std::vector<Weighted
   }
   for (const auto& pair : patches_across_gaps(patches, options)) {
     RegionBorder& border = borders[pair];
-    if (border.edges == 0.0) border.edges = gap_edges;
+    if (border.edges == 0.0) border.edges = options.gap_edges;
   }
   for (auto& [pair, border] : borders) {
     const double fold = double{patch_concavity(patches[pair.first], patches[pair.second])};

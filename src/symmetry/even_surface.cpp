@@ -10,7 +10,7 @@
 namespace symscene {
 
 PointCloud even_surface(const PointCloud& cloud) {
-  constexpr double spacing = 0.008;  // by the diameter
+  constexpr double spacing = 0.008;  // share of the diameter
   const PointCloud finite = select(cloud, finite_points(cloud.positions));
   const double diameter = greatest_distance(finite.positions);
   if (!(diameter > 0.0) || !std::isfinite(diameter))

@@ -15,7 +15,7 @@ namespace {
 /// Candidates are the minima of the coarse distance within this angle, up to a number.
 const double candidate_angle = radians(7.0);
 constexpr std::size_t max_candidates = 16;
-/// A direction between those that are tried moves the surface by up to this, by the diameter.
+/// A direction between those that are tried moves the surface by up to this share of the diameter.
 constexpr double step_distance = 0.02;
 /// Fitted candidates within this angle of a better one are duplicates.
 const double same_angle = radians(5.0);

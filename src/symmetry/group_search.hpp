@@ -43,7 +43,7 @@ class GroupSearch {
   std::vector<GroupAxis> axes(int order) const;
   /// Axes of all orders, one per direction.
   std::vector<GroupAxis> finite_axes() const;
-  /// What a surface of revolution has beside its axis: a plane and half turns across it.
+  /// The other symmetries of a surface of revolution: a plane and half turns across its axis.
   void complete(const GroupAxis& axis, SymmetryGroup& group) const;
 
  private:

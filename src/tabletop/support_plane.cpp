@@ -174,13 +174,12 @@ PlaneCells covered_cells(const PointCloud& cloud, const PointIndices& usable,
                          const SupportPlaneOptions& options) {
   const PlaneFrame frame(plane.plane);
   const ConvexOutline outline = outline_of(plane.outline, frame);
-  const double clearance = std::max(options.min_clearance, options.inlier_distance);
   std::vector<Eigen::Vector2d> above;
   for (const Index i : usable) {
     if (walls[i]) continue;
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
     const double height = plane.plane.signed_distance(point);
-    if (!(height > clearance && height < options.max_height)) continue;
+    if (!(height > options.inlier_distance && height < options.max_height)) continue;
     const Eigen::Vector2d within = frame.within(point);
     if (outline.distance(within) < 0.0) above.push_back(within);
   }
@@ -274,7 +273,8 @@ SupportPlane as_support(const PointCloud& cloud, const PointIndices& usable, con
 
 void SupportPlaneOptions::validate() const {
   check_fields(*this);
-  require_option(max_height > min_clearance, "max_height", "more than min_clearance", max_height);
+  require_option(max_height > inlier_distance, "max_height", "more than inlier_distance",
+                 max_height);
 }
 
 SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOptions& options,

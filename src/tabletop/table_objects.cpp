@@ -176,7 +176,7 @@ TableObjects objects_on(const PointCloud& cloud, const FoundPlanes& planes,
   const auto is_over_table = [&](Index i) {
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
     const double height = surface.height(point);  // NaN is over no table
-    if (!(height > -objects.clearance && height < crop.max_height)) return false;
+    if (!(height > -objects.clearance && height < options.plane.max_height)) return false;
     if (!(outline.distance(surface.frame().within(point)) < crop.overhang)) return false;
     const Eigen::Vector3d normal = cloud.normal(i).cast<double>();
     return std::none_of(walls.begin(), walls.end(),

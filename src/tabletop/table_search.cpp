@@ -34,7 +34,12 @@ void TableCropOptions::validate() const {
   check_fields(*this);
   require_option(max_clearance >= min_clearance, "max_clearance", "at least min_clearance",
                  max_clearance);
-  require_option(max_height > max_clearance, "max_height", "more than max_clearance", max_height);
+}
+
+void TableSceneOptions::validate() const {
+  check_fields(*this);
+  require_option(plane.max_height > crop.max_clearance, "plane.max_height",
+                 "more than crop.max_clearance", plane.max_height);
 }
 
 TableScene find_table_scene(const PointCloud& cloud, const TableSceneOptions& options,

@@ -7,8 +7,8 @@
 
 namespace symscene {
 
-/// What a user should know of the search for a table, one sentence each: that none was found, that
-/// other planes may be meant, or that nothing stands on it. Planes are written as a,b,c,d with
+/// What users should know about the search for a table, one sentence each: that none was found,
+/// that other planes may be meant, or that nothing stands on it. Planes are written as a,b,c,d with
 /// ax + by + cz + d = 0.
 std::vector<std::string> table_warnings(const TableScene& table);
 

@@ -55,7 +55,7 @@ TEST(SceneMaker, MakesASceneOfASingleFrame) {
   EXPECT_EQ(made.facts.fused, 1U);
   EXPECT_EQ(made.facts.path_error, 0.0);
   ASSERT_TRUE(made.scene.table);
-  // The truth is moved by the one pose that is known, so that both tables are one.
+  // The ground truth is moved by the one pose that is known, so that both tables are one.
   EXPECT_LT(angle_between(made.scene.table->normal, made.truth.table.normal), radians(2.0));
   EXPECT_GE(made.truth.objects.size(), 1U);
   for (const TrueObject& object : made.truth.objects) {

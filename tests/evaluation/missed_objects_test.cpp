@@ -32,7 +32,7 @@ class MissedObjects : public ::testing::Test {
   void propose(const ReflectionPlane& plane, PointIndices support) {
     proposals_.planes.push_back({plane, {}, std::move(support)});
   }
-  void cut(PointIndices points, HypothesisResiduals residuals = {0.1, 0.001, 0.1}) {
+  void add_hypothesis(PointIndices points, HypothesisResiduals residuals = {0.1, 0.001, 0.1}) {
     proposals_.reflectional.push_back({std::move(points), residuals, {}, mirror});
   }
   /// The outcome of the object with the pipeline's own selection.
@@ -53,7 +53,7 @@ class MissedObjects : public ::testing::Test {
 
 TEST_F(MissedObjects, AGoodMaskIsFound) {
   propose(mirror, range(10, 60));
-  cut(range(0, 95));
+  add_hypothesis(range(0, 95));
   expect(Outcome::found, "");
   EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.95);
   EXPECT_EQ(outcome().kind, "box");
@@ -73,26 +73,26 @@ TEST_F(MissedObjects, ACandidateThatIsNoSymmetryOfTheObjectDoesNotProposeIt) {
 }
 
 TEST_F(MissedObjects, AProposalOfOverHalfTheObjectProposesItWithoutASymmetry) {
-  cut(range(0, 60));
+  add_hypothesis(range(0, 60));
   expect(Outcome::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
-  cut(range(0, 50));
+  add_hypothesis(range(0, 50));
   expect(Outcome::not_proposed, "no segment");  // half of it is not enough
 }
 
 TEST_F(MissedObjects, AnObjectWithoutKnownSymmetriesIsProposedByAnyCandidateInIt) {
   truth_.objects.front().reflectional.clear();
   propose(elsewhere, range(0, 50));
-  cut(range(0, 50));
+  add_hypothesis(range(0, 50));
   expect(Outcome::wrongly_segmented, "too little");
 }
 
 TEST_F(MissedObjects, AProposalOfHalfTheObjectIsTooLittleAndOneOfTwiceItTooMuch) {
   propose(mirror, range(0, 50));
-  cut(range(0, 50));
+  add_hypothesis(range(0, 50));
   expect(Outcome::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
-  cut(range(0, 180));
+  add_hypothesis(range(0, 180));
   expect(Outcome::wrongly_segmented, "too much");
   proposals_.reflectional.clear();
   expect(Outcome::wrongly_segmented, "too little");
@@ -100,9 +100,9 @@ TEST_F(MissedObjects, AProposalOfHalfTheObjectIsTooLittleAndOneOfTwiceItTooMuch)
 
 TEST_F(MissedObjects, TheBoundThatRejectsAGoodHypothesisIsNamed) {
   propose(mirror, range(0, 50));
-  cut(range(0, 100), {0.1, 0.9, 0.1});
+  add_hypothesis(range(0, 100), {0.1, 0.9, 0.1});
   expect(Outcome::rejected, "occlusion");
-  cut(range(0, 99), {0.9, 0.001, 0.1});
+  add_hypothesis(range(0, 99), {0.9, 0.001, 0.1});
   expect(Outcome::rejected, "occlusion");  // which comes after symmetry
   EXPECT_DOUBLE_EQ(outcome().best_proposal_overlap, 1.0);
   EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.0);
@@ -118,16 +118,16 @@ TEST_F(MissedObjects, AHypothesisRejectedForItsSupportIsNamed) {
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedForItsOverlapWithABetterOne) {
   propose(mirror, range(0, 50));
-  cut(range(0, 100), {0.2, 0.003, 0.1});
-  cut(range(0, 190), {0.01, 0.0001, 0.01});
+  add_hypothesis(range(0, 100), {0.2, 0.003, 0.1});
+  add_hypothesis(range(0, 190), {0.01, 0.0001, 0.01});
   expect(Outcome::rejected, "overlap");
 }
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedAsAComposite) {
   propose(mirror, range(0, 50));
-  cut(range(0, 100));
-  cut(range(0, 50), {0.05, 0.001, 0.1});
-  cut(range(50, 100), {0.05, 0.001, 0.1});
+  add_hypothesis(range(0, 100));
+  add_hypothesis(range(0, 50), {0.05, 0.001, 0.1});
+  add_hypothesis(range(50, 100), {0.05, 0.001, 0.1});
   expect(Outcome::rejected, "composite");
 }
 
@@ -143,14 +143,14 @@ TEST_F(MissedObjects, AGoodProposalMayBeRejectedForItsScore) {
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeMergedIntoAnObjectWithAWorseMask) {
   propose(mirror, range(0, 50));
-  cut(range(0, 109), {0.2, 0.003, 0.1});
-  cut(range(0, 113), {0.01, 0.0001, 0.01});
+  add_hypothesis(range(0, 109), {0.2, 0.003, 0.1});
+  add_hypothesis(range(0, 113), {0.01, 0.0001, 0.01});
   expect(Outcome::rejected, "merge");
 }
 
 TEST_F(MissedObjects, AnObjectWithoutAPointIsLost) {
   propose(mirror, range(0, 50));
-  cut(range(0, 100));
+  add_hypothesis(range(0, 100));
   const ObjectOutcome lost =
       object_outcomes(truth_, {{}}, proposals_, choose_objects(proposals_, options_)).at(0);
   EXPECT_EQ(outcome_name(lost.outcome), "lost before segmentation");

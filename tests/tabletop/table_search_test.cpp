@@ -436,6 +436,12 @@ TEST(TableSceneOptions, InvalidValuesAreRefused) {
   options = {};
   options.crop.max_clearance = 0.001;
   EXPECT_THROW(options.validate(), InputError);
+  options = {};
+  options.plane.max_height = 0.5 * options.plane.inlier_distance;
+  EXPECT_THROW(options.plane.validate(), InputError);
+  options = {};
+  options.crop.max_clearance = options.plane.max_height;
+  EXPECT_THROW(options.validate(), InputError);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ struct SceneDetections {
   PointCloud cloud;  ///< the sampled cloud that supports index
   std::vector<RotationalCandidate> axes;
   std::vector<ReflectionalCandidate> planes;
-  std::vector<std::string> warnings;  ///< a sentence each
+  std::vector<std::string> warnings;  ///< one sentence each
 };
 
 /// Throws InputError as segment_scene() does.

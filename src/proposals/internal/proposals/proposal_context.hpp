@@ -17,11 +17,11 @@ namespace symscene {
 struct ProposalContext {
   double estimate = 0.0;     ///< its own estimate
   double whole = 0.0;        ///< greatest estimate of a whole
-  double whole_share = 0.0;  ///< its size by the size of that whole
+  double whole_share = 0.0;  ///< its size divided by that of this whole
   double part = 0.0;         ///< greatest estimate of a part
   double rival = 0.0;        ///< greatest estimate of a conflicting proposal
   double rest = 0.0;         ///< greatest estimate of a part that splits that whole with it
-  double split = 0.0;        ///< greatest lesser estimate of two parts that split it
+  double split = 0.0;        ///< greatest, over pairs of parts that split it, of the lower estimate
   double covered = 0.0;      ///< share of its points in pieces: likely, disjoint parts, best first
   double covered_score = 0.0;  ///< the same, each piece weighted by its estimate
   double pieces = 0.0;         ///< number of pieces

@@ -9,7 +9,7 @@
 
 namespace symscene {
 
-/// What the selection compares of a candidate object.
+/// The properties of a candidate object that the selection compares.
 struct SelectionCandidate {
   std::span<const Index> points;  ///< ascending; they outlive the candidate
   double score = 0.0;             ///< in [0, 1]

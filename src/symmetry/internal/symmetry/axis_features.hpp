@@ -18,10 +18,10 @@ struct AxisFeatures {
   double residual = 0.0;    ///< mean difference of points' radii from the mean at their height [m]
   double height = 0.0;      ///< extent along the axis [m]
   double radius = 0.0;      ///< greatest distance from the axis [m]
-  double off_centre = 0.0;  ///< distance of the axis from the points' mean, by the radius
+  double off_centre = 0.0;  ///< distance of the axis from the points' mean, over the radius
   double across = 0.0;      ///< share of points with a normal at right angles to the axis
   double along = 0.0;       ///< share of points with a normal along the axis
-  double roundness = 0.0;   ///< mean distance off the sphere through the points, by its radius
+  double roundness = 0.0;   ///< mean distance off the sphere through the points, over its radius
   double upright = 0.0;     ///< |cosine| of the axis and the table's normal; -1 without a table
   double size = 0.0;        ///< natural logarithm of the number of points
 

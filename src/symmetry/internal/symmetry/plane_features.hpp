@@ -50,7 +50,7 @@ struct PlaneFeatures {
   double length = 0.0;        ///< greatest extent of the points along a principal axis [m]
   double thickness = 0.0;     ///< least one [m]
   double size = 0.0;          ///< natural logarithm of the number of points
-  double roundness = 0.0;     ///< mean distance off the sphere through the points, by its radius
+  double roundness = 0.0;     ///< mean distance off the sphere through the points, over its radius
   double upright = 0.0;       ///< |cosine| of the plane's normal and the table's; -1 without one
   double along_axis = 0.0;    ///< |cosine| of the plane's normal and the object's axis; -1 without
   double object_score = 0.0;  ///< of the object

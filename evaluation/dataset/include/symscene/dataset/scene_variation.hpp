@@ -7,7 +7,7 @@
 
 namespace symscene {
 
-/// What differs between the scenes of a dataset that stands for many cameras and rooms. Each scene
+/// What differs between the scenes of a dataset that covers many cameras and rooms. Each scene
 /// draws its values from its own seed; scene.json records them.
 struct SceneVariationOptions {
   bool enabled = false;

@@ -54,7 +54,7 @@ std::string report_json(const Evaluation& evaluation, const ReportInfo& info);
 
 /// A table that compares the headline of a report's JSON with that of an earlier one; numbers that
 /// only one of them has are left out. Throws InputError if `earlier` is not a report of
-/// this version; `name` stands for it in messages.
+/// version 3 or 4; `name` stands for it in messages.
 std::string report_difference(const std::string& report, const std::string& earlier,
                               const std::string& name);
 

@@ -16,7 +16,7 @@ bool is_ball(const TriangleMesh& mesh);
 /// The models of a folder of meshes.
 struct ModelFolder {
   std::vector<ObjectModel> models;    ///< by name
-  std::vector<std::string> warnings;  ///< a sentence per file that was not used
+  std::vector<std::string> warnings;  ///< one sentence per file that was not used
 };
 
 /// Reads the meshes in a folder (in metres), named for their files and sorted by name, with their

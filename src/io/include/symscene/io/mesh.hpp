@@ -29,7 +29,7 @@ struct NamedMesh {
 /// The meshes of a folder.
 struct MeshFolder {
   std::vector<NamedMesh> meshes;      ///< by name
-  std::vector<std::string> warnings;  ///< a sentence per file that was not used
+  std::vector<std::string> warnings;  ///< one sentence per file that was not used
 };
 
 /// All meshes in a folder; files that cannot be read are skipped with a warning, and of files that

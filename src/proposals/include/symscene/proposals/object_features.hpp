@@ -7,9 +7,9 @@ namespace symscene {
 /// Features of a proposal that do not depend on the others of its scene. Edges are those of the
 /// surface graph, whose weights are in [0, 1]. The thresholds are ObjectFeatureOptions.
 struct OwnFeatures {
-  double broken = 0.0;           ///< weight of the edges that leave, by the root of its size
+  double broken = 0.0;           ///< weight of the edges that leave, over the root of its size
   double torn = 0.0;             ///< share of the leaving edges that are not creases
-  double rim = 0.0;              ///< points with a leaving edge, by the root of its size
+  double rim = 0.0;              ///< points with a leaving edge, over the root of its size
   double bend = 0.0;             ///< mean 1 - weight of the concave edges inside, 0 for convex ones
   double crease = 0.0;           ///< share of the edges inside that are creases
   double seam = 0.0;             ///< SurfaceRegions::seam()
@@ -19,8 +19,8 @@ struct OwnFeatures {
   double near_unity = 0.0;       ///< the same of its patches, with small gaps bridged
   double convexity = 0.0;        ///< share of pairs of points that are convex
   double empty = 0.0;            ///< share of places between two points that were seen empty
-  double width_ratio = 0.0;      ///< extent along the second principal axis by the longest
-  double thickness_ratio = 0.0;  ///< the shortest by the longest
+  double width_ratio = 0.0;      ///< extent along the second principal axis over the longest
+  double thickness_ratio = 0.0;  ///< the shortest extent over the longest
   double near_others = 0.0;      ///< share of points that are near a point outside
   double axes = 0.0;             ///< rotational symmetries of its hypotheses
   double axis_misfit = 1.0;      ///< least residual of these (Eq. 3.5)

@@ -54,7 +54,7 @@ struct SceneProposals {
   std::vector<ObjectProposal> objects;        ///< by falling score
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
-  std::vector<std::string> warnings;  ///< the scene's and those of the pipeline, a sentence each
+  std::vector<std::string> warnings;  ///< the scene's and those of the pipeline, one sentence each
 
   ObservedScene observed() const { return {cloud, field, table}; }
 };

@@ -41,7 +41,7 @@ struct TsdfOptions {
   void validate() const;
 };
 
-/// Marching cubes. What counts as seen depends on the frames that there were: cells that few
+/// Marching cubes. What counts as seen depends on the fused frames: cells that few
 /// frames could have seen need less weight, so that one frame shows all that it measures.
 struct SurfaceExtractionOptions {
   double min_looks = 0.6;

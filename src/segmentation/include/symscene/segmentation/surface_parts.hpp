@@ -14,7 +14,10 @@ struct SurfacePartsOptions {
   double min_seam_share = 0.1;
   double min_region_share = 0.5;
   double patch_size = 0.02;
+  double bend_cost = 4.0;
+  int patch_rounds = 3;
   double max_patch_gap = 1.75;
+  double gap_edges = 3.0;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -35,10 +38,18 @@ struct SurfacePartsOptions {
           "et al. 2014)");
     visit("patch_size", self.patch_size, "m", above(0.0),
           "spacing of the patches whose folds propose parts and score seams (Papon et al. 2013)");
+    visit("bend_cost", self.bend_cost, "patches", at_least(0.0),
+          "a point whose normal is at a right angle to a patch's is farther from it by this many "
+          "times the distance along the surface (Papon et al. 2013)");
+    visit("patch_rounds", self.patch_rounds, "", between(1.0, 100.0),
+          "rounds in which points are assigned to patches; more change few points");
     visit(
         "max_patch_gap", self.max_patch_gap, "patches", at_least(0.0),
         "patches whose centres are nearer than this many times patch_size are adjacent even if no "
         "edge joins them");
+    visit("gap_edges", self.gap_edges, "edges", above(0.0),
+          "edges that a border across such a gap counts as; few, so that borders without a gap "
+          "outweigh it");
   }
   /// Throws InputError if a field is out of its range.
   void validate() const { check_fields(*this); }

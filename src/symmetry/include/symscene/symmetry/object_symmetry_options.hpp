@@ -166,7 +166,7 @@ struct SymmetrySearchOptions {
   RotationalDetectionOptions rotational_detection;
   ReflectionalDetectionOptions reflectional_detection;
   ObjectSymmetryOptions object_symmetry;
-  ModelChoice axis_model;   ///< no field: models are read where configurations are
+  ModelChoice axis_model;   ///< not an option field: models are read with the configuration
   ModelChoice plane_model;  ///< as axis_model
 
   template <class Self, class Visit>

@@ -10,12 +10,12 @@
 
 namespace symscene {
 
-/// What is known of the table before it is searched.
+/// What is known about the table before the search.
 struct TablePrior {
   std::optional<Plane> plane = std::nullopt;         ///< the table itself
   std::optional<Eigen::Vector3d> up = std::nullopt;  ///< the direction that the table faces
   std::vector<Eigen::Vector3d> viewpoints = {};      ///< positions of the cameras [m]
-  bool absent = false;                               ///< there is no table to search
+  bool absent = false;                               ///< there is no table: none is searched
   bool any_up = false;  ///< the sensor was not held upright: its pose does not tell `up`
 };
 

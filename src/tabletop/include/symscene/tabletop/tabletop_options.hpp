@@ -21,7 +21,6 @@ struct SupportPlaneOptions {
   double facing_factor = 0.2;
   double patch_gap = 0.4;
   double max_beneath = 0.5;
-  double min_clearance = 0.005;
   double max_height = 0.6;
   double ambiguity = 0.5;
   std::uint64_t seed = 1;
@@ -57,17 +56,14 @@ struct SupportPlaneOptions {
         "the others is of another table");
     visit("max_beneath", self.max_beneath, "", at_least(0.0),
           "points of surfaces at an angle up to 0.2 m below a supporting plane, over its inliers: "
-          "the "
-          "sides of a box are below its lid, while a table hides what is below it");
-    visit("min_clearance", self.min_clearance, "m", at_least(0.0),
-          "height above the plane from which points belong to objects");
+          "the sides of a box are below its lid, while a table hides what is below it");
     visit("max_height", self.max_height, "m", above(0.0),
-          "height above the plane up to which points belong to objects on it");
+          "height above a supporting plane up to which points belong to objects on it");
     visit("ambiguity", self.ambiguity, "", above_up_to(0.0, 1.0),
           "share of the best plane's score from which another plane is an alternative");
     visit("seed", self.seed, "", any_value(), "seed of the hypotheses");
   }
-  /// Throws InputError if a value is out of its range or max_height is not above min_clearance.
+  /// Throws InputError if a value is out of its range or max_height is not above inlier_distance.
   void validate() const;
 };
 
@@ -77,7 +73,6 @@ struct TableCropOptions {
   double min_clearance = 0.005;
   double max_clearance = 0.015;
   double clearance_sigmas = 3.0;
-  double max_height = 0.6;
   double overhang = 0.05;
   double link = 0.012;
   int min_fragment = 40;
@@ -93,7 +88,6 @@ struct TableCropOptions {
           "the same where the table's points are rough");
     visit("clearance_sigmas", self.clearance_sigmas, "", at_least(0.0),
           "the height in standard deviations of the table's points, between these bounds");
-    visit("max_height", self.max_height, "m", above(0.0), "largest height of objects");
     visit("overhang", self.overhang, "m", at_least(0.0),
           "how far an object may reach beyond the table's border");
     visit("link", self.link, "m", above(0.0),
@@ -104,8 +98,7 @@ struct TableCropOptions {
     visit("follow_bend", self.follow_bend, "", any_value(),
           "measure heights above a quadric, as drift bends tables");
   }
-  /// Throws InputError if a value is out of its range or min_clearance <= max_clearance <
-  /// max_height does not hold.
+  /// Throws InputError if a value is out of its range or max_clearance is below min_clearance.
   void validate() const;
 };
 
@@ -118,8 +111,9 @@ struct TableSceneOptions {
     visit("plane", self.plane);
     visit("crop", self.crop);
   }
-  /// Throws InputError if a value is out of its range.
-  void validate() const { check_fields(*this); }
+  /// Throws InputError if a value is out of its range or plane.max_height is not above
+  /// crop.max_clearance.
+  void validate() const;
 };
 
 }  // namespace symscene
