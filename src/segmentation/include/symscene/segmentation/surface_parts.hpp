@@ -38,7 +38,7 @@ struct SurfacePartsOptions {
           "et al. 2014)");
     visit("patch_size", self.patch_size, "m", above(0.0),
           "spacing of the patches whose folds propose parts and score seams (Papon et al. 2013)");
-    visit("bend_cost", self.bend_cost, "patches", at_least(0.0),
+    visit("bend_cost", self.bend_cost, "", at_least(0.0),
           "a point whose normal is at a right angle to a patch's is farther from it by this many "
           "times the distance along the surface (Papon et al. 2013)");
     visit("patch_rounds", self.patch_rounds, "", between(1.0, 100.0),
