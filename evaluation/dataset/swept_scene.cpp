@@ -12,43 +12,45 @@ namespace {
 
 constexpr const char* exact_poses = "exact";
 
-/// The poses of the frames that were fused.
-struct FusedPoses {
+constexpr int labelled_views = 40;  ///< at most, from which a scene takes its ground truth
+
+/// The poses of the frames that were fused, and what some of them show.
+struct FusedFrames {
   Trajectory tracked;
   std::vector<Eigen::Isometry3d> estimated;
   std::vector<Eigen::Isometry3d> truth;
+  std::vector<LabelledView> views;
 };
 
-std::vector<TriangleMesh> meshes_of(const Tabletop& tabletop) {
-  std::vector<TriangleMesh> meshes;
-  for (const PlacedObject& placed : tabletop.objects) meshes.push_back(placed.object.mesh);
-  return meshes;
-}
-
-FusedPoses add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool exact,
-                      Reconstruction& reconstruction, SweptScene& result, StageTimer& timer) {
+FusedFrames add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool exact,
+                       Reconstruction& reconstruction, SweptScene& result, StageTimer& timer) {
   using Clock = std::chrono::steady_clock;
-  FusedPoses poses;
+  FusedFrames fused;
+  const int stride = (sweep.camera.frames + labelled_views - 1) / labelled_views;
   std::optional<Eigen::Isometry3d> T_world_first;
   std::chrono::duration<double> tracking{0.0};
   const Clock::time_point start = Clock::now();
-  capture_sweep(tabletop, sweep, [&](const DepthFrame& frame, const Eigen::Isometry3d& pose) {
+  capture_sensor_frames(tabletop, sweep, [&](double time, SensorFrame&& seen) {
     const Clock::time_point begin = Clock::now();
-    ++result.frames;
-    if (!T_world_first) T_world_first = pose;
+    DepthFrame frame{time, std::move(seen.depth), std::move(seen.colors)};
+    const std::size_t number = result.frames++;
+    if (!T_world_first) T_world_first = seen.T_world_camera;
     std::optional<Eigen::Isometry3d> known;
-    if (exact) known = T_world_first->inverse() * pose;
+    if (exact) known = T_world_first->inverse() * seen.T_world_camera;
     const FrameReport report = reconstruction.add(frame, known);
     tracking += Clock::now() - begin;
     if (!report.fused) return;
-    poses.tracked.push_back({frame.time, report.tracking.T_world_camera});
-    poses.estimated.push_back(report.tracking.T_world_camera);
-    poses.truth.push_back(pose);
+    const Eigen::Isometry3d& T_scene_camera = report.tracking.T_world_camera;
+    fused.tracked.push_back({time, T_scene_camera});
+    fused.estimated.push_back(T_scene_camera);
+    fused.truth.push_back(seen.T_world_camera);
+    if (number % static_cast<std::size_t>(stride) == 0)
+      fused.views.push_back({T_scene_camera, std::move(frame.depth), std::move(seen.objects)});
   });
   const std::chrono::duration<double> all = Clock::now() - start;
   timer.add("render", (all - tracking).count());
   timer.add("reconstruct", tracking.count());
-  return poses;
+  return fused;
 }
 
 BuiltScene scene_of(const TriangleMesh& surface, const Reconstruction& reconstruction,
@@ -61,21 +63,21 @@ BuiltScene scene_of(const TriangleMesh& surface, const Reconstruction& reconstru
 void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
                     const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
   Reconstruction reconstruction(sweep.camera.intrinsics(), options.reconstruction);
-  const FusedPoses poses =
+  const FusedFrames fused =
       add_frames(tabletop, sweep, options.poses == exact_poses, reconstruction, result, timer);
-  result.fused = poses.estimated.size();
-  result.trajectory = trajectory_error(poses.estimated, poses.truth);
-  result.T_scene_world = align_poses(poses.estimated, poses.truth);
+  result.fused = fused.estimated.size();
+  result.trajectory = trajectory_error(fused.estimated, fused.truth);
+  result.T_scene_world = align_poses(fused.estimated, fused.truth);
   result.surface = timer.time("surface", [&] { return reconstruction.surface(); });
   if (result.surface.vertices.rows() != 0) {
     BuiltScene built = timer.time("scene", [&] {
-      return scene_of(result.surface, reconstruction, poses.tracked, options.scene);
+      return scene_of(result.surface, reconstruction, fused.tracked, options.scene);
     });
     if (built.scene.table) result.scene = std::move(built.scene);
   }
   result.truth = timer.time("ground truth", [&] {
-    return transfer_truth(tabletop_truth(tabletop), meshes_of(tabletop), result.scene.cloud,
-                          result.T_scene_world, options.truth);
+    return sweep_truth(tabletop_truth(tabletop), fused.views, sweep.camera.intrinsics(),
+                       result.scene.cloud, result.T_scene_world, options.truth);
   });
 }
 

@@ -1,6 +1,9 @@
 #include "symscene/simulation/truth_transfer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include <fmt/format.h>
 #include <Eigen/SVD>
@@ -36,6 +39,36 @@ std::vector<Index> nearest_objects(const Points& points_truth, const SceneTruth&
 Points in_truth_frame(const Points& points, const Eigen::Isometry3d& T) {
   return ((points.cast<double>() * T.linear().transpose()).rowwise() + T.translation().transpose())
       .cast<float>();
+}
+
+/// The object that a view shows at a point, `nothing` for what is none; none where it did not
+/// measure the point.
+std::optional<Index> object_shown(const LabelledView& view, const Eigen::Vector3d& point_camera,
+                                  const CameraIntrinsics& camera, double tolerance) {
+  const double z = point_camera.z();
+  if (!(z > 0.0)) return std::nullopt;
+  const Eigen::Vector2d pixel = camera.project(point_camera).array().round();
+  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < camera.width &&
+        pixel.y() < camera.height)) {
+    return std::nullopt;
+  }
+  const auto at =
+      static_cast<std::size_t>(pixel.y()) * camera.width + static_cast<std::size_t>(pixel.x());
+  if (std::abs(double{view.depth[at]} - z) > tolerance * std::max(1.0, z * z)) return std::nullopt;
+  return view.objects[at];
+}
+
+/// The object that most views show at a point; the first of several.
+Index object_of_most(std::span<const LabelledView> views, const Eigen::Vector3d& point,
+                     const CameraIntrinsics& camera, double tolerance) {
+  std::map<Index, int> votes;
+  for (const LabelledView& view : views) {
+    const auto shown = object_shown(view, view.T_cloud_camera.inverse() * point, camera, tolerance);
+    if (shown) ++votes[*shown];
+  }
+  const auto most = std::max_element(
+      votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == votes.end() ? SensorFrame::nothing : most->first;
 }
 
 /// `truth` in the frame of `cloud`, with the points of each object that has enough of them.
@@ -138,6 +171,23 @@ SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
   }
   return with_masks(transformed(truth, frame.T_world_camera.inverse()), objects, cloud_camera,
                     options);
+}
+
+SceneTruth sweep_truth(const SceneTruth& truth, std::span<const LabelledView> views,
+                       const CameraIntrinsics& camera, const PointCloud& cloud,
+                       const Eigen::Isometry3d& T_cloud_truth,
+                       const TruthTransferOptions& options) {
+  options.validate();
+  for (const LabelledView& view : views) {
+    require_pixels(view.depth.size(), camera, "depth image");
+    require_pixels(view.objects.size(), camera, "image of objects");
+  }
+  std::vector<Index> objects(cloud.size(), SensorFrame::nothing);
+  parallel_for_each(objects.size(), [&](std::size_t i) {
+    const Eigen::Vector3d point = cloud.position(static_cast<Index>(i)).cast<double>();
+    objects[i] = object_of_most(views, point, camera, options.tolerance);
+  });
+  return with_masks(transformed(truth, T_cloud_truth), objects, cloud, options);
 }
 
 }  // namespace symscene

@@ -151,6 +151,45 @@ TEST(ViewTruth, RefusesAnImageOfAnotherSize) {
                InputError);
 }
 
+/// A view whose left half shows the first object, in the frame of its camera.
+LabelledView labelled(const SensorFrame& frame) {
+  return {Eigen::Isometry3d::Identity(), frame.depth, frame.objects};
+}
+
+TEST(SweepTruth, GivesEachPointTheObjectThatMostViewsOfItShow) {
+  const Tabletop tabletop = three_boxes();
+  const CameraIntrinsics camera{30, 20, 100.0, 100.0, 14.5, 9.5};
+  const SensorFrame frame = half_an_image(tabletop);
+  LabelledView mistaken = labelled(frame);
+  for (Index& object : mistaken.objects) object = 2;
+  LabelledView nearer = mistaken;  // something before the points, so that it does not measure them
+  for (float& z : nearer.depth) z = 0.9F;
+  const std::vector<LabelledView> views{labelled(frame), labelled(frame), mistaken, nearer, nearer};
+  const SceneTruth before = tabletop_truth(tabletop);
+  const SceneTruth truth =
+      sweep_truth(before, views, camera, points_of(frame, camera), some_motion());
+  ASSERT_EQ(truth.objects.size(), 1U);
+  EXPECT_EQ(truth.objects[0].name, "left");
+  ASSERT_EQ(truth.objects[0].points.size(), seen_pixels / 2);
+  for (const Index point : truth.objects[0].points) EXPECT_LT(point % 30, 15U);
+  EXPECT_TRUE(
+      truth.objects[0].centroid.isApprox(some_motion() * before.objects[0].centroid, 1e-12));
+}
+
+TEST(SweepTruth, GivesPointsThatNoViewMeasuredNoObject) {
+  const Tabletop tabletop = three_boxes();
+  const CameraIntrinsics camera{30, 20, 100.0, 100.0, 14.5, 9.5};
+  const SensorFrame frame = half_an_image(tabletop);
+  LabelledView behind = labelled(frame);
+  behind.T_cloud_camera.linear() = Eigen::AngleAxisd(3.0, Eigen::Vector3d::UnitX()).matrix();
+  const PointCloud cloud = points_of(frame, camera);
+  EXPECT_TRUE(
+      sweep_truth(tabletop_truth(tabletop), {}, camera, cloud, some_motion()).objects.empty());
+  const std::vector<LabelledView> views{behind};
+  EXPECT_TRUE(
+      sweep_truth(tabletop_truth(tabletop), views, camera, cloud, some_motion()).objects.empty());
+}
+
 TEST(TransferTruth, RefusesGroundTruthWithoutMeshesOrPoses) {
   const Tabletop tabletop = three_boxes();
   SceneTruth truth = tabletop_truth(tabletop);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -19,7 +20,8 @@ struct TruthTransferOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("tolerance", self.tolerance, "m", above(0.0),
-          "largest distance of a point from the true surface of its object");
+          "largest distance of a point from the true surface of its object, or from the depth of a "
+          "labelled view");
     visit("min_object_points", self.min_object_points, "", at_least(1),
           "least points at 5 mm of an object in the ground truth");
   }
@@ -53,6 +55,23 @@ SceneTruth transfer_truth(const SceneTruth& truth, std::span<const TriangleMesh>
 SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
                       const CameraIntrinsics& camera, const PointCloud& cloud_camera,
                       const TruthTransferOptions& options = {});
+
+/// What a frame of a sweep shows, at its pose in the frame of a reconstructed cloud.
+struct LabelledView {
+  Eigen::Isometry3d T_cloud_camera = Eigen::Isometry3d::Identity();
+  std::vector<float> depth;    ///< as measured, 0 for none [m]
+  std::vector<Index> objects;  ///< as in SensorFrame
+};
+
+/// The ground truth of a cloud that was reconstructed from views: each point belongs to the object
+/// that most views which measured it show there, wherever the errors of the sensor move it. A view
+/// measured a point if the depths differ by at most the tolerance, which grows with the square of
+/// the depth beyond 1 m. `truth` is mapped by T_cloud_truth. Throws InputError if an image is not
+/// of the camera's size or an option is out of range.
+SceneTruth sweep_truth(const SceneTruth& truth, std::span<const LabelledView> views,
+                       const CameraIntrinsics& camera, const PointCloud& cloud,
+                       const Eigen::Isometry3d& T_cloud_truth,
+                       const TruthTransferOptions& options = {});
 
 /// The meshes of the objects at their poses, in the frame of `truth`.
 /// Throws InputError as transfer_truth() does.
