@@ -67,17 +67,21 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
                                              StageTimer& timer) const {
   const TriangleMesh surface =
       timer.time("extract surface", [&] { return reconstruction.surface(extraction); });
-  const BuiltScene built = timer.time("find table", [&] {
+  BuiltScene built = timer.time("find table", [&] {
     return naming(input, [&] {
       return build_scene({surface.vertices, surface.normals, surface.colors},
                          reconstruction.occupancy(),
                          table.known(prior_of(source.placed.trajectory)), building);
     });
   });
+  for (std::string& warning : reconstruction.warnings())
+    built.scene.warnings.push_back(std::move(warning));
   std::vector<ReportMember> members =
       write({built, reconstruction.occupancy(), surface}, source, session, timer);
   const auto memory = static_cast<std::uint64_t>(reconstruction.bytes());
-  session.print_line(fmt::format("model of {:.0f} MB", 1e-6 * static_cast<double>(memory)));
+  session.print_line(fmt::format("model of {:.0f} MB, voxels of {:.1f} mm",
+                                 1e-6 * static_cast<double>(memory),
+                                 1e3 * reconstruction.voxel_size()));
   members.emplace_back("model_bytes", memory);
   return members;
 }

@@ -51,7 +51,10 @@ struct Truncation {
   float growth;       ///< truncation over squared depth [1/m]
   float full_behind;  ///< see TsdfOptions::full_weight_behind
   float zero_behind;  ///< see TsdfOptions::zero_weight_behind
-  int max_weight;     ///< [16ths]
+  float full_growth;  ///< TsdfOptions::full_weight_sigmas over squared depth [1/m]
+  float zero_growth;  ///< TsdfOptions::zero_weight_sigmas over squared depth [1/m]
+  float full_most;    ///< largest share of the depth of zero weight
+  int max_weight;     ///< [Measurement::weight_units]
 };
 
 Truncation make_truncation(const TsdfOptions& options, double noise, float distance_unit) {
@@ -61,7 +64,12 @@ Truncation make_truncation(const TsdfOptions& options, double noise, float dista
           .growth = static_cast<float>(options.truncation_sigmas * noise),
           .full_behind = static_cast<float>(options.full_weight_behind),
           .zero_behind = static_cast<float>(options.zero_weight_behind),
-          .max_weight = static_cast<int>(16.0 * options.max_weight)};
+          .full_growth = static_cast<float>(options.full_weight_sigmas * noise),
+          .zero_growth = static_cast<float>(options.zero_weight_sigmas * noise),
+          .full_most =
+              static_cast<float>(std::max(options.full_weight_behind / options.zero_weight_behind,
+                                          options.full_weight_sigmas / options.zero_weight_sigmas)),
+          .max_weight = static_cast<int>(Measurement::weight_units * options.max_weight)};
 }
 
 /// Depths and pixels of the voxels of a block whose corner is at (x, y, z) of the camera's frame.
@@ -105,8 +113,11 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
   const float units = truncation.units, least = truncation.least, most = truncation.most;
   const float growth = truncation.growth;
   const float full_behind = truncation.full_behind, zero_behind = truncation.zero_behind;
+  const float full_growth = truncation.full_growth, zero_growth = truncation.zero_growth;
+  const float full_most = truncation.full_most;
   const int max_weight = truncation.max_weight;
   constexpr int never_seen = TsdfBlock::never_seen;
+  constexpr float per_squared_root = Measurement::weight_units / (64.0F * 64.0F);
   int nearest = -never_seen;
   for (int i = 0; i < voxels; ++i) {
     const int packed = pixels[i];
@@ -122,8 +133,14 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
     const int before = weight[i];
     // The weight falls to zero behind the surface (Bylow et al. 2013): views of one side of a thin
     // wall do not outweigh those of the other.
-    const float falloff = (zero_behind * cut + full) / ((zero_behind - full_behind) * cut);
-    const float weighted = static_cast<float>(packed & 255) * std::clamp(falloff, 0.0F, 1.0F);
+    const float squared = depth * depth;
+    const float zero_depth = std::min(std::max(zero_growth * squared, zero_behind * cut), cut);
+    const float full_depth =
+        std::min(std::max(full_growth * squared, full_behind * cut), full_most * zero_depth);
+    const float falloff = (zero_depth + full) / (zero_depth - full_depth);
+    const int root = packed & 255;
+    const float weighted =
+        static_cast<float>(root * root) * per_squared_root * std::clamp(falloff, 0.0F, 1.0F);
     const auto rounded = static_cast<int>(weighted + 0.5F);
     const int added = seen != 0 ? rounded : 0;
     const int sum = before + added;

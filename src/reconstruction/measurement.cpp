@@ -114,12 +114,9 @@ class RowPacker {
     const float cosine = -(pixel.nx * ray_x + pixel.ny * ray_y + pixel.nz);
     if (!(cosine > min_cosine_) || std::abs(pixel.depth - z) > step_ * z * z) return 0;
     const float ray_length = std::sqrt(1.0F + ray_x * ray_x + ray_y * ray_y);
-    const float incidence = cosine / ray_length;
-    const float weight = 16.0F * incidence * incidence / (z * z * z * z);
     const auto tenths = static_cast<std::uint32_t>(z / Measurement::depth_unit + 0.5F);
     const auto factor = static_cast<std::uint32_t>(255.0F * std::min(cosine, 1.0F) + 0.5F);
-    const auto units = static_cast<std::uint32_t>(std::clamp(weight, 1.0F, 255.0F));
-    return (tenths << 16) | (factor << 8) | units;
+    return (tenths << 16) | (factor << 8) | packed_weight_root(z, cosine / ray_length);
   }
 
   const DepthLevel& raw_;

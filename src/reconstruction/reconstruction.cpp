@@ -1,6 +1,9 @@
 #include "symscene/reconstruction/reconstruction.hpp"
 
+#include <fmt/format.h>
+
 #include "camera_tracker.hpp"
+#include "range_options.hpp"
 #include "reconstruction/surface_extraction.hpp"
 #include "symscene/core/error.hpp"
 
@@ -71,6 +74,13 @@ struct Reconstruction::Implementation {
     return result;
   }
 
+  /// Chooses the resolution of the model by its first frame.
+  void begin(const Measurement& measurement) {
+    options = fitted_to_depth(options, near_depth(measurement));
+    volume = TsdfVolume(options.tsdf, options.measurement);
+    occupancy = OccupancyVolume(options.occupancy);
+  }
+
   void fuse(const DepthFrame& frame, const Measurement& measurement,
             const Eigen::Isometry3d& T_world_camera) {
     clock.time(StageClock::fuse, [&] { volume.integrate(measurement, T_world_camera); });
@@ -107,6 +117,7 @@ FrameReport Reconstruction::add(const DepthFrame& frame,
   }
   const bool confirmed = !model.volume.empty() && !report.relocalized &&
                          report.tracking.status == TrackingStatus::converged;
+  if (model.volume.empty()) model.begin(measurement);
   model.fuse(frame, measurement, report.tracking.T_world_camera);
   model.tracker.accept(measurement, report.tracking, confirmed);
   report.fused = true;
@@ -122,6 +133,17 @@ TriangleMesh Reconstruction::surface(const SurfaceExtractionOptions& options) co
 }
 
 const OccupancyVolume& Reconstruction::occupancy() const { return implementation_->occupancy; }
+
+double Reconstruction::voxel_size() const { return implementation_->volume.voxel_size(); }
+
+std::vector<std::string> Reconstruction::warnings() const {
+  if (!implementation_->volume.is_full()) return {};
+  return {fmt::format(
+      "the surface has reached {:.3g} GB and was not extended after that: larger voxels "
+      "(tsdf.voxel_size), a smaller range (measurement.max_depth) or more memory "
+      "(tsdf.max_memory) hold more",
+      implementation_->options.tsdf.max_memory)};
+}
 
 std::size_t Reconstruction::bytes() const {
   return implementation_->volume.bytes() + implementation_->occupancy.memory();

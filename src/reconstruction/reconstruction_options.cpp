@@ -17,6 +17,8 @@ void TsdfOptions::validate() const {
   // Their difference is a divisor in single precision.
   require_option(zero_weight_behind - full_weight_behind >= 0.01, "full_weight_behind",
                  "0.01 or more below zero_weight_behind", full_weight_behind);
+  require_option(zero_weight_sigmas > full_weight_sigmas, "full_weight_sigmas",
+                 "less than zero_weight_sigmas", full_weight_sigmas);
 }
 
 }  // namespace symscene

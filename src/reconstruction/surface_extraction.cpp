@@ -33,7 +33,8 @@ constexpr int next_corners(int corners) {
 }
 
 /// The weights that the voxels of each block need to count as seen, by slot: a number of frontal
-/// looks from where the block was seen, in proportion to the frames below `full_frames`. [16ths]
+/// looks from where the block was seen, in proportion to the frames below `full_frames`.
+/// [Measurement::weight_units]
 std::vector<std::uint16_t> weights_needed(const TsdfVolume& volume,
                                           const SurfaceExtractionOptions& options) {
   std::vector<std::uint16_t> needed(volume.index().size(), 1);
@@ -286,7 +287,7 @@ class SurfaceExtractor {
   }
 
   const TsdfVolume& volume_;
-  std::vector<std::uint16_t> needed_weights_;  ///< by slot [16ths]
+  std::vector<std::uint16_t> needed_weights_;  ///< by slot [Measurement::weight_units]
   std::vector<std::uint8_t> sides_;            ///< of the surface on which a block has voxels
   CellCorners offsets_ = corner_offsets();
   std::vector<BlockVertices> vertices_;

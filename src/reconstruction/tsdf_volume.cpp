@@ -25,6 +25,18 @@ const ColorBlock* TsdfVolume::colors(std::size_t slot) const {
   return colors ? &(*colors)[slot % slab] : nullptr;
 }
 
+void TsdfVolume::add_blocks(const std::vector<Eigen::Vector3i>& blocks) {
+  const double per_block = sizeof(TsdfBlock) + (options_.color ? sizeof(ColorBlock) : 0);
+  const auto most = static_cast<std::size_t>(1e9 * options_.max_memory / per_block);
+  for (const Eigen::Vector3i& block : blocks) {
+    if (index_.size() >= most) {
+      is_full_ = true;
+      return;
+    }
+    add_block(block);
+  }
+}
+
 void TsdfVolume::add_block(const Eigen::Vector3i& block) {
   const auto slot = static_cast<std::size_t>(index_.insert(block));
   if (slot < near_surface_.size()) return;
@@ -50,9 +62,7 @@ void TsdfVolume::integrate(const Measurement& measurement,
                            const Eigen::Isometry3d& T_world_camera) {
   if (!in_reach(T_world_camera)) return;
   const BlockSelection selection{index_, options_, sensor_};
-  for (const Eigen::Vector3i& block : selection.missing(measurement, T_world_camera)) {
-    add_block(block);
-  }
+  add_blocks(selection.missing(measurement, T_world_camera));
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
   const std::vector<std::uint32_t> slots = selection.visible(measurement, T_camera_world);
   const bool colored = options_.color && measurement.colors != nullptr;

@@ -1,5 +1,7 @@
 #include "table_search.hpp"
 
+#include <algorithm>
+
 #include "support_plane.hpp"
 #include "symscene/core/error.hpp"
 #include "table_objects.hpp"
@@ -7,8 +9,12 @@
 namespace symscene {
 namespace {
 
-/// Planes are searched in at most this many points, evenly spread over the cloud.
-constexpr Index searched_points = 60000;
+/// Planes are searched in at most this many points, evenly spread over the cloud; in a share of a
+/// large one, as a table in a room has a share of its points.
+Index searched_points(const PointCloud& cloud) {
+  constexpr Index least = 60000, most = 240000, interval = 16;
+  return std::clamp(cloud.size() / interval, least, most);
+}
 
 TableScene table_scene_on(const PointCloud& cloud, const PointCloud& searched, const Plane& table,
                           const TableSceneOptions& options) {
@@ -45,7 +51,7 @@ void TableSceneOptions::validate() const {
 TableScene find_table_scene(const PointCloud& cloud, const TableSceneOptions& options,
                             const TablePrior& known) {
   options.validate();
-  const PointCloud searched = select(cloud, evenly_spread(cloud.size(), searched_points));
+  const PointCloud searched = select(cloud, evenly_spread(cloud.size(), searched_points(cloud)));
   if (known.plane) return table_scene_on(cloud, searched, *known.plane, options);
   TableScene scene;
   scene.planes = find_support_planes(searched, options.plane, known);

@@ -217,7 +217,7 @@ void for_each_seen_voxel(const TsdfVolume& volume, const Visit& visit) {
           (first + Eigen::Vector3i(i & 7, (i >> 3) & 7, i >> 6)).cast<double>();
       visit(Eigen::Vector3d((voxel.array() + 0.5) * volume.voxel_size()),
             static_cast<double>(volume.distance_unit()) * block.distance[at],
-            block.weight[at] / 16.0);
+            block.weight[at] / double{Measurement::weight_units});
     }
   }
 }

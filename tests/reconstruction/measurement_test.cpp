@@ -18,7 +18,10 @@ Eigen::Vector3d normal_of(const SurfacePixel& pixel) {
   return Eigen::Vector3f(pixel.nx, pixel.ny, pixel.nz).cast<double>();
 }
 
-double weight_of(std::uint32_t packed) { return (packed & 255) / 16.0; }
+/// In frontal views at 1 m.
+double weight_of(std::uint32_t packed) {
+  return double{weight_of_root(packed & 255)} / Measurement::weight_units;
+}
 
 TEST(Measurement, HasTheNormalsOfANoisyPlane) {
   std::mt19937 random(3);
@@ -185,7 +188,7 @@ TEST(Measurement, WeightsPixelsLessFarAwayAndAtAnAngle) {
 
 TEST(Measurement, IgnoresDepthsOutOfRange) {
   for (const float depth :
-       {0.0F, -1.0F, 0.15F, 3.1F, 1e30F, -1e30F, 1e-42F, std::numeric_limits<float>::quiet_NaN(),
+       {0.0F, -1.0F, 0.15F, 6.1F, 1e30F, -1e30F, 1e-42F, std::numeric_limits<float>::quiet_NaN(),
         std::numeric_limits<float>::infinity()}) {
     const DepthFrame frame = flat_frame(small_camera(), depth);
     const Measurement measurement = prepare_measurement(frame, small_camera(), {});

@@ -49,7 +49,7 @@ int expect_every_field_is_checked() {
 
 TEST(ReconstructionOptions, OutOfRangeAreRefusedFieldByField) {
   EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 8);
-  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 7);
+  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 11);
   EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 31);
   EXPECT_EQ(expect_every_field_is_checked<SurfaceExtractionOptions>(), 3);
 }
@@ -65,7 +65,7 @@ TEST(ReconstructionOptions, MustBeConsistent) {
     EXPECT_THROW(options.validate(), InputError);
     EXPECT_THROW(Reconstruction({160, 120, 140, 140, 80, 60}, options), InputError);
   };
-  refused([](auto& o) { o.measurement.min_depth = 3.5; });
+  refused([](auto& o) { o.measurement.min_depth = 6.2; });
   refused([](auto& o) { o.tsdf.truncation = 0.004; });
   refused([](auto& o) { o.tsdf.voxel_size = 0.01; });
   refused([](auto& o) { o.tsdf.max_truncation = 0.01; });

@@ -90,6 +90,9 @@ TEST(TsdfVolume, GathersLessWeightFarAwayAndAtAnAngleAndNoMoreThanABound) {
   EXPECT_NEAR(weight_at_middle(1.0, 0.0, 5, 200), 5.0 * once, 1e-6);
   EXPECT_GT(weight_at_middle(0.7, 0.0, 1, 200), 2.0 * once);
   EXPECT_LT(weight_at_middle(0.7, 0.6, 1, 200), 0.8 * weight_at_middle(0.7, 0.0, 1, 200));
+  EXPECT_NEAR(weight_at_middle(2.0, 0.0, 1, 200), std::pow(2.0, -4), 0.1 * std::pow(2.0, -4));
+  EXPECT_NEAR(weight_at_middle(2.9, 0.0, 1, 200), std::pow(2.9, -4), 0.2 * std::pow(2.9, -4));
+  EXPECT_LT(weight_at_middle(2.0, 0.7, 1, 200), 0.4 * weight_at_middle(2.0, 0.0, 1, 200));
   EXPECT_EQ(weight_at_middle(1.0, 0.0, 30, 3), 3.0);
 }
 
@@ -134,9 +137,51 @@ TEST(TsdfVolume, KeepsOneSideOfAThinWallWhenTheOtherIsSeenMore) {
   EXPECT_GT(behind, 1000);
 }
 
+/// How far back a wall at this depth is placed by 60 frames with the sensor's noise. [deviations]
+double bias_of_wall(double depth, const TsdfOptions& options) {
+  std::mt19937 random(5);
+  TsdfVolume volume(options);
+  double sum = 0.0;
+  int count = 0;
+  for (int k = 0; k < 60; ++k) {
+    DepthFrame frame = flat_frame(small_camera(), static_cast<float>(depth));
+    for (float& z : frame.depth)
+      z += static_cast<float>(1.425e-3 * depth * depth) * std::normal_distribution<float>()(random);
+    volume.integrate(prepare_measurement(frame, small_camera(), {}), Eigen::Isometry3d::Identity());
+  }
+  for_each_seen_voxel(volume, [&](const Eigen::Vector3d& p, double distance, double) {
+    if (std::abs(p.z() - depth) > 0.0016 || p.head<2>().norm() > 0.3 * depth) return;
+    sum += distance - (depth - p.z());
+    ++count;
+  });
+  return sum / count / (1.425e-3 * depth * depth);
+}
+
+TEST(TsdfVolume, PlacesFarNoisyWallsWithoutBias) {
+  for (const double depth : {1.0, 2.0, 2.6})
+    EXPECT_LT(std::abs(bias_of_wall(depth, {})), 0.06) << depth;
+  TsdfOptions by_share;
+  by_share.full_weight_sigmas = 0.0;
+  by_share.zero_weight_sigmas = 0.01;
+  EXPECT_GT(bias_of_wall(2.6, by_share), 0.1);
+}
+
+TEST(TsdfVolume, IsNotExtendedBeyondItsLargestMemory) {
+  TsdfOptions options;
+  options.max_memory = 1e-3;
+  TsdfVolume volume(options);
+  const Bodies wall{plane(-Eigen::Vector3d::UnitZ(), 1.0)};
+  EXPECT_FALSE(volume.is_full());
+  for (const double x : {0.0, 2.0, 4.0})
+    fuse(volume, wall, small_camera(), motion({0, 0, 0}, {x, 0, 0}));
+  EXPECT_TRUE(volume.is_full());
+  EXPECT_GT(volume.index().size(), 100U);
+  EXPECT_LE(volume.index().size() * (sizeof(TsdfBlock) + sizeof(ColorBlock)), 1000000U);
+}
+
 TEST(TsdfVolume, IgnoresPixelsWithoutAMeasurement) {
   for (const float depth : {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN(),
-                            std::numeric_limits<float>::infinity(), 1e30F, 1e-30F, 0.19F, 3.01F}) {
+                            std::numeric_limits<float>::infinity(), 1e30F, 1e-30F, 0.19F, 6.01F}) {
     TsdfVolume volume;
     const DepthFrame frame = flat_frame(small_camera(), depth);
     volume.integrate(prepare_measurement(frame, small_camera(), {}), Eigen::Isometry3d::Identity());

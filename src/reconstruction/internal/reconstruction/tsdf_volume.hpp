@@ -12,8 +12,8 @@
 namespace symscene {
 
 /// A cube of 8³ voxels, x fastest. Distances are in units of TsdfVolume::distance_unit(), weights
-/// in 16ths of a frontal view at 1 m. A voxel without weight was never seen; its distance is
-/// `never_seen`, so that readers of distances need not read weights.
+/// in Measurement::weight_units of a frontal view at 1 m. A voxel without weight was never seen;
+/// its distance is `never_seen`, so that readers of distances need not read weights.
 struct TsdfBlock {
   static constexpr int edge = 8;
   static constexpr int voxels = edge * edge * edge;
@@ -61,11 +61,14 @@ class TsdfVolume {
   /// The frames in which a block may have been seen.
   struct Looks {
     std::uint32_t frames = 0;
-    float frontal_weight = 0.0F;  ///< that frontal views from all of them would have [16ths]
+    float frontal_weight =
+        0.0F;  ///< that frontal views from all of them would have [Measurement::weight_units]
   };
   const Looks& looks(std::size_t slot) const { return looks_[slot]; }
 
   bool empty() const { return index_.size() == 0; }
+  /// Whether a block was left out because the volume has reached its largest memory.
+  bool is_full() const { return is_full_; }
   /// Memory in use. [bytes]
   std::size_t bytes() const;
 
@@ -76,12 +79,14 @@ class TsdfVolume {
     std::unique_ptr<std::array<ColorBlock, slab>> colors;
   };
 
+  void add_blocks(const std::vector<Eigen::Vector3i>& blocks);
   void add_block(const Eigen::Vector3i& block);
   void allocate_colors(std::span<const std::uint32_t> slots);
 
   TsdfOptions options_;
   MeasurementOptions sensor_;
   float distance_unit_;
+  bool is_full_ = false;
   BlockIndex index_;
   std::vector<std::unique_ptr<Slab>> slabs_;
   std::vector<std::uint8_t> near_surface_;

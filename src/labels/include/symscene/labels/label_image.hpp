@@ -7,6 +7,7 @@
 
 #include "symscene/core/camera.hpp"
 #include "symscene/core/depth_frame.hpp"
+#include "symscene/core/depth_noise.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/options.hpp"
@@ -14,7 +15,7 @@
 namespace symscene {
 
 struct LabelImageOptions {
-  double noise = 1.425e-3;
+  double noise = structured_light_noise;
   double noise_sigmas = 3.0;
   double spacings = 2.0;
   double max_slope = 5.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "symscene/core/depth_noise.hpp"
 #include "symscene/core/options.hpp"
 
 namespace symscene {
@@ -7,8 +8,8 @@ namespace symscene {
 /// How depth images are prepared for tracking and fusion.
 struct MeasurementOptions {
   double min_depth = 0.2;
-  double max_depth = 3.0;
-  double noise = 1.425e-3;
+  double max_depth = 6.0;
+  double noise = structured_light_noise;
   double edge_step = 0.015;
   double max_edge_deviation = 0.0025;
   double smoothing_sigmas = 4.0;

@@ -14,7 +14,7 @@ namespace symscene {
 /// 0.05. The clamp lets a few frames change a voxel's state; one noisy frame does not.
 struct OccupancyVolumeOptions {
   double resolution = 0.005;
-  double max_depth = 3.0;
+  double max_depth = 6.0;
   double free_margin = 0.006;
   double hit = 0.85;
   double miss = -0.4;

@@ -100,6 +100,12 @@ class Reconstruction {
   /// The free, occupied and unseen space.
   const OccupancyVolume& occupancy() const;
 
+  /// Edge of a voxel of the surface: with the first frame, that of tsdf.voxel_sigmas. [m]
+  double voxel_size() const;
+
+  /// Sentences for the user: that the surface has reached its largest memory.
+  std::vector<std::string> warnings() const;
+
   /// Memory of the model. [bytes]
   std::size_t bytes() const;
 

@@ -7,18 +7,26 @@ namespace symscene {
 /// The truncated signed distance function into which frames are fused.
 struct TsdfOptions {
   double voxel_size = 0.0031;
+  double voxel_sigmas = 0.4;
   double truncation = 0.0125;
   double max_truncation = 0.04;
   double truncation_sigmas = 3.0;
   double full_weight_behind = 0.25;
   double zero_weight_behind = 0.625;
+  double full_weight_sigmas = 1.8;
+  double zero_weight_sigmas = 2.85;
   double max_weight = 200.0;
+  double max_memory = 4.0;
   bool color = true;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("voxel_size", self.voxel_size, "m", between(0.0005, 0.1),
-          "edge of a voxel (section 2.1.1)");
+          "least edge of a voxel (section 2.1.1)");
+    visit("voxel_sigmas", self.voxel_sigmas, "", between(0.0, 10.0),
+          "edge of a voxel, where that is more, in standard deviations of the depth that a tenth "
+          "of the first frame is nearer than; truncation distances and the margin of free space "
+          "grow with it. 0 for voxel_size at any distance");
     visit("truncation", self.truncation, "m", above_up_to(0.0, 1.0),
           "smallest truncation distance, at least two voxels");
     visit("max_truncation", self.max_truncation, "m", above_up_to(0.0, 1.0),
@@ -31,8 +39,15 @@ struct TsdfOptions {
     visit("zero_weight_behind", self.zero_weight_behind, "", above_up_to(0.0, 1.0),
           "depth behind the surface, as a share of the truncation distance, at which the weight "
           "has fallen to zero (Bylow et al. 2013)");
-    visit("max_weight", self.max_weight, "", between(1.0, 2000.0),
+    visit("full_weight_sigmas", self.full_weight_sigmas, "", between(0.0, 100.0),
+          "the depth of full weight in standard deviations of a depth, where that is more: less "
+          "would leave out the near half of the noise and move far surfaces back");
+    visit("zero_weight_sigmas", self.zero_weight_sigmas, "", above_up_to(0.0, 100.0),
+          "the depth of zero weight in standard deviations of a depth, where that is more");
+    visit("max_weight", self.max_weight, "", between(1.0, 250.0),
           "largest weight of a voxel, in frontal views at 1 m");
+    visit("max_memory", self.max_memory, "GB", above_up_to(0.0, 1000.0),
+          "memory from which the surface is not extended, with a warning");
     visit("color", self.color, "", any_value(), "fuse colours where frames have them");
   }
   /// Throws InputError if a value is out of its range, if the truncation distances are not

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "symscene/core/depth_frame.hpp"
+#include "symscene/core/depth_noise.hpp"
 #include "symscene/core/options.hpp"
 #include "symscene/core/point_cloud.hpp"
 #include "symscene/core/triangle_mesh.hpp"
@@ -13,7 +14,7 @@ namespace symscene {
 struct ViewPointOptions {
   double min_depth = 0.2;
   double max_depth = 6.0;
-  double noise = 1.425e-3;
+  double noise = structured_light_noise;
   double normal_noise = 0.05;
   double edge_sigmas = 4.0;
   double max_slant = radians(75.0);
