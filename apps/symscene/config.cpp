@@ -214,12 +214,13 @@ std::string format_config(const OptionFields& fields) {
 }
 
 std::string describe_run(const std::string& command, const OptionFields& fields,
-                         const std::string& frames) {
+                         const std::string& frames, const std::string& sensor) {
   ordered_json run = {{"version", 1},
                       {"symscene", SYMSCENE_VERSION},
                       {"command", command},
                       {"options", config_values(fields)}};
   if (!frames.empty()) run["frames"] = ordered_json::parse(frames);
+  if (!sensor.empty()) run["sensor"] = ordered_json::parse(sensor);
   return run.dump(2) + "\n";
 }
 

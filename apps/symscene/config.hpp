@@ -79,8 +79,8 @@ OptionFields configure_options(
 std::string format_config(const OptionFields& fields);
 
 /// What made an output, as JSON: version, command and all options; `frames`, JSON too, lists the
-/// status of its frames.
+/// status of its frames, `sensor` tells their sensor.
 std::string describe_run(const std::string& command, const OptionFields& fields,
-                         const std::string& frames = "");
+                         const std::string& frames = "", const std::string& sensor = "");
 
 }  // namespace symscene::app

@@ -8,6 +8,7 @@
 #include "core/rigid_motion.hpp"
 #include "frame_log.hpp"
 #include "scene_output.hpp"
+#include "sensor_choice.hpp"
 #include "session.hpp"
 #include "sweep_stitching.hpp"
 #include "symscene/io/sequence.hpp"
@@ -24,6 +25,7 @@ struct ReconstructOptions {
   SweepStitchingOptions stitching;
   ViewPointOptions view;
   SceneBuildingOptions scene;
+  SensorEstimationOptions sensor;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -32,6 +34,7 @@ struct ReconstructOptions {
     visit("stitching", self.stitching);
     visit("view", self.view);
     visit("scene", self.scene);
+    visit("sensor", self.sensor);
   }
   void validate() const {
     reconstruction.validate();
@@ -39,6 +42,7 @@ struct ReconstructOptions {
     stitching.validate();
     view.validate();
     scene.validate();
+    sensor.validate();
   }
 };
 
@@ -75,6 +79,8 @@ struct Reconstruct {
   std::filesystem::path path;
   std::string poses;
   TableArguments table_arguments;
+  SensorArguments sensor_arguments;
+  SensorChoice sensor;  ///< of the sequence
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
@@ -101,7 +107,7 @@ struct Reconstruct {
       const auto start = std::chrono::steady_clock::now();
       std::optional<DepthFrame> frame;
       try {
-        frame = reader.next();
+        frame = sensor.prepared(reader.next(), sequence.camera());
       } catch (const InputError& error) {
         log.add_unreadable(i);
         if (++unreadable <= max_unreadable_warnings) session.warn(error.what());
@@ -143,7 +149,8 @@ struct Reconstruct {
   /// A sequence of one frame: the frame's own pixels are the surface.
   void run_on_view(const DepthSequence& sequence, const OptionFields& fields, Session& session,
                    StageTimer& timer) const {
-    const DepthFrame frame = timer.time("read", [&] { return sequence.read(0); });
+    const DepthFrame frame =
+        timer.time("read", [&] { return sensor.prepared(sequence.read(0), sequence.camera()); });
     const Eigen::Isometry3d pose = given_pose(sequence, 0).value_or(Eigen::Isometry3d::Identity());
     const PlacedFrames placed{{{frame.time, pose}}, {0}};
     const ViewScene view = naming(path, [&] {
@@ -155,9 +162,10 @@ struct Reconstruct {
     const TriangleMesh surface = timer.time(
         "extract surface", [&] { return transformed(view_mesh(view.points, options.view), pose); });
     std::vector<ReportMember> members{{"output", shared.output}, {"frames", 1}, {"fused", 1}};
-    const std::vector<ReportMember> written =
-        output().write({view.built, view.occupancy, surface},
-                       {sequence, placed, describe_run("reconstruct", fields)}, session, timer);
+    members.push_back(ReportMember::raw("sensor", sensor.json));
+    const std::vector<ReportMember> written = output().write(
+        {view.built, view.occupancy, surface},
+        {sequence, placed, describe_run("reconstruct", fields, "", sensor.json)}, session, timer);
     members.insert(members.end(), written.begin(), written.end());
     session.finish(members, timer.stages());
   }
@@ -192,12 +200,23 @@ struct Reconstruct {
     report_trajectory(sequence, placed, session);
     const std::vector<ReportMember> written = output().write(
         reconstruction, options.reconstruction.surface,
-        {sequence, placed, describe_run("reconstruct", fields, log.json())}, session, timer);
+        {sequence, placed, describe_run("reconstruct", fields, log.json(), sensor.json)}, session,
+        timer);
     std::vector<ReportMember> members{
         {"output", shared.output}, {"frames", sequence.size()}, {"fused", log.fused()}};
     members.push_back(ReportMember::raw("log", log.json()));
+    members.push_back(ReportMember::raw("sensor", sensor.json));
     members.insert(members.end(), written.begin(), written.end());
     session.finish(members, timer.stages());
+  }
+
+  void choose_sensor(const DepthSequence& sequence, Session& session) {
+    sensor_arguments.tracks = sequence.size() > 1;
+    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames),
+                                     sequence.camera(), options.sensor, session);
+    double& tracking_noise = options.reconstruction.measurement.noise;
+    tracking_noise = sensor.tracking_noise.value_or(tracking_noise);
+    options.view.noise = sensor.noise.value_or(options.view.noise);
   }
 
   void run() {
@@ -210,6 +229,7 @@ struct Reconstruct {
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
     session.warn(sequence->warnings());
     require_poses(*sequence);
+    timer.time("estimate sensor", [&] { choose_sensor(*sequence, session); });
     if (sequence->size() == 1) {
       run_on_view(*sequence, fields, session, timer);
     } else {
@@ -233,6 +253,7 @@ void add_reconstruct(CommandLine& line) {
   arguments.choice("--poses", state->poses, {"exact", "start"},
                    "use the sequence's poses as they are, or as initial poses of tracking");
   state->table_arguments.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
+  state->sensor_arguments.add_to(arguments);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

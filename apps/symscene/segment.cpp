@@ -72,7 +72,9 @@ struct Segment {
 
   void write_masks(const SegmentInput& input, const SegmentationResult& result) const {
     if (masks.empty()) return;
-    MaskImageWriter writer(absolute(masks), result, options.masks);
+    LabelImageOptions mask_options = options.masks;
+    mask_options.noise = input.sensor.noise.value_or(mask_options.noise);
+    MaskImageWriter writer(absolute(masks), result, mask_options);
     writer.add(0, input.camera, *input.frame, Eigen::Isometry3d::Identity());
     writer.finish();
   }
@@ -113,10 +115,12 @@ struct Segment {
                   {surface_around(input.surface, result, session), std::move(input.trajectory)});
     write_masks(input, result);
     session.print_line(format_objects(result));
-    session.finish({{"output", shared.output},
-                    {"objects", result.objects.size()},
-                    {"points", result.cloud.size()}},
-                   result.timings);
+    std::vector<ReportMember> members{{"output", shared.output},
+                                      {"objects", result.objects.size()},
+                                      {"points", result.cloud.size()}};
+    if (!input.sensor.json.empty())
+      members.push_back(ReportMember::raw("sensor", input.sensor.json));
+    session.finish(members, result.timings);
   }
 };
 
@@ -138,6 +142,7 @@ void add_segment(CommandLine& line) {
                   "run N more times and report the median time of each stage");
   arguments.sequence_options(state->source.sequence);
   state->source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
+  state->source.sensor.add_to(arguments);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

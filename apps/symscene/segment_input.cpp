@@ -60,7 +60,7 @@ SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Sessi
     });
   });
   report_table(built, session);
-  return {std::move(built.scene), {}, {}, timer.stages(), {}, {}};
+  return {std::move(built.scene), {}, {}, timer.stages(), {}, {}, {}};
 }
 
 SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& session) const {
@@ -72,19 +72,26 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
                      "one frame (run symscene reconstruct first, which makes a scene of many)",
                      fmt::format("{} frames", sequence->size()));
   }
-  const DepthFrame frame = timer.time("read", [&] { return sequence->read(0); });
+  DepthFrame frame = timer.time("read", [&] { return sequence->read(0); });
+  const SensorChoice chosen = timer.time("estimate sensor", [&] {
+    return sensor.choose({&frame, 1}, sequence->camera(), options.sensor, session);
+  });
+  frame = chosen.prepared(std::move(frame), sequence->camera());
+  ViewSceneOptions view_options = options.view;
+  if (chosen.noise) view_options.points.noise = *chosen.noise;
   const Trajectory cameras{{frame.time, Eigen::Isometry3d::Identity()}};
   ViewScene view = naming(path, [&] {
-    return view_scene({frame, sequence->camera()}, table.known(prior_of(cameras)), options.view);
+    return view_scene({frame, sequence->camera()}, table.known(prior_of(cameras)), view_options);
   });
   for (const StageTime& stage : view.stages) timer.add(stage.stage, stage.seconds);
   report_table(view.built, session);
   SegmentInput input{std::move(view.built.scene),
-                     view_mesh(view.points, options.view.points),
+                     view_mesh(view.points, view_options.points),
                      cameras,
                      timer.stages(),
                      {},
-                     sequence->camera()};
+                     sequence->camera(),
+                     chosen};
   input.frame = frame;
   return input;
 }

@@ -2,6 +2,7 @@
 
 #include "scene_output.hpp"
 #include "segment_options.hpp"
+#include "sensor_choice.hpp"
 
 namespace symscene::app {
 
@@ -13,6 +14,7 @@ struct SegmentInput {
   std::vector<StageTime> stages;    ///< wall time of making the scene
   std::optional<DepthFrame> frame;  ///< of a scene that was made of one, in its camera's frame
   CameraIntrinsics camera;          ///< of the frame
+  SensorChoice sensor;              ///< of the frame
 };
 
 /// Where `symscene segment` finds its scene.
@@ -20,6 +22,7 @@ struct SegmentSource {
   std::filesystem::path path;
   SequenceOptions sequence;
   TableArguments table;
+  SensorArguments sensor;
 
   /// Reads a scene folder, or makes a scene of a cloud or of a sequence of one depth image. Throws
   /// InputError if the path is none of these or cannot be read.

@@ -2,6 +2,7 @@
 
 #include "symscene/labels/label_image.hpp"
 #include "symscene/pipeline/pipeline_options.hpp"
+#include "symscene/reconstruction/sensor.hpp"
 #include "symscene/tabletop/cloud_scene.hpp"
 #include "symscene/tabletop/view_scene.hpp"
 
@@ -14,6 +15,7 @@ struct SegmentOptions {
   ViewSceneOptions view;
   NormalEstimationOptions cloud_normals;
   LabelImageOptions masks;
+  SensorEstimationOptions sensor;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -21,12 +23,14 @@ struct SegmentOptions {
     visit("view", self.view);
     visit("cloud_normals", self.cloud_normals);
     visit("masks", self.masks);
+    visit("sensor", self.sensor);
   }
   void validate() const {
     pipeline.validate();
     view.validate();
     cloud_normals.validate();
     masks.validate();
+    sensor.validate();
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "scene_output.hpp"
+#include "sensor_choice.hpp"
 #include "session.hpp"
 #include "stitch_report.hpp"
 #include "sweep_stitching.hpp"
@@ -25,6 +26,7 @@ struct StitchOptions {
   OccupancyVolumeOptions occupancy;
   SurfaceExtractionOptions surface;
   SceneBuildingOptions scene;
+  SensorEstimationOptions sensor;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -33,11 +35,13 @@ struct StitchOptions {
     visit("occupancy", self.occupancy);
     visit("surface", self.surface);
     visit("scene", self.scene);
+    visit("sensor", self.sensor);
   }
 
   void validate() const {
     stitching.validate();
     scene.validate();
+    sensor.validate();
     reconstruction().validate();
   }
 
@@ -57,6 +61,8 @@ struct Stitch {
   SequenceOptions source;
   std::filesystem::path path;
   TableArguments table_arguments;
+  SensorArguments sensor_arguments;
+  SensorChoice sensor;  ///< of the sequence
   std::optional<int> every;
 
   OptionFields configure() { return configure_options(options, shared.config); }
@@ -144,6 +150,15 @@ struct Stitch {
     return reconstruction;
   }
 
+  void choose_sensor(const DepthSequence& sequence, ReadFrames& read, Session& session) {
+    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames),
+                                     sequence.camera(), options.sensor, session);
+    double& noise = options.stitching.measurement.noise;
+    noise = sensor.noise.value_or(noise);
+    for (DepthFrame& frame : read.frames)
+      frame = sensor.prepared(std::move(frame), sequence.camera());
+  }
+
   void run() {
     const OptionFields fields = configure();
     table_arguments.table();  // before the work
@@ -154,7 +169,8 @@ struct Stitch {
     StageTimer timer(session.on_begin());
     const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
     session.warn(sequence->warnings());
-    const ReadFrames read = timer.time("read", [&] { return this->read(*sequence, session); });
+    ReadFrames read = timer.time("read", [&] { return this->read(*sequence, session); });
+    timer.time("estimate sensor", [&] { choose_sensor(*sequence, read, session); });
     session.on_begin()("stitch");
     const StitchingResult stitched =
         stitch_frames(read.frames, sequence->camera(), options.stitching);
@@ -168,10 +184,12 @@ struct Stitch {
     const SceneOutput output{path, shared.output, table_arguments, options.scene};
     const std::vector<ReportMember> written = output.write(
         reconstruction, options.surface,
-        {*sequence, placed, describe_run("stitch", fields, stitch_json(stitched, read.numbers))},
+        {*sequence, placed,
+         describe_run("stitch", fields, stitch_json(stitched, read.numbers), sensor.json)},
         session, timer);
     std::vector<ReportMember> members{
         {"output", shared.output}, {"frames", read.frames.size()}, {"placed", stitched.placed}};
+    members.push_back(ReportMember::raw("sensor", sensor.json));
     members.insert(members.end(), written.begin(), written.end());
     session.finish(members, timer.stages());
   }
@@ -193,6 +211,7 @@ void add_stitch(CommandLine& line) {
   arguments.count("--every", state->every, "use every N-th frame with colour");
   state->table_arguments.add_to(
       arguments, "the table plane a,b,c,d with ax + by + cz + d = 0, in the first camera's frame");
+  state->sensor_arguments.add_to(arguments);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

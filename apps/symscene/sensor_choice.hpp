@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "arguments.hpp"
+#include "session.hpp"
+#include "symscene/reconstruction/sensor.hpp"
+
+namespace symscene::app {
+
+/// The sensor that the command line names or the frames show.
+struct SensorChoice {
+  std::optional<Sensor> sensor;
+  std::optional<double> noise;  ///< in place of the options' noise, if the sensor is named [1/m]
+  std::optional<double> tracking_noise;  ///< the same of tracking and fusion, also of a stereo
+                                         ///< camera that is found with more noise than usual [1/m]
+  std::string json;                      ///< what was found and what is used
+  SensorEstimationOptions options;
+
+  /// The frame as the stages take it: of a time-of-flight camera without flying pixels.
+  DepthFrame prepared(DepthFrame frame, const CameraIntrinsics& camera) const;
+};
+
+/// Frames that are spread over the sequence; those that cannot be read are left out.
+std::vector<DepthFrame> some_frames(const DepthSequence& sequence, int count);
+
+/// --sensor.
+struct SensorArguments {
+  std::string name;
+
+  void add_to(Arguments& arguments);
+
+  bool tracks = false;  ///< frames are tracked
+
+  /// Looks at the frames, says what it finds, and warns if no sensor explains it.
+  SensorChoice choose(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
+                      const SensorEstimationOptions& options, Session& session) const;
+};
+
+}  // namespace symscene::app
