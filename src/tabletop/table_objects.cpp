@@ -9,6 +9,7 @@
 #include "core/voxel_sampling.hpp"
 #include "enclosed_floors.hpp"
 #include "symscene/core/neighbors.hpp"
+#include "table_roughness.hpp"
 
 namespace symscene {
 namespace {
@@ -126,19 +127,32 @@ void drop_stray_fragments(TableObjects& objects, const PlaneFrame& frame,
   objects.cloud = select(objects.cloud, points);
 }
 
+/// The height from which points belong to objects.
+struct Clearance {
+  double everywhere = 0.0;  ///< at least [m]
+  double sigmas = 0.0;      ///< of the roughness
+  double most = 0.0;        ///< where the table is rough [m]
+  const TableRoughness& roughness;
+
+  double at(const Eigen::Vector2d& within) const {
+    return std::max(everywhere, std::min(sigmas * roughness.at(within), most));
+  }
+};
+
 /// Those of the points that are above the clearance or on the floor of what stands on the table.
 PointIndices standing_points(const PointCloud& cloud, const PointIndices& points,
-                             const BentPlane& surface, double clearance, double cell) {
+                             const BentPlane& surface, const Clearance& clearance, double cell) {
   std::vector<PlaneSample> samples(points.size());
   parallel_for_each(points.size(), [&](std::size_t k) {
     const Eigen::Vector3d point = cloud.position(points[k]).cast<double>();
     samples[k] = {surface.frame().within(point), surface.height(point)};
   });
   std::vector<std::uint8_t> stands(points.size(), 0);
-  for (const std::size_t k : enclosed_floors(samples, clearance, cell)) stands[k] = 1;
+  for (const std::size_t k : enclosed_floors(samples, clearance.everywhere, cell)) stands[k] = 1;
   PointIndices standing;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (stands[k] != 0 || samples[k].height > clearance) standing.push_back(points[k]);
+    if (stands[k] != 0 || samples[k].height > clearance.at(samples[k].within))
+      standing.push_back(points[k]);
   }
   return standing;
 }
@@ -183,8 +197,11 @@ TableObjects objects_on(const PointCloud& cloud, const FoundPlanes& planes,
                         [&](const WallTest& wall) { return wall.holds(point, normal); });
   };
   const PointIndices over_table = indices_where(cloud.size(), is_over_table);
-  const PointIndices standing =
-      standing_points(cloud, over_table, surface, objects.clearance, 2.0 * crop.voxel_size);
+  const TableRoughness roughness(cloud, surface, outline, options.plane.max_height);
+  const PointIndices standing = standing_points(
+      cloud, over_table, surface,
+      {objects.clearance, crop.rough_clearance_sigmas, crop.max_rough_clearance, roughness},
+      2.0 * crop.voxel_size);
   objects.cloud = voxel_downsample(select(cloud, standing), crop.voxel_size);
   drop_stray_fragments(objects, surface.frame(), outline, crop);
   return objects;

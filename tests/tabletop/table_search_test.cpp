@@ -314,6 +314,31 @@ TEST(TableScene, AThinObjectOnABentTableIsKept) {
   EXPECT_GT(find_table_scene(cloud, flat).objects.clearance, scene.objects.clearance);
 }
 
+/// As far from a camera, where noise makes points of the table stand higher than small objects.
+TEST(TableScene, PointsOfATableThatIsRoughSomewhereAreNoObjectsThere) {
+  CloudBuilder builder(8, 0.001);
+  Random random(9);
+  builder.bend = [&](const Eigen::Vector3d& p) {
+    return p.x() > 0.3 ? 0.012 * random.normal() : 0.0;
+  };
+  add_table(builder);
+  builder.add_box({-0.2, -0.1, 0}, {0.1, 0.1, 0.03});
+  const auto count_beyond = [&](const TableScene& scene, float x) {
+    return (scene.objects.cloud.positions.col(0).array() > x).count();
+  };
+  TableSceneOptions options;
+  options.crop.link = 0.03;  // so that scattered points are fragments too
+  options.crop.min_fragment = 10;
+  options.crop.rough_clearance_sigmas = 3.0;
+  const PointCloud cloud = builder.cloud();
+  const TableScene scene = find_table_scene(cloud, options);
+  ASSERT_EQ(scene.planes.status, SupportStatus::found);
+  EXPECT_GT(scene.objects.cloud.size(), 500U) << "the box is kept where the table is smooth";
+  const auto rough = count_beyond(scene, 0.3F);
+  options.crop.rough_clearance_sigmas = 0.0;
+  EXPECT_LT(3 * rough, count_beyond(find_table_scene(cloud, options), 0.3F));
+}
+
 TEST(TableScene, StrayFragmentsAreDropped) {
   CloudBuilder builder(6);
   add_table(builder);

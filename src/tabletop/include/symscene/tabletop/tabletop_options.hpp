@@ -72,6 +72,8 @@ struct TableCropOptions {
   double voxel_size = 0.005;
   double min_clearance = 0.005;
   double max_clearance = 0.015;
+  double max_rough_clearance = 0.06;
+  double rough_clearance_sigmas = 2.0;
   double clearance_sigmas = 3.0;
   double overhang = 0.05;
   double link = 0.012;
@@ -86,6 +88,11 @@ struct TableCropOptions {
           "least height from which points belong to objects");
     visit("max_clearance", self.max_clearance, "m", at_least(0.0),
           "the same where the table's points are rough");
+    visit(
+        "max_rough_clearance", self.max_rough_clearance, "m", at_least(0.0),
+        "the same at places where the table is measured more roughly than elsewhere, as far away");
+    visit("rough_clearance_sigmas", self.rough_clearance_sigmas, "", at_least(0.0),
+          "the height at a place in standard deviations of the points below the table there");
     visit("clearance_sigmas", self.clearance_sigmas, "", at_least(0.0),
           "the height in standard deviations of the table's points, between these bounds");
     visit("overhang", self.overhang, "m", at_least(0.0),
