@@ -12,8 +12,8 @@
   SUBCOMMAND(info)                       \
   SUBCOMMAND(options)
 
-// Those of the evaluation's wing. Without SYMSCENE_BUILD_EVALUATION a build has the first list only
-// with SYMSCENE_BUILD_SIMULATION, and never the second.
+// Those of the evaluation's wing. The simulation's need SYMSCENE_BUILD_SIMULATION or
+// SYMSCENE_BUILD_EVALUATION, the others SYMSCENE_BUILD_EVALUATION.
 #define SYMSCENE_SIMULATION_SUBCOMMANDS(SUBCOMMAND) SUBCOMMAND(simulate)
 #define SYMSCENE_EVALUATION_SUBCOMMANDS(SUBCOMMAND) \
   SUBCOMMAND(dataset)                               \

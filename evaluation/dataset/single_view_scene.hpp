@@ -14,7 +14,8 @@ struct SingleViewScene {
 };
 
 /// Makes a scene from a single image with view_scene(). A point takes the label of the pixel that
-/// it projects to, in a hole that at the border, if the depth there is that of the point. Throws
+/// it projects to, or of the border of a hole in which it lies, if the depth there is that of the
+/// point. Throws
 /// InputError if depth or labels do not have the size of the camera's image, or an option is out of
 /// range.
 SingleViewScene single_view_scene(const LabeledFrame& labeled,

@@ -19,13 +19,14 @@ struct FusedFrames {
   Trajectory tracked;
   std::vector<Eigen::Isometry3d> estimated;
   std::vector<Eigen::Isometry3d> truth;
-  std::vector<LabelledView> views;
+  LabelledSweep labelled;
 };
 
 FusedFrames add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool exact,
                        Reconstruction& reconstruction, SweptScene& result, StageTimer& timer) {
   using Clock = std::chrono::steady_clock;
   FusedFrames fused;
+  fused.labelled.camera = sweep.camera.intrinsics();
   const int stride = (sweep.camera.frames + labelled_views - 1) / labelled_views;
   std::optional<Eigen::Isometry3d> T_world_first;
   std::chrono::duration<double> tracking{0.0};
@@ -45,7 +46,8 @@ FusedFrames add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool
     fused.estimated.push_back(T_scene_camera);
     fused.truth.push_back(seen.T_world_camera);
     if (number % static_cast<std::size_t>(stride) == 0)
-      fused.views.push_back({T_scene_camera, std::move(frame.depth), std::move(seen.objects)});
+      fused.labelled.views.push_back(
+          {T_scene_camera, std::move(frame.depth), std::move(seen.objects)});
   });
   const std::chrono::duration<double> all = Clock::now() - start;
   timer.add("render", (all - tracking).count());
@@ -76,8 +78,8 @@ void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
     if (built.scene.table) result.scene = std::move(built.scene);
   }
   result.truth = timer.time("ground truth", [&] {
-    return sweep_truth(tabletop_truth(tabletop), fused.views, sweep.camera.intrinsics(),
-                       result.scene.cloud, result.T_scene_world, options.truth);
+    return sweep_truth(tabletop_truth(tabletop), fused.labelled, result.scene.cloud,
+                       result.T_scene_world, options.truth);
   });
 }
 

@@ -59,11 +59,11 @@ std::optional<Index> object_shown(const LabelledView& view, const Eigen::Vector3
 }
 
 /// The object that most views show at a point; the first of several.
-Index object_of_most(std::span<const LabelledView> views, const Eigen::Vector3d& point,
-                     const CameraIntrinsics& camera, double tolerance) {
+Index object_of_most(const LabelledSweep& sweep, const Eigen::Vector3d& point, double tolerance) {
   std::map<Index, int> votes;
-  for (const LabelledView& view : views) {
-    const auto shown = object_shown(view, view.T_cloud_camera.inverse() * point, camera, tolerance);
+  for (const LabelledView& view : sweep.views) {
+    const auto shown =
+        object_shown(view, view.T_cloud_camera.inverse() * point, sweep.camera, tolerance);
     if (shown) ++votes[*shown];
   }
   const auto most = std::max_element(
@@ -173,19 +173,18 @@ SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
                     options);
 }
 
-SceneTruth sweep_truth(const SceneTruth& truth, std::span<const LabelledView> views,
-                       const CameraIntrinsics& camera, const PointCloud& cloud,
+SceneTruth sweep_truth(const SceneTruth& truth, const LabelledSweep& sweep, const PointCloud& cloud,
                        const Eigen::Isometry3d& T_cloud_truth,
                        const TruthTransferOptions& options) {
   options.validate();
-  for (const LabelledView& view : views) {
-    require_pixels(view.depth.size(), camera, "depth image");
-    require_pixels(view.objects.size(), camera, "image of objects");
+  for (const LabelledView& view : sweep.views) {
+    require_pixels(view.depth.size(), sweep.camera, "depth image");
+    require_pixels(view.objects.size(), sweep.camera, "image of objects");
   }
   std::vector<Index> objects(cloud.size(), SensorFrame::nothing);
   parallel_for_each(objects.size(), [&](std::size_t i) {
     const Eigen::Vector3d point = cloud.position(static_cast<Index>(i)).cast<double>();
-    objects[i] = object_of_most(views, point, camera, options.tolerance);
+    objects[i] = object_of_most(sweep, point, options.tolerance);
   });
   return with_masks(transformed(truth, T_cloud_truth), objects, cloud, options);
 }

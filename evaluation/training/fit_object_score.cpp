@@ -1,5 +1,5 @@
 // Fits the models object_alone and object_among_others to samples of symscene_make_object_samples
-// (benchmarks/README.md).
+// (evaluation/training/README.md).
 #include <array>
 
 #include <fmt/format.h>

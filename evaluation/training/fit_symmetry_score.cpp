@@ -1,4 +1,4 @@
-// Fits the model axis or plane to datasets with ground truth (benchmarks/README.md).
+// Fits the model axis or plane to datasets with ground truth (evaluation/training/README.md).
 #include <fmt/format.h>
 
 #include <algorithm>

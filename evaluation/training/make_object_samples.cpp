@@ -1,5 +1,5 @@
 // Writes the proposals of datasets with ground truth as samples for symscene_fit_object_score
-// (benchmarks/README.md).
+// (evaluation/training/README.md).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 

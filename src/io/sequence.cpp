@@ -1,7 +1,5 @@
 #include "symscene/io/sequence.hpp"
 
-#include <array>
-
 #include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 
@@ -20,7 +18,7 @@ struct Layout {
 };
 
 /// The first layout that recognises a path opens it.
-constexpr std::array<Layout, 9> layouts = {{
+constexpr Layout layouts[] = {
     {is_own_layout, open_own_layout},
     {is_icl_nuim, open_icl_nuim},
     {is_tum, open_tum},
@@ -30,7 +28,7 @@ constexpr std::array<Layout, 9> layouts = {{
     {is_bag, open_bag},
     {is_single_image, open_single_image},
     {is_image_folder, open_image_folder},
-}};
+};
 
 /// Null if no layout recognises the path.
 const Layout* layout_of(const fs::path& path) {

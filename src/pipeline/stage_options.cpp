@@ -16,7 +16,7 @@ WorkspaceOptions workspace_options(const PipelineOptions& options) {
 
 RemovalOptions removal_options(const PipelineOptions& options) {
   return {.bounds = options.rotational_segmentation.bounds,
-          .min_confidence = options.min_removal_score,
+          .min_confidence = options.min_removal_confidence,
           .min_segment_size = options.oversegmentation.min_size};
 }
 

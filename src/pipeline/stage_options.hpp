@@ -6,7 +6,7 @@
 
 namespace symscene {
 
-/// What the options of the pipeline tell stages whose options are no group of their own.
+/// The options of stages that take theirs from several groups of the pipeline's options.
 WorkspaceOptions workspace_options(const PipelineOptions& options);
 RemovalOptions removal_options(const PipelineOptions& options);
 

@@ -164,7 +164,7 @@ std::vector<std::size_t> select_consistent(const std::vector<SelectionCandidate>
   std::vector<double> weights;
   for (const std::size_t i : kept) {
     weights.push_back(static_cast<double>(objects[i].points.size()) *
-                      std::pow(objects[i].score, options.score_exponent));
+                      std::pow(objects[i].score, options.confidence_exponent));
   }
   return independent_objects(objects, kept, std::move(weights), options, rejected);
 }

@@ -66,8 +66,8 @@ ModelView CameraTracker::predict(const CameraIntrinsics& camera,
   return smoothed_view(camera, T_world_camera, {});
 }
 
-/// The model as seen from the last pose, completed with the frame that was fused there: few looks
-/// leave corners of cells that no ray can cross.
+/// The model as seen from the last pose, completed with the frame that was fused there: after few
+/// frames the model has cells with unseen corners, which no ray can cross.
 ModelView CameraTracker::predict_at_last(const CameraIntrinsics& camera) {
   return smoothed_view(camera, T_world_last_, last_depth_);
 }

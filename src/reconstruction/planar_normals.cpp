@@ -123,7 +123,7 @@ class PlanarWindows {
     });
     planes_.resize(moments.size());
     for_each_block([&](std::size_t x, std::size_t y) {
-      if (goes_on(x, y)) planes_[y * columns_ + x] = windows_[y * columns_ + x];
+      if (is_continued(x, y)) planes_[y * columns_ + x] = windows_[y * columns_ + x];
     });
     for_each_block([&](std::size_t x, std::size_t y) { smooth_block(x, y); });
   }
@@ -176,9 +176,9 @@ class PlanarWindows {
     return plane.normal.z() < 0.0F ? std::optional(plane) : std::nullopt;
   }
 
-  /// Whether the plane of a window goes on beside it and above or below it, as that of a curved
-  /// surface does not.
-  bool goes_on(std::size_t x, std::size_t y) const {
+  /// Whether windows beside it and above or below it have the plane of a window, which those of a
+  /// curved surface do not.
+  bool is_continued(std::size_t x, std::size_t y) const {
     const std::optional<Plane>& plane = windows_[y * columns_ + x];
     const auto agrees = [&](std::size_t i, std::size_t j) {
       if (i >= columns_ || j >= rows_) return false;
@@ -220,7 +220,7 @@ class PlanarWindows {
   std::size_t columns_, rows_;
   double slope_bound_;                         ///< between windows of one plane [1/m per px]
   std::vector<std::optional<Plane>> windows_;  ///< by the first block
-  std::vector<std::optional<Plane>> planes_;   ///< those that go on
+  std::vector<std::optional<Plane>> planes_;   ///< those that neighbours continue
 };
 
 }  // namespace

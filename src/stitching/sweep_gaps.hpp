@@ -19,8 +19,8 @@ using PoseOfPair = std::function<std::optional<Eigen::Isometry3d>(std::size_t, s
 /// and searched around them. Their pair gets the status `tracked` if the depth images contradict
 /// its pose little more than is usual among the consecutive pairs. Accepted pairs that are
 /// contradicted more are rejected. Nothing is done if features join less than half of the
-/// consecutive pairs, as what is usual is then not known. `pairs` are those of all frames, as in
-/// StitchingResult.
+/// consecutive pairs, as too few pairs are left to compare with. `pairs` are those of all frames,
+/// as in StitchingResult.
 void close_gaps(std::span<const Measurement* const> frames, const StitchingOptions& options,
                 const TrackingOptions& tracking, const PoseOfPair& from_features,
                 std::vector<StitchedPair>& pairs);

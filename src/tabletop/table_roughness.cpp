@@ -10,7 +10,7 @@ namespace symscene {
 namespace {
 
 constexpr int cells_across = 12;  // of the longer side of the outline's bounding box
-constexpr std::size_t least_points_of_cell = 50;  // below the table, of a cell that tells
+constexpr std::size_t least_points_of_cell = 50;  // below the table, for a deviation of a cell
 constexpr double deviation_of_median = 1.4826;  // of absolute values that are normally distributed
 
 }  // namespace

@@ -31,8 +31,8 @@ SingleView two_objects(Index scale = 1) {
       .objects = 2, .stacked = 0.0, .touching = 0.0, .min_gap = 0.06, .max_gap = 0.08, .seed = 3};
   options.camera.frames = 2;
   options.camera.radius = 0.7;
-  options.camera.width = 320 * scale;
-  options.camera.height = 240 * scale;
+  options.camera.width = static_cast<int>(320 * scale);
+  options.camera.height = static_cast<int>(240 * scale);
   options.camera.focal_length = 262.0 * scale;
   const SensorFrame frame = capture_frames(arrange_tabletop(options.tabletop), options)[0];
   const ImageSize size{320 * scale, 240 * scale};

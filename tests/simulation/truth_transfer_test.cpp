@@ -164,10 +164,9 @@ TEST(SweepTruth, GivesEachPointTheObjectThatMostViewsOfItShow) {
   for (Index& object : mistaken.objects) object = 2;
   LabelledView nearer = mistaken;  // something before the points, so that it does not measure them
   for (float& z : nearer.depth) z = 0.9F;
-  const std::vector<LabelledView> views{labelled(frame), labelled(frame), mistaken, nearer, nearer};
+  const LabelledSweep sweep{camera, {labelled(frame), labelled(frame), mistaken, nearer, nearer}};
   const SceneTruth before = tabletop_truth(tabletop);
-  const SceneTruth truth =
-      sweep_truth(before, views, camera, points_of(frame, camera), some_motion());
+  const SceneTruth truth = sweep_truth(before, sweep, points_of(frame, camera), some_motion());
   ASSERT_EQ(truth.objects.size(), 1U);
   EXPECT_EQ(truth.objects[0].name, "left");
   ASSERT_EQ(truth.objects[0].points.size(), seen_pixels / 2);
@@ -184,10 +183,9 @@ TEST(SweepTruth, GivesPointsThatNoViewMeasuredNoObject) {
   behind.T_cloud_camera.linear() = Eigen::AngleAxisd(3.0, Eigen::Vector3d::UnitX()).matrix();
   const PointCloud cloud = points_of(frame, camera);
   EXPECT_TRUE(
-      sweep_truth(tabletop_truth(tabletop), {}, camera, cloud, some_motion()).objects.empty());
-  const std::vector<LabelledView> views{behind};
-  EXPECT_TRUE(
-      sweep_truth(tabletop_truth(tabletop), views, camera, cloud, some_motion()).objects.empty());
+      sweep_truth(tabletop_truth(tabletop), {camera, {}}, cloud, some_motion()).objects.empty());
+  const LabelledSweep sweep{camera, {behind}};
+  EXPECT_TRUE(sweep_truth(tabletop_truth(tabletop), sweep, cloud, some_motion()).objects.empty());
 }
 
 TEST(TransferTruth, RefusesGroundTruthWithoutMeshesOrPoses) {

@@ -43,8 +43,8 @@ struct ObjectOutcome {
 /// The outcome of every object of `truth`. `masks` are the objects in the cloud of the proposals
 /// (transfer_masks()), empty for those that it lacks; `result` is that of choose_objects(). An
 /// object without known symmetries counts as proposed by any candidate with most of its support in
-/// it. If several proposals with IoU > 0.9 were rejected, the reason is that of the one rejected
-/// last.
+/// it. If several proposals with IoU > 0.9 were rejected, the reason is the one for which the
+/// last of them was rejected.
 std::vector<ObjectOutcome> object_outcomes(const SceneTruth& truth,
                                            const std::vector<PointIndices>& masks,
                                            const SceneProposals& proposals,

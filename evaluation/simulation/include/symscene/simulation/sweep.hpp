@@ -42,8 +42,8 @@ using FrameSink =
 /// number of threads. Throws InputError if an option is out of range.
 void capture_sweep(const Tabletop& tabletop, const SweepOptions& options, const FrameSink& sink);
 
-/// What the camera measured and the time, with the object that each pixel shows: its index in the
-/// tabletop, or a greater one for all else.
+/// Takes the time of a frame, what the camera measured, and the object that each pixel shows: its
+/// index in the tabletop, or a greater one for all else.
 using SensorFrameSink = std::function<void(double time, SensorFrame&& frame)>;
 
 /// The same frames with what each pixel shows. Throws as capture_sweep() does.

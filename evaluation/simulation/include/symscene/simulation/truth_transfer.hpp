@@ -63,13 +63,18 @@ struct LabelledView {
   std::vector<Index> objects;  ///< as in SensorFrame
 };
 
+/// Views of one camera.
+struct LabelledSweep {
+  CameraIntrinsics camera;
+  std::vector<LabelledView> views;
+};
+
 /// The ground truth of a cloud that was reconstructed from views: each point belongs to the object
 /// that most views which measured it show there, wherever the errors of the sensor move it. A view
 /// measured a point if the depths differ by at most the tolerance, which grows with the square of
 /// the depth beyond 1 m. `truth` is mapped by T_cloud_truth. Throws InputError if an image is not
 /// of the camera's size or an option is out of range.
-SceneTruth sweep_truth(const SceneTruth& truth, std::span<const LabelledView> views,
-                       const CameraIntrinsics& camera, const PointCloud& cloud,
+SceneTruth sweep_truth(const SceneTruth& truth, const LabelledSweep& sweep, const PointCloud& cloud,
                        const Eigen::Isometry3d& T_cloud_truth,
                        const TruthTransferOptions& options = {});
 

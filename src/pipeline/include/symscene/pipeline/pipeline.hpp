@@ -17,8 +17,8 @@ SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& opti
 
 /// The first half of segment_scene(): the hypotheses of both streams (section 4.4) before the
 /// bounds of section 4.3.3, and the proposals made of them and of the parts of the surface, with
-/// features and scores. The bounds and `min_removal_score` still decide which rotational objects
-/// are removed before the reflectional stream. Throws InputError as segment_scene() does.
+/// features and scores. The bounds and `min_removal_confidence` still decide which rotational
+/// objects are removed before the reflectional stream. Throws InputError as segment_scene() does.
 SceneProposals propose_objects(const Scene& scene, const PipelineOptions& options = {},
                                const StageTimer::OnBegin& on_begin = {});
 

@@ -22,7 +22,7 @@ struct PipelineOptions {
   double stray_radius = 0.02;
   int stray_neighbors = 3;
   double space_margin = 0.15;
-  double min_removal_score = 0.6;
+  double min_removal_confidence = 0.6;
   bool rotational_stream = true;
   NormalEstimationOptions normals;
   OutwardVoteOptions outward_vote;
@@ -53,7 +53,7 @@ struct PipelineOptions {
           "a point with fewer others within stray_radius is left out as stray (section 2.1.1)");
     visit("space_margin", self.space_margin, "m", between(0.0, 10.0),
           "margin around the cloud within which free space is read (section 2.1.2)");
-    visit("min_removal_score", self.min_removal_score, "", between(0.0, 1.0),
+    visit("min_removal_confidence", self.min_removal_confidence, "", between(0.0, 1.0),
           "a rotational hypothesis of lower confidence leaves its points to the reflectional "
           "stream too (section 4.4)");
     visit("rotational_stream", self.rotational_stream, "", any_value(),

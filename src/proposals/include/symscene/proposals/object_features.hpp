@@ -31,7 +31,7 @@ struct OwnFeatures {
   double confidence = 0.0;       ///< of its most confident hypothesis (section 4.3.3); 0 for none
 };
 
-/// Features of a proposal: how likely its points are one whole object.
+/// All features of a proposal from which the probability that it is one whole object is estimated.
 struct ObjectFeatures : OwnFeatures {
   double continued = 0.0;  ///< greatest continuation by another proposal (continuation())
   double joined = 0.0;     ///< continuation of two proposals by each other that make it up

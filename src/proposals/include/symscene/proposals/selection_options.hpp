@@ -12,7 +12,7 @@ struct SelectionOptions {
   double uncovered_size = 0.25;
   double max_overlap = 0.5;
   double min_parts_cover = 0.9;
-  double score_exponent = 1.0;
+  double confidence_exponent = 1.0;
   double part_contained_share = 0.8;
   double max_part_share = 0.85;
   int max_exact_conflicts = 24;
@@ -35,8 +35,8 @@ struct SelectionOptions {
     visit("min_parts_cover", self.min_parts_cover, "", between(0.0, 1.0),
           "without by_score, an object is rejected if others inside it hold a greater share of its "
           "points");
-    visit("score_exponent", self.score_exponent, "", between(0.0, 20.0),
-          "without by_score, an object's weight is its size times this power of its score");
+    visit("confidence_exponent", self.confidence_exponent, "", between(0.0, 20.0),
+          "without by_score, an object's weight is its size times this power of its confidence");
     visit("part_contained_share", self.part_contained_share, "", between(0.0, 1.0),
           "without by_score, an object lies inside another that holds a greater share of its "
           "points");

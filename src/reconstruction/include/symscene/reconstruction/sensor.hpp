@@ -23,7 +23,7 @@ const char* to_string(Sensor sensor);
 /// The sensor of that name. Throws InputError for any other text.
 Sensor parse_sensor(const std::string& name);
 
-/// How the sensor is told by the residuals of smooth patches.
+/// How the sensor is identified from the residuals of smooth patches.
 struct SensorEstimationOptions {
   int frames = 5;
   int patch = 16;

@@ -66,7 +66,9 @@ struct SurfaceExtractionOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("min_looks", self.min_looks, "", between(0.0, 2000.0),
-          "weight that all corners of a cell need, in frontal looks from where it was seen");
+          "weight that all corners of a cell need, in those of one frontal frame at the distance "
+          "from "
+          "which the cell was seen");
     visit("full_frames", self.full_frames, "", at_least(1.0),
           "number of frames that could have seen a cell from which it needs min_looks; of fewer it "
           "needs a share");

@@ -37,8 +37,8 @@ struct BuiltScene {
 BuiltScene build_scene(const PointCloud& points, const OccupancyVolume& occupancy,
                        const TablePrior& known = {}, const SceneBuildingOptions& options = {});
 
-/// What the poses of cameras tell about the table: up is the mean of their −y axes, as they were
-/// held upright, and not known if these point in different directions.
+/// What is known about the table from the poses of cameras: up is the mean of their −y axes, as
+/// they were held upright, and not known if these point in different directions.
 TablePrior prior_of(const Trajectory& cameras);
 
 }  // namespace symscene

@@ -44,7 +44,7 @@ struct ViewScene {
 ViewScene view_scene(const DepthView& view, const TablePrior& known,
                      const ViewSceneOptions& options = {});
 
-/// The same with what the camera's pose tells about the table.
+/// The same with what is known about the table from the camera's pose.
 ViewScene view_scene(const DepthView& view, const ViewSceneOptions& options = {});
 
 }  // namespace symscene
