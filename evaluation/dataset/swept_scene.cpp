@@ -47,7 +47,7 @@ FusedFrames add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool
     fused.truth.push_back(seen.T_world_camera);
     if (number % static_cast<std::size_t>(stride) == 0)
       fused.labelled.views.push_back(
-          {T_scene_camera, std::move(frame.depth), std::move(seen.objects)});
+          {T_scene_camera.inverse(), std::move(frame.depth), std::move(seen.objects)});
   });
   const std::chrono::duration<double> all = Clock::now() - start;
   timer.add("render", (all - tracking).count());

@@ -45,15 +45,11 @@ Points in_truth_frame(const Points& points, const Eigen::Isometry3d& T) {
 /// measure the point.
 std::optional<Index> object_shown(const LabelledView& view, const Eigen::Vector3d& point_camera,
                                   const CameraIntrinsics& camera, double tolerance) {
-  const double z = point_camera.z();
-  if (!(z > 0.0)) return std::nullopt;
-  const Eigen::Vector2d pixel = camera.project(point_camera).array().round();
-  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < camera.width &&
-        pixel.y() < camera.height)) {
-    return std::nullopt;
-  }
+  const std::optional<Eigen::Vector2i> pixel = projected_pixel(point_camera, camera);
+  if (!pixel) return std::nullopt;
   const auto at =
-      static_cast<std::size_t>(pixel.y()) * camera.width + static_cast<std::size_t>(pixel.x());
+      static_cast<std::size_t>(pixel->y()) * camera.width + static_cast<std::size_t>(pixel->x());
+  const double z = point_camera.z();
   if (std::abs(double{view.depth[at]} - z) > tolerance * std::max(1.0, z * z)) return std::nullopt;
   return view.objects[at];
 }
@@ -62,8 +58,7 @@ std::optional<Index> object_shown(const LabelledView& view, const Eigen::Vector3
 Index object_of_most(const LabelledSweep& sweep, const Eigen::Vector3d& point, double tolerance) {
   std::map<Index, int> votes;
   for (const LabelledView& view : sweep.views) {
-    const auto shown =
-        object_shown(view, view.T_cloud_camera.inverse() * point, sweep.camera, tolerance);
+    const auto shown = object_shown(view, view.T_camera_cloud * point, sweep.camera, tolerance);
     if (shown) ++votes[*shown];
   }
   const auto most = std::max_element(

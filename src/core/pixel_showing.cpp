@@ -8,17 +8,6 @@ namespace {
 
 constexpr int max_radius = 8;  // [px], of a hole
 
-/// The pixel onto which a point projects, or none outside the image.
-std::optional<Eigen::Vector2i> projection(const Eigen::Vector3d& point_camera,
-                                          const CameraIntrinsics& camera) {
-  if (!(point_camera.z() > 0.0)) return std::nullopt;
-  const Eigen::Vector2d pixel = camera.project(point_camera).array().round();
-  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < camera.width &&
-        pixel.y() < camera.height))
-    return std::nullopt;
-  return pixel.cast<int>();
-}
-
 /// The measured pixel of the depth nearest to z, in a square around a pixel.
 std::optional<std::size_t> most_similar(const Eigen::Vector2i& middle, int radius, double z,
                                         std::span<const float> depth,
@@ -43,10 +32,20 @@ std::optional<std::size_t> most_similar(const Eigen::Vector2i& middle, int radiu
 
 }  // namespace
 
+std::optional<Eigen::Vector2i> projected_pixel(const Eigen::Vector3d& point_camera,
+                                               const CameraIntrinsics& camera) {
+  if (!(point_camera.z() > 0.0)) return std::nullopt;
+  const Eigen::Vector2d pixel = camera.project(point_camera).array().round();
+  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < camera.width &&
+        pixel.y() < camera.height))
+    return std::nullopt;
+  return pixel.cast<int>();
+}
+
 std::optional<std::size_t> pixel_showing(const Eigen::Vector3d& point_camera,
                                          std::span<const float> depth,
                                          const CameraIntrinsics& camera) {
-  const std::optional<Eigen::Vector2i> middle = projection(point_camera, camera);
+  const std::optional<Eigen::Vector2i> middle = projected_pixel(point_camera, camera);
   std::optional<std::size_t> pixel;
   for (int radius = 0; middle && !pixel && radius <= max_radius; ++radius)
     pixel = most_similar(*middle, radius, point_camera.z(), depth, camera);

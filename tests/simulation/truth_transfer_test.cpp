@@ -180,7 +180,7 @@ TEST(SweepTruth, GivesPointsThatNoViewMeasuredNoObject) {
   const CameraIntrinsics camera{30, 20, 100.0, 100.0, 14.5, 9.5};
   const SensorFrame frame = half_an_image(tabletop);
   LabelledView behind = labelled(frame);
-  behind.T_cloud_camera.linear() = Eigen::AngleAxisd(3.0, Eigen::Vector3d::UnitX()).matrix();
+  behind.T_camera_cloud.linear() = Eigen::AngleAxisd(3.0, Eigen::Vector3d::UnitX()).matrix();
   const PointCloud cloud = points_of(frame, camera);
   EXPECT_TRUE(
       sweep_truth(tabletop_truth(tabletop), {camera, {}}, cloud, some_motion()).objects.empty());

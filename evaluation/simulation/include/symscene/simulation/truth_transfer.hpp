@@ -56,9 +56,9 @@ SceneTruth view_truth(const SceneTruth& truth, const SensorFrame& frame,
                       const CameraIntrinsics& camera, const PointCloud& cloud_camera,
                       const TruthTransferOptions& options = {});
 
-/// What a frame of a sweep shows, at its pose in the frame of a reconstructed cloud.
+/// What a frame of a sweep shows of a reconstructed cloud.
 struct LabelledView {
-  Eigen::Isometry3d T_cloud_camera = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_camera_cloud = Eigen::Isometry3d::Identity();
   std::vector<float> depth;    ///< as measured, 0 for none [m]
   std::vector<Index> objects;  ///< as in SensorFrame
 };
