@@ -153,8 +153,8 @@ std::vector<RotationAxis> axes_within(const SceneDetections& detections, double 
                                       double max_perpendicularity) {
   std::vector<RotationAxis> axes;
   for (const RotationalCandidate& candidate : detections.axes) {
-    if (candidate.scores.symmetry_residual < max_symmetry &&
-        candidate.scores.perpendicularity < max_perpendicularity)
+    if (candidate.quality.symmetry_residual < max_symmetry &&
+        candidate.quality.perpendicularity < max_perpendicularity)
       axes.push_back(candidate.axis);
   }
   return axes;
@@ -164,8 +164,8 @@ std::vector<ReflectionPlane> planes_within(const SceneDetections& detections, do
                                            double min_inlier) {
   std::vector<ReflectionPlane> planes;
   for (const ReflectionalCandidate& candidate : detections.planes) {
-    if (candidate.scores.symmetry_score > min_symmetry &&
-        candidate.scores.inlier_score > min_inlier)
+    if (candidate.quality.symmetry_score > min_symmetry &&
+        candidate.quality.inlier_score > min_inlier)
       planes.push_back(candidate.plane);
   }
   return planes;

@@ -51,8 +51,8 @@ std::vector<MergedHypothesis> merge_hypotheses(std::vector<RatedHypothesis> hypo
                            MergedHypothesis{std::move(points), {}, {}, rated.confidence});
     const double residual = rated.hypothesis.residuals.symmetry;
     const SameSymmetry same_symmetry{here, options.same_angle, options.same_distance};
-    add_distinct(rated.hypothesis.axis, residual, &HypothesisAxis::axis, same_symmetry, same->axes);
-    add_distinct(rated.hypothesis.plane, residual, &HypothesisPlane::plane, same_symmetry,
+    add_distinct(rated.hypothesis.axis, residual, &ObjectAxis::axis, same_symmetry, same->axes);
+    add_distinct(rated.hypothesis.plane, residual, &ObjectPlane::plane, same_symmetry,
                  same->planes);
   }
   const auto by_residual = [](const auto& a, const auto& b) { return a.residual < b.residual; };

@@ -142,8 +142,8 @@ std::vector<std::size_t> probable_proposals(const SceneProposals& proposals,
 
 SearchedObject searched_object(const ObjectProposal& proposal) {
   SearchedObject object{proposal.merged.points, proposal.score};
-  for (const HypothesisAxis& own : proposal.merged.axes) object.axes.push_back(own.axis);
-  for (const HypothesisPlane& own : proposal.merged.planes) object.planes.push_back(own.plane);
+  for (const ObjectAxis& own : proposal.merged.axes) object.axes.push_back(own.axis);
+  for (const ObjectPlane& own : proposal.merged.planes) object.planes.push_back(own.plane);
   return object;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "symmetry/reflectional_scores.hpp"
-#include "symmetry/rotational_scores.hpp"
+#include "symmetry/axis_quality.hpp"
+#include "symmetry/plane_quality.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
@@ -21,21 +21,20 @@ SymmetryFit symmetry_fit(const MergedHypothesis& merged, const PointCloud& cloud
   fit.planes = std::min(static_cast<double>(merged.planes.size()), max_planes);
   if (merged.axes.empty() && merged.planes.empty()) return fit;
   const PointCloud points = select(cloud, merged.points);
-  for (const HypothesisAxis& own : merged.axes) {
-    const RotationalScores scores =
-        rotational_scores(points, own.axis, field, options.rotational_detection);
-    fit.axis_misfit = std::min(fit.axis_misfit, scores.symmetry_residual);
-    fit.axis_occlusion = std::min(fit.axis_occlusion, scores.occlusion_residual);
+  for (const ObjectAxis& own : merged.axes) {
+    const AxisQuality quality = axis_quality(points, own.axis, field, options.rotational_detection);
+    fit.axis_misfit = std::min(fit.axis_misfit, quality.symmetry_residual);
+    fit.axis_occlusion = std::min(fit.axis_occlusion, quality.occlusion_residual);
   }
   if (merged.planes.empty()) return fit;
   const CellList cells(points.positions, cell_size);
   const PointIndices sample =
       evenly_spread(points.size(), static_cast<Index>(options.reflectional_detection.max_points));
-  for (const HypothesisPlane& own : merged.planes) {
-    const ReflectionalScores scores = reflectional_scores({points, cells}, sample, own.plane, field,
-                                                          options.reflectional_detection);
-    fit.plane_inlier = std::max(fit.plane_inlier, scores.inlier_score);
-    fit.plane_occlusion = std::min(fit.plane_occlusion, scores.occlusion_residual);
+  for (const ObjectPlane& own : merged.planes) {
+    const PlaneQuality quality =
+        plane_quality({points, cells}, sample, own.plane, field, options.reflectional_detection);
+    fit.plane_inlier = std::max(fit.plane_inlier, quality.inlier_score);
+    fit.plane_occlusion = std::min(fit.plane_occlusion, quality.occlusion_residual);
   }
   return fit;
 }

@@ -8,7 +8,7 @@
 #include "graph_cut.hpp"
 #include "labeling.hpp"
 #include "symmetry/plane_fit.hpp"
-#include "symmetry/point_scores.hpp"
+#include "symmetry/point_residuals.hpp"
 #include "symmetry/score_range.hpp"
 #include "symscene/core/error.hpp"
 

@@ -6,8 +6,8 @@
 #include "graph_cut.hpp"
 #include "labeling.hpp"
 #include "symmetry/axis_fit.hpp"
-#include "symmetry/point_scores.hpp"
-#include "symmetry/rotational_scores.hpp"
+#include "symmetry/axis_quality.hpp"
+#include "symmetry/point_residuals.hpp"
 #include "symmetry/score_range.hpp"
 #include "symscene/core/error.hpp"
 
@@ -49,9 +49,9 @@ class RotationalCutter {
     const std::vector<std::uint8_t> is_object = cut(axis);
     Hypothesis hypothesis;
     hypothesis.points = object_nodes(is_object);
-    const RotationalScores scores =
-        rotational_scores(select(cloud_, hypothesis.points), axis, field_, detection_);
-    hypothesis.residuals = {scores.symmetry_residual, scores.occlusion_residual,
+    const AxisQuality quality =
+        axis_quality(select(cloud_, hypothesis.points), axis, field_, detection_);
+    hypothesis.residuals = {quality.symmetry_residual, quality.occlusion_residual,
                             smoothness(is_object, scaled_edges_)};
     hypothesis.axis = axis;
     return hypothesis;
@@ -60,21 +60,21 @@ class RotationalCutter {
  private:
   /// Eqs. 4.4 and 4.5. A normal parallel to the axis agrees with any parallel axis: the weight of
   /// the evidence falls to zero there.
-  Affinity affinity(const AxisScorer& scorer, Index i) const {
+  Affinity affinity(const AxisResiduals& residuals, Index i) const {
     const Eigen::Vector3f p = cloud_.position(i);
     const Eigen::Vector3f n = cloud_.normal(i);
-    const float symmetry = angle_range(options_)(scorer.plane_angle(p, n));
-    const float occlusion = occlusion_range(options_)(scorer.free_distance(p, field_));
+    const float symmetry = angle_range(options_)(residuals.plane_angle(p, n));
+    const float occlusion = occlusion_range(options_)(residuals.free_distance(p, field_));
     const float weight =
-        ramp(scorer.axis_angle(n), 0.0F, static_cast<float>(options_.full_weight_angle));
+        ramp(residuals.axis_angle(n), 0.0F, static_cast<float>(options_.full_weight_angle));
     return {(1.0F - symmetry) * (1.0F - occlusion) * weight,
             static_cast<float>(options_.background_weight) * (symmetry * weight + occlusion)};
   }
 
   std::vector<std::uint8_t> cut(const RotationAxis& axis) const {
-    const AxisScorer scorer(axis);
+    const AxisResiduals residuals(axis);
     std::vector<Affinity> affinities(cloud_.size());
-    for (Index i = 0; i < cloud_.size(); ++i) affinities[i] = affinity(scorer, i);
+    for (Index i = 0; i < cloud_.size(); ++i) affinities[i] = affinity(residuals, i);
     std::vector<std::uint8_t> is_object = cut_graph(affinities, scaled_edges_).is_object;
     drop_small_components(is_object, scaled_edges_, options_.min_component);
     return is_object;

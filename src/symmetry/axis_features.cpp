@@ -61,13 +61,13 @@ double mean_residual(const PointCloud& points, const RotationAxis& axis, const P
 }  // namespace
 
 AxisFeatures axis_features(const PointCloud& points, const RotationAxis& axis,
-                           const RotationalScores& scores, const std::optional<Plane>& table,
+                           const AxisQuality& quality, const std::optional<Plane>& table,
                            const AxisFeatureOptions& options) {
   AxisFeatures m;
-  m.symmetry = scores.symmetry_residual;
-  m.perpendicularity = scores.perpendicularity;
-  m.coverage = scores.coverage;
-  m.occlusion = scores.occlusion_residual;
+  m.symmetry_residual = quality.symmetry_residual;
+  m.perpendicularity = quality.perpendicularity;
+  m.coverage = quality.coverage;
+  m.occlusion_residual = quality.occlusion_residual;
   const Profile profile = profile_of(points, axis);
   m.residual = mean_residual(points, axis, profile, options);
   m.height = profile.high - profile.low;

@@ -12,18 +12,6 @@
 namespace symscene {
 namespace {
 
-/// Candidates are the minima of the coarse distance within this angle, up to a number.
-const double candidate_angle = radians(7.0);
-constexpr std::size_t max_candidates = 16;
-/// A direction between those that are tried moves the surface by up to this share of the diameter.
-constexpr double step_distance = 0.02;
-/// Fitted candidates within this angle of a better one are duplicates.
-const double same_angle = radians(5.0);
-/// A symmetry is a minimum of the residual: not one that improves if tilted by this.
-const double tilt_angle = radians(4.0);
-/// An order is accepted if its residual is at most this multiple of the residual of the best order.
-constexpr double order_ratio = 3.0;
-
 /// The turns of an axis up to a half, as those beyond are their inverses.
 std::vector<double> angles_of(int order) {
   // Multiples of no turn of a low order.
@@ -34,15 +22,15 @@ std::vector<double> angles_of(int order) {
   return angles;
 }
 
-/// Whether a residual grows when the direction is tilted to any side.
+/// Whether a residual grows when the direction is tilted to any side by an angle.
 template <class Residual>
-bool is_minimum(const Eigen::Vector3d& direction, double residual, const Residual& residual_of) {
+bool is_minimum(const Eigen::Vector3d& direction, double residual, double tilt,
+                const Residual& residual_of) {
   const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(direction);
   for (int k = 0; k < 8; ++k) {
     const double turn = k * std::numbers::pi / 4.0;
     const Eigen::Vector3d side = basis * Eigen::Vector2d(std::cos(turn), std::sin(turn));
-    if (residual_of((direction + std::tan(tilt_angle) * side).normalized()) < residual)
-      return false;
+    if (residual_of((direction + std::tan(tilt) * side).normalized()) < residual) return false;
   }
   return true;
 }
@@ -51,21 +39,21 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Fitted to the surface; with an infinite residual if it is far from a symmetry.
 GroupPlane fitted_plane(const SymmetryModel& model, const ReflectionPlane& start,
-                        double tolerance) {
+                        const SymmetryGroupOptions& options) {
   ReflectionPlane plane = fit_to(model.surface, model.coarse, start, Matching::coarse);
   if (mean_distance(model.surface, model.coarse, motion_of(plane), Matching::coarse) >
-      tolerance + step_distance)
+      options.tolerance + options.step_distance)
     return {plane, never};
   plane = fit_to(model.surface, model.fitted, plane, Matching::exact);
   return {plane, model.residual(plane)};
 }
 
 GroupAxis fitted_axis(const SymmetryModel& model, const RotationAxis& start, int order,
-                      double tolerance) {
+                      const SymmetryGroupOptions& options) {
   const std::vector<double> angles = angles_of(order);
   RotationAxis axis = fit_to(model.surface, model.coarse, start, angles, Matching::coarse);
   if (mean_distance(model.surface, model.coarse, axis, angles, Matching::coarse) >
-      tolerance + step_distance)
+      options.tolerance + options.step_distance)
     return {axis, order, never};
   axis = fit_to(model.surface, model.fitted, axis, angles, Matching::exact);
   return {axis, order, model.residual(axis, angles)};
@@ -76,12 +64,12 @@ const Eigen::Vector3d& direction_of(const GroupAxis& found) { return found.axis.
 
 /// Those within the tolerance, best first, without those near a better one.
 template <class Symmetry>
-std::vector<Symmetry> distinct(std::vector<Symmetry> found, double tolerance) {
+std::vector<Symmetry> distinct(std::vector<Symmetry> found, const SymmetryGroupOptions& options) {
   std::stable_sort(found.begin(), found.end(),
                    [](const Symmetry& a, const Symmetry& b) { return a.residual < b.residual; });
-  std::erase_if(found, [&](const Symmetry& each) { return !(each.residual <= tolerance); });
-  return without_repeats(std::move(found), [](const Symmetry& a, const Symmetry& b) {
-    return line_angle(direction_of(a), direction_of(b)) < same_angle;
+  std::erase_if(found, [&](const Symmetry& each) { return !(each.residual <= options.tolerance); });
+  return without_repeats(std::move(found), [&](const Symmetry& a, const Symmetry& b) {
+    return line_angle(direction_of(a), direction_of(b)) < options.same_angle;
   });
 }
 
@@ -107,19 +95,20 @@ std::vector<Eigen::Vector3d> GroupSearch::candidates(const Distance& distance_of
   });
   std::vector<std::size_t> minima;
   for (std::size_t k = 0; k < distances.size(); ++k) {
-    if (distances[k] <= options_.tolerance + step_distance && is_least_around(k, distances))
+    if (distances[k] <= options_.tolerance + options_.step_distance &&
+        is_least_around(k, distances))
       minima.push_back(k);
   }
   std::stable_sort(minima.begin(), minima.end(),
                    [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
-  minima.resize(std::min(minima.size(), max_candidates));
+  minima.resize(std::min(minima.size(), static_cast<std::size_t>(options_.max_candidates)));
   std::vector<Eigen::Vector3d> best;
   for (const std::size_t k : minima) best.push_back(directions_[k]);
   return best;
 }
 
 bool GroupSearch::is_least_around(std::size_t k, const std::vector<double>& distances) const {
-  const double cosine = std::cos(candidate_angle);
+  const double cosine = std::cos(options_.candidate_angle);
   for (std::size_t other = 0; other < distances.size(); ++other) {
     if (distances[other] < distances[k] &&
         std::abs(directions_[other].dot(directions_[k])) > cosine)
@@ -136,13 +125,14 @@ std::vector<GroupPlane> GroupSearch::planes() const {
   });
   std::vector<GroupPlane> found(normals.size());
   parallel_for_each(normals.size(), [&](std::size_t k) {
-    found[k] = fitted_plane(model_, {Eigen::Vector3d::Zero(), normals[k]}, options_.tolerance);
+    found[k] = fitted_plane(model_, {Eigen::Vector3d::Zero(), normals[k]}, options_);
   });
-  found = distinct(std::move(found), options_.tolerance);
+  found = distinct(std::move(found), options_);
   std::erase_if(found, [&](const GroupPlane& plane) {
-    return !is_minimum(plane.plane.normal, plane.residual, [&](const Eigen::Vector3d& normal) {
-      return model_.residual(ReflectionPlane{plane.plane.point, normal});
-    });
+    return !is_minimum(plane.plane.normal, plane.residual, options_.tilt_angle,
+                       [&](const Eigen::Vector3d& normal) {
+                         return model_.residual(ReflectionPlane{plane.plane.point, normal});
+                       });
   });
   return found;
 }
@@ -157,13 +147,14 @@ std::vector<GroupAxis> GroupSearch::axes(int order) const {
   });
   std::vector<GroupAxis> found(starts.size());
   parallel_for_each(starts.size(), [&](std::size_t k) {
-    found[k] = fitted_axis(model_, {Eigen::Vector3d::Zero(), starts[k]}, order, options_.tolerance);
+    found[k] = fitted_axis(model_, {Eigen::Vector3d::Zero(), starts[k]}, order, options_);
   });
-  found = distinct(std::move(found), options_.tolerance);
+  found = distinct(std::move(found), options_);
   std::erase_if(found, [&](const GroupAxis& axis) {
-    return !is_minimum(axis.axis.direction, axis.residual, [&](const Eigen::Vector3d& direction) {
-      return model_.residual(RotationAxis{axis.axis.point, direction}, angles);
-    });
+    return !is_minimum(axis.axis.direction, axis.residual, options_.tilt_angle,
+                       [&](const Eigen::Vector3d& direction) {
+                         return model_.residual(RotationAxis{axis.axis.point, direction}, angles);
+                       });
   });
   return found;
 }
@@ -175,12 +166,12 @@ std::vector<GroupAxis> GroupSearch::finite_axes() const {
     all.insert(all.end(), found.begin(), found.end());
   }
   std::vector<GroupAxis> kept;
-  for (const GroupAxis& best : distinct(all, options_.tolerance)) {
+  for (const GroupAxis& best : distinct(all, options_)) {
     // Turns that are within the tolerance only because they are small do not count.
-    const double bound = std::max(order_ratio * best.residual, options_.tolerance / 3.0);
+    const double bound = std::max(options_.order_ratio * best.residual, options_.tolerance / 3.0);
     GroupAxis highest = best;
     for (const GroupAxis& other : all) {
-      if (line_angle(other.axis.direction, best.axis.direction) < same_angle &&
+      if (line_angle(other.axis.direction, best.axis.direction) < options_.same_angle &&
           other.residual <= bound && other.order > highest.order)
         highest = other;
     }
@@ -193,14 +184,14 @@ std::vector<GroupAxis> GroupSearch::finite_axes() const {
 
 void GroupSearch::complete(const GroupAxis& axis, SymmetryGroup& group) const {
   const GroupPlane plane =
-      fitted_plane(model_, {Eigen::Vector3d::Zero(), axis.axis.direction}, options_.tolerance);
+      fitted_plane(model_, {Eigen::Vector3d::Zero(), axis.axis.direction}, options_);
   if (plane.residual <= options_.tolerance &&
-      line_angle(plane.plane.normal, axis.axis.direction) < same_angle)
+      line_angle(plane.plane.normal, axis.axis.direction) < options_.same_angle)
     group.planes.push_back(plane);
   const Eigen::Vector3d across = orthonormal_complement(axis.axis.direction).col(0);
-  GroupAxis flip = fitted_axis(model_, {axis.axis.point, across}, 2, options_.tolerance);
+  GroupAxis flip = fitted_axis(model_, {axis.axis.point, across}, 2, options_);
   if (flip.residual <= options_.tolerance &&
-      std::abs(flip.axis.direction.dot(axis.axis.direction)) < std::sin(same_angle))
+      std::abs(flip.axis.direction.dot(axis.axis.direction)) < std::sin(options_.same_angle))
     group.axes.push_back(flip);
 }
 

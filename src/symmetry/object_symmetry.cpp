@@ -5,7 +5,7 @@
 
 #include "core/model_features.hpp"
 #include "core/without_repeats.hpp"
-#include "symmetry/rotational_scores.hpp"
+#include "symmetry/axis_quality.hpp"
 #include "symmetry/symmetry_score.hpp"
 
 namespace symscene {
@@ -66,17 +66,17 @@ class SymmetrySearch {
   std::optional<AxisCandidate> axis() const {
     if (!options_.rotational_stream) return std::nullopt;
     std::optional<RotationAxis> best;
-    RotationalScores best_scores;
+    AxisQuality best_quality;
     for (const RotationAxis& axis : proposed_axes()) {
-      const RotationalScores scores =
-          rotational_scores(points_, axis, scene_.field, options_.rotational_detection);
-      if (!is_within_bounds(scores)) continue;
-      if (best && scores.symmetry_residual >= best_scores.symmetry_residual) continue;
+      const AxisQuality quality =
+          axis_quality(points_, axis, scene_.field, options_.rotational_detection);
+      if (!is_within_bounds(quality)) continue;
+      if (best && quality.symmetry_residual >= best_quality.symmetry_residual) continue;
       best = axis;
-      best_scores = scores;
+      best_quality = quality;
     }
     if (!best) return std::nullopt;
-    const AxisFeatures features = axis_features(points_, *best, best_scores, scene_.table,
+    const AxisFeatures features = axis_features(points_, *best, best_quality, scene_.table,
                                                 options_.object_symmetry.axis_features);
     return AxisCandidate{
         *best, features,
@@ -133,12 +133,12 @@ class SymmetrySearch {
     return distinct_planes(std::move(plausible), bounds.same_plane_angle);
   }
 
-  bool is_within_bounds(const RotationalScores& scores) const {
+  bool is_within_bounds(const AxisQuality& quality) const {
     const ObjectSymmetryOptions& bounds = options_.object_symmetry;
-    return scores.symmetry_residual < bounds.max_axis_residual &&
-           scores.occlusion_residual < bounds.max_axis_occlusion &&
-           scores.perpendicularity < options_.rotational_detection.max_perpendicularity &&
-           scores.coverage > bounds.min_axis_coverage;
+    return quality.symmetry_residual < bounds.max_axis_residual &&
+           quality.occlusion_residual < bounds.max_axis_occlusion &&
+           quality.perpendicularity < options_.rotational_detection.max_perpendicularity &&
+           quality.coverage > bounds.min_axis_coverage;
   }
 
   ObservedScene scene_;
@@ -175,7 +175,7 @@ ListedSymmetries list_symmetries(const SymmetryCandidates& candidates,
   ListedSymmetries listed;
   const std::optional<AxisCandidate>& axis = candidates.axis;
   if (axis && axis->probability > options.min_axis_probability)
-    listed.rotational.push_back({axis->axis, axis->features.symmetry});
+    listed.rotational.push_back({axis->axis, axis->features.symmetry_residual});
   for (const PlaneCandidate& plane : candidates.planes) {
     if (plane.probability > options.min_plane_probability)
       listed.reflectional.push_back({plane.plane, plane.features.images.plane_residual()});

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "symmetry/point_scores.hpp"
+#include "symmetry/point_residuals.hpp"
 
 namespace symscene {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/parallel.hpp"
 #include "core/without_repeats.hpp"
 #include "plane_placement.hpp"
-#include "symmetry/reflectional_scores.hpp"
+#include "symmetry/plane_quality.hpp"
 #include "symmetry/score_range.hpp"
 
 namespace symscene {
@@ -18,24 +18,23 @@ constexpr float detection_cell_size = 0.01F;
 /// The bound that a plane fails, in the order of judgement.
 enum class PlaneOutcome { symmetry, inlier, occlusion, accepted };
 
-PlaneOutcome judge_plane(const ReflectionalScores& scores,
-                         const ReflectionalDetectionOptions& options) {
-  if (scores.symmetry_score <= options.min_symmetry_score) return PlaneOutcome::symmetry;
-  if (scores.inlier_score <= options.min_inlier_score) return PlaneOutcome::inlier;
-  if (scores.occlusion_residual >= options.max_occlusion_residual) return PlaneOutcome::occlusion;
+PlaneOutcome judge_plane(const PlaneQuality& quality, const ReflectionalDetectionOptions& options) {
+  if (quality.symmetry_score <= options.min_symmetry_score) return PlaneOutcome::symmetry;
+  if (quality.inlier_score <= options.min_inlier_score) return PlaneOutcome::inlier;
+  if (quality.occlusion_residual >= options.max_occlusion_residual) return PlaneOutcome::occlusion;
   return PlaneOutcome::accepted;
 }
 
-/// A plane of a segment with its scores.
+/// A plane of a segment with its quality.
 struct ScoredTrial {
   ReflectionPlane plane;
-  ReflectionalScores scores;
+  PlaneQuality quality;
 };
 
 void sort_by_occlusion(std::vector<ScoredTrial>& trials) {
   std::stable_sort(trials.begin(), trials.end(), [](const ScoredTrial& a, const ScoredTrial& b) {
-    return std::tuple(a.scores.occlusion_residual, -a.scores.inlier_score) <
-           std::tuple(b.scores.occlusion_residual, -b.scores.inlier_score);
+    return std::tuple(a.quality.occlusion_residual, -a.quality.inlier_score) <
+           std::tuple(b.quality.occlusion_residual, -b.quality.inlier_score);
   });
 }
 
@@ -63,9 +62,9 @@ class SegmentDetector {
         placed_planes(points_, up, options_.fit.matching.min_plane_distance, options_.placement);
     result.tried = placed.size();
     for (const ReflectionPlane& plane : distinct_fits(placed)) {
-      const ScoredTrial trial{
-          plane, reflectional_scores({points_, cells_}, sources_, plane, field_, options_)};
-      const PlaneOutcome outcome = judge_plane(trial.scores, options_);
+      const ScoredTrial trial{plane,
+                              plane_quality({points_, cells_}, sources_, plane, field_, options_)};
+      const PlaneOutcome outcome = judge_plane(trial.quality, options_);
       for (std::size_t bound = 0; bound <= static_cast<std::size_t>(outcome); ++bound)
         ++result.reached[bound];
       if (outcome == PlaneOutcome::accepted) result.accepted.push_back(trial);
@@ -117,8 +116,8 @@ std::vector<ReflectionalCandidate> merge_equal_planes(std::vector<ReflectionalCa
                                                       const PointCloud& cloud,
                                                       const ReflectionalDetectionOptions& options) {
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-    return std::tuple(a.scores.occlusion_residual, b.support.size()) <
-           std::tuple(b.scores.occlusion_residual, a.support.size());
+    return std::tuple(a.quality.occlusion_residual, b.support.size()) <
+           std::tuple(b.quality.occlusion_residual, a.support.size());
   });
   struct Placed {
     ReflectionalCandidate candidate;
@@ -165,7 +164,7 @@ ReflectionalDetection detect_reflectional(const PointCloud& cloud,
     for (std::size_t bound = 0; bound < reached.size(); ++bound)
       reached[bound] += results[s].reached[bound];
     for (const ScoredTrial& trial : results[s].accepted)
-      accepted.push_back({trial.plane, trial.scores, segments[s]});
+      accepted.push_back({trial.plane, trial.quality, segments[s]});
   }
   ReflectionalDetection detection;
   detection.funnel = {{"reflectional: segments", segments.size()},

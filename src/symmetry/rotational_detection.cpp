@@ -6,7 +6,7 @@
 #include "core/parallel.hpp"
 #include "core/without_repeats.hpp"
 #include "symmetry/axis_fit.hpp"
-#include "symmetry/rotational_scores.hpp"
+#include "symmetry/axis_quality.hpp"
 #include "symmetry/score_range.hpp"
 #include "symscene/core/neighbors.hpp"
 
@@ -16,11 +16,12 @@ namespace {
 /// The bound that a candidate fails, in the order of judgement.
 enum class AxisOutcome { symmetry, perpendicularity, coverage, occlusion, accepted };
 
-AxisOutcome judge_axis(const RotationalScores& scores, const RotationalDetectionOptions& options) {
-  if (scores.symmetry_residual >= options.max_symmetry_residual) return AxisOutcome::symmetry;
-  if (scores.perpendicularity >= options.max_perpendicularity) return AxisOutcome::perpendicularity;
-  if (scores.coverage <= options.min_coverage) return AxisOutcome::coverage;
-  if (scores.occlusion_residual >= options.max_occlusion_residual) return AxisOutcome::occlusion;
+AxisOutcome judge_axis(const AxisQuality& quality, const RotationalDetectionOptions& options) {
+  if (quality.symmetry_residual >= options.max_symmetry_residual) return AxisOutcome::symmetry;
+  if (quality.perpendicularity >= options.max_perpendicularity)
+    return AxisOutcome::perpendicularity;
+  if (quality.coverage <= options.min_coverage) return AxisOutcome::coverage;
+  if (quality.occlusion_residual >= options.max_occlusion_residual) return AxisOutcome::occlusion;
   return AxisOutcome::accepted;
 }
 
@@ -62,12 +63,12 @@ AxisOfSegment detect_in_segment(const PointCloud& cloud, const PointIndices& seg
   for (const RotationAxis& initial : initial_axes(interior, directions, options.fit)) {
     const AxisFit fit = fit_axis(interior, initial, options.fit);
     if (!is_usable(fit.status)) continue;
-    const RotationalScores scores = rotational_scores(interior, fit.axis, field, options);
-    const AxisOutcome outcome = judge_axis(scores, options);
+    const AxisQuality quality = axis_quality(interior, fit.axis, field, options);
+    const AxisOutcome outcome = judge_axis(quality, options);
     const bool better = outcome > best.outcome ||
                         (outcome == AxisOutcome::accepted &&
-                         scores.occlusion_residual < best.candidate.scores.occlusion_residual);
-    if (better) best = {outcome, {fit.axis, scores, {}}};
+                         quality.occlusion_residual < best.candidate.quality.occlusion_residual);
+    if (better) best = {outcome, {fit.axis, quality, {}}};
   }
   best.candidate.support = segment;
   return best;

@@ -54,8 +54,8 @@ std::vector<Generator> generators_of(const SymmetryGroup& group) {
 
 /// The largest group of the generators, best first, whose elements are all symmetries.
 FiniteGroup closed_group(const SymmetryModel& model, const SymmetryGroup& found,
-                         const Eigen::Vector3d& center, double tolerance) {
-  constexpr double slack = 1.5;  // products add up the errors of their factors
+                         const Eigen::Vector3d& center, const SymmetryGroupOptions& options) {
+  const double tolerance = options.product_ratio * options.tolerance;
   FiniteGroup group;
   for (const Generator& generator : generators_of(found)) {
     const FiniteGroup larger = group.with(generator.matrix, max_group);
@@ -66,7 +66,7 @@ FiniteGroup closed_group(const SymmetryModel& model, const SymmetryGroup& found,
           Eigen::Affine3d motion = Eigen::Affine3d::Identity();
           motion.linear() = element;
           motion.translation() = center - element * center;
-          return mean_distance(model.surface, model.judged, motion) <= slack * tolerance;
+          return mean_distance(model.surface, model.judged, motion) <= tolerance;
         });
     if (holds) group = larger;
   }
@@ -125,7 +125,7 @@ void search(const SymmetryModel& model, const SymmetryGroupOptions& options, Sym
     group.planes = search.planes();
   }
   group.center = common_point(group, Eigen::Vector3d::Zero());
-  const FiniteGroup closed = closed_group(model, group, group.center, options.tolerance);
+  const FiniteGroup closed = closed_group(model, group, group.center, options);
   for (const Eigen::Matrix3d& element : closed.elements()) {
     if (element.determinant() < 0.0 || element.trace() > 2.999) continue;
     group.rotations.push_back(Eigen::Isometry3d::Identity());

@@ -141,20 +141,18 @@ TEST(TreeModel, RefusesFeatureNamesThatTheTextCannotHold) {
 struct SomeFeatures {
   double size = 1.0, rim = 2.0;
   template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
+  static constexpr void visit_fields(Self& self, Visit&& visit) {
     visit("size", self.size);
     visit("rim", self.rim);
   }
-  static constexpr std::size_t count = 2;
 };
 
 struct MoreFeatures {
   double top = 3.0;
   template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
+  static constexpr void visit_fields(Self& self, Visit&& visit) {
     visit("top", self.top);
   }
-  static constexpr std::size_t count = 1;
 };
 
 TEST(ModelFeatures, ComeInTheOrderOfTheirFields) {

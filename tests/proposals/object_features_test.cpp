@@ -69,7 +69,7 @@ TEST(ObjectFeatures, HaveAsManyValuesAsNamesInTheirOrder) {
     value = next;
     next += 1.0;
   });
-  EXPECT_EQ(names.size(), ObjectFeatures::count);
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(next));
   std::vector<double> values;
   ObjectFeatures::visit_fields(features,
                                [&](const char*, double value) { values.push_back(value); });

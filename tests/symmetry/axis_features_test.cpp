@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "surfaces.hpp"
-#include "symmetry/rotational_scores.hpp"
+#include "symmetry/axis_quality.hpp"
 #include "symmetry/sphere_fit.hpp"
 #include "symmetry/symmetry_score.hpp"
 
@@ -16,9 +16,9 @@ const Plane table{Eigen::Vector3d::UnitZ(), 0.0};
 
 AxisFeatures features_of(const PointCloud& cloud, const RotationAxis& axis,
                          const std::optional<Plane>& below = table) {
-  const RotationalScores scores =
-      rotational_scores(cloud, axis, testing::nothing_known(cloud), RotationalDetectionOptions{});
-  return axis_features(cloud, axis, scores, below);
+  const AxisQuality quality =
+      axis_quality(cloud, axis, testing::nothing_known(cloud), RotationalDetectionOptions{});
+  return axis_features(cloud, axis, quality, below);
 }
 
 PointCloud ball() {
@@ -28,7 +28,7 @@ PointCloud ball() {
 
 TEST(AxisFeatures, OfAVaseAndItsAxis) {
   const AxisFeatures features = features_of(testing::vase(), {});
-  EXPECT_LT(features.symmetry, 0.01);
+  EXPECT_LT(features.symmetry_residual, 0.01);
   EXPECT_LT(features.residual, 0.001);  // its sides lean, within a ring too
   EXPECT_NEAR(features.height, 0.2, 0.003);
   EXPECT_NEAR(features.radius, 0.07, 0.003);
@@ -81,10 +81,10 @@ TEST(AxisScore, IsHighForTheAxisOfABodyOfRevolution) {
 
 /// The axis of a bottle that is seen from one side.
 AxisFeatures bottle() {
-  return {.symmetry = 0.0005,
+  return {.symmetry_residual = 0.0005,
           .perpendicularity = 0.08,
           .coverage = 0.66,
-          .occlusion = 0.0,
+          .occlusion_residual = 0.0,
           .residual = 0.0006,
           .height = 0.26,
           .radius = 0.034,
@@ -98,10 +98,10 @@ AxisFeatures bottle() {
 
 /// The axis of a round limb of a toy that lies on the table.
 AxisFeatures limb() {
-  return {.symmetry = 0.03,
+  return {.symmetry_residual = 0.03,
           .perpendicularity = 0.2,
           .coverage = 0.3,
-          .occlusion = 0.02,
+          .occlusion_residual = 0.02,
           .residual = 0.004,
           .height = 0.1,
           .radius = 0.05,

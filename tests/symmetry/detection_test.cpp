@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "surfaces.hpp"
-#include "symmetry/rotational_scores.hpp"
+#include "symmetry/axis_quality.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
 #include "symscene/symmetry/rotational_detection.hpp"

@@ -11,10 +11,19 @@
 
 namespace symscene {
 
+/// The number of fields that Features::visit_fields visits.
+template <class Features>
+constexpr std::size_t field_count = [] {
+  const Features features{};
+  std::size_t count = 0;
+  Features::visit_fields(features, [&count](const char*, double) { ++count; });
+  return count;
+}();
+
 /// The values of feature structs, one struct after the other, in the order of their fields.
 template <class... Features>
-std::array<double, (Features::count + ...)> values_of(const Features&... features) {
-  std::array<double, (Features::count + ...)> values{};
+std::array<double, (field_count<Features> + ...)> values_of(const Features&... features) {
+  std::array<double, (field_count<Features> + ...)> values{};
   std::size_t next = 0;
   const auto append = [&](const char*, double value) { values.at(next++) = value; };
   (Features::visit_fields(features, append), ...);

@@ -30,7 +30,7 @@ struct ProposalContext {
 
   /// Calls visit(name, value) for every feature, in this order, which is that of the models.
   template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
+  static constexpr void visit_fields(Self& self, Visit&& visit) {
     visit("estimate", self.estimate);
     visit("whole", self.whole);
     visit("whole_share", self.whole_share);
@@ -44,7 +44,6 @@ struct ProposalContext {
     visit("wholes", self.wholes);
     visit("parts", self.parts);
   }
-  static constexpr std::size_t count = 12;
 };
 
 /// The number of points that every two proposals share.

@@ -12,8 +12,9 @@ namespace symscene {
 /// The properties of a candidate object that the selection compares.
 struct SelectionCandidate {
   std::span<const Index> points;  ///< ascending; they outlive the candidate
-  double score = 0.0;             ///< in [0, 1]
-  const char* kind = "surface";   ///< Rejection::kind
+  /// In [0, 1]: the confidence for select_consistent(), the probability for select_probable().
+  double score = 0.0;
+  const char* kind = "surface";  ///< Rejection::kind
 };
 SelectionCandidate selection_candidate(const MergedHypothesis& merged, double score);
 

@@ -11,10 +11,10 @@ namespace symscene {
 
 /// Features of an axis as a rotational symmetry of an object whose points are known.
 struct AxisFeatures {
-  double symmetry = 0.0;          ///< RotationalScores::symmetry_residual
-  double perpendicularity = 0.0;  ///< as in RotationalScores
-  double coverage = 0.0;          ///< as in RotationalScores
-  double occlusion = 0.0;         ///< RotationalScores::occlusion_residual
+  double symmetry_residual = 0.0;   ///< as in AxisQuality
+  double perpendicularity = 0.0;    ///< as in AxisQuality
+  double coverage = 0.0;            ///< as in AxisQuality
+  double occlusion_residual = 0.0;  ///< as in AxisQuality
   double residual = 0.0;    ///< mean difference of points' radii from the mean at their height [m]
   double height = 0.0;      ///< extent along the axis [m]
   double radius = 0.0;      ///< greatest distance from the axis [m]
@@ -27,11 +27,11 @@ struct AxisFeatures {
 
   /// Calls visit(name, value) for every feature, in this order.
   template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit("symmetry", self.symmetry);
+  static constexpr void visit_fields(Self& self, Visit&& visit) {
+    visit("symmetry_residual", self.symmetry_residual);
     visit("perpendicularity", self.perpendicularity);
     visit("coverage", self.coverage);
-    visit("occlusion", self.occlusion);
+    visit("occlusion_residual", self.occlusion_residual);
     visit("residual", self.residual);
     visit("height", self.height);
     visit("radius", self.radius);
@@ -42,13 +42,12 @@ struct AxisFeatures {
     visit("upright", self.upright);
     visit("size", self.size);
   }
-  static constexpr std::size_t count = 13;
 };
 
-/// The features of `axis` on `points`, which has unit normals and is not empty; `scores` are the
+/// The features of `axis` on `points`, which has unit normals and is not empty; `quality` is the
 /// axis' on the same points.
 AxisFeatures axis_features(const PointCloud& points, const RotationAxis& axis,
-                           const RotationalScores& scores, const std::optional<Plane>& table,
+                           const AxisQuality& quality, const std::optional<Plane>& table,
                            const AxisFeatureOptions& options = {});
 
 }  // namespace symscene

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "symmetry/point_scores.hpp"
+#include "symmetry/point_residuals.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/point_cloud.hpp"
@@ -62,7 +62,7 @@ struct PlaneFeatures {
 
   /// Calls visit(name, value) for every feature, in this order.
   template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
+  static constexpr void visit_fields(Self& self, Visit&& visit) {
     visit("matched", self.images.matched);
     visit("empty", self.images.empty);
     visit("off_surface", self.images.off_surface);
@@ -90,7 +90,6 @@ struct PlaneFeatures {
     visit("off_square", self.off_square);
     visit("best_matched", self.best_matched);
   }
-  static constexpr std::size_t count = 26;
 };
 
 /// Inputs of the features of a plane besides the points of the object.

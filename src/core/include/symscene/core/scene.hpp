@@ -23,7 +23,7 @@ struct Scene {
   std::vector<std::string> warnings = {};  ///< of its reader or builder, one sentence each
 };
 
-/// A symmetry of an object and its residual over the object's points, 0 for a perfect fit.
+/// A symmetry of an object or a hypothesis and its residual over their points, 0 for a perfect fit.
 struct ObjectAxis {
   RotationAxis axis;
   double residual = 0.0;

@@ -38,7 +38,7 @@ struct ObjectFeatures : OwnFeatures {
 
   /// Calls visit(name, value) for every feature, in this order, which is that of the models.
   template <class Self, class Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
+  static constexpr void visit_fields(Self& self, Visit&& visit) {
     visit("broken", self.broken);
     visit("torn", self.torn);
     visit("rim", self.rim);
@@ -64,7 +64,6 @@ struct ObjectFeatures : OwnFeatures {
     visit("joined", self.joined);
     visit("confidence", self.confidence);
   }
-  static constexpr std::size_t count = 24;
 };
 
 }  // namespace symscene

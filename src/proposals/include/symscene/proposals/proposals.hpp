@@ -13,21 +13,12 @@
 
 namespace symscene {
 
-/// A symmetry of a hypothesis and its HypothesisResiduals::symmetry.
-struct HypothesisAxis {
-  RotationAxis axis;
-  double residual = 0.0;
-};
-struct HypothesisPlane {
-  ReflectionPlane plane;
-  double residual = 0.0;
-};
-
 /// Hypotheses of the same object, merged (section 4.4).
 struct MergedHypothesis {
-  PointIndices points;                       ///< of the most confident hypothesis, ascending
-  std::vector<HypothesisAxis> axes = {};     ///< distinct ones of all, by ascending residual
-  std::vector<HypothesisPlane> planes = {};  ///< distinct ones of all, by ascending residual
+  PointIndices points;  ///< of the most confident hypothesis, ascending
+  /// Distinct ones of all, by ascending HypothesisResiduals::symmetry.
+  std::vector<ObjectAxis> axes = {};
+  std::vector<ObjectPlane> planes = {};
   double confidence = 0.0;  ///< of the most confident hypothesis (section 4.3.3); 0 for none
 };
 

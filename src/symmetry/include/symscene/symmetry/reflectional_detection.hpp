@@ -10,9 +10,9 @@
 
 namespace symscene {
 
-/// Fit of a plane to a set of points (section 3.5.3). `symmetry_score` and `inlier_score` are
-/// scores: 1 is perfect. `occlusion_residual` is a residual: 0 is perfect.
-struct ReflectionalScores {
+/// How well a set of points is symmetric about a plane (section 3.5.3). `symmetry_score` and
+/// `inlier_score` are scores: 1 is perfect. `occlusion_residual` is a residual: 0 is perfect.
+struct PlaneQuality {
   double symmetry_score = 0.0;  ///< mean agreement of normals over correspondences (Eq. 3.9)
   double inlier_score = 0.0;    ///< sum of agreements divided by the number of points (Eq. 3.10)
   double occlusion_residual = 0.0;  ///< mean ramp of distances into free space (Eq. 4.7), in [0, 1]
@@ -120,7 +120,7 @@ struct ReflectionalDetectionOptions {
 /// A plane and the segment that proposed it.
 struct ReflectionalCandidate {
   ReflectionPlane plane;
-  ReflectionalScores scores;
+  PlaneQuality quality;
   PointIndices support;  ///< into the cloud, ascending
 };
 

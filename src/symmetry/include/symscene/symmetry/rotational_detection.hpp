@@ -10,8 +10,9 @@
 
 namespace symscene {
 
-/// Fit of an axis to a set of points (section 3.5.2). Lower is better, but for `coverage`.
-struct RotationalScores {
+/// How well a set of points is symmetric about an axis (section 3.5.2). Lower is better, except for
+/// `coverage`.
+struct AxisQuality {
   double symmetry_residual = 0.0;   ///< mean ramp of the angle of Fig. 3.4 (Eq. 3.5), in [0, 1]
   double perpendicularity = 0.0;    ///< mean of 1 − angle(normal, axis)/90° (Eq. 3.6), in [0, 1]
   double coverage = 0.0;            ///< share of the full turn that the points span
@@ -71,7 +72,7 @@ struct RotationalDetectionOptions {
 /// An axis and the segment that proposed it.
 struct RotationalCandidate {
   RotationAxis axis;
-  RotationalScores scores;
+  AxisQuality quality;
   PointIndices support;  ///< into the cloud, ascending
 };
 

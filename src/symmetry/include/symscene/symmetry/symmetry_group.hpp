@@ -18,6 +18,13 @@ struct SymmetryGroupOptions {
   int coarse_points = 250;
   int fit_points = 500;
   int residual_points = 2000;
+  double step_distance = 0.02;
+  double candidate_angle = radians(7.0);
+  int max_candidates = 16;
+  double same_angle = radians(5.0);
+  double tilt_angle = radians(4.0);
+  double order_ratio = 3.0;
+  double product_ratio = 1.5;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -34,6 +41,21 @@ struct SymmetryGroupOptions {
           "points of the surface to which candidates are fitted");
     visit("residual_points", self.residual_points, "points", at_least(50),
           "points of the surface on which the final residual is computed");
+    visit("step_distance", self.step_distance, "", at_least(0.0),
+          "added to the tolerance while candidates are not fitted yet: a direction between those "
+          "that are tried moves the surface by up to this share of the object's diameter");
+    visit("candidate_angle", self.candidate_angle, "rad", above(0.0),
+          "candidates are directions whose residual is the least within this angle");
+    visit("max_candidates", self.max_candidates, "", at_least(1),
+          "candidates that are fitted, for planes and for each order of an axis");
+    visit("same_angle", self.same_angle, "rad", above(0.0),
+          "fitted symmetries of directions closer than this are one");
+    visit("tilt_angle", self.tilt_angle, "rad", above(0.0),
+          "a symmetry whose residual falls when it is tilted by this angle is rejected");
+    visit("order_ratio", self.order_ratio, "", at_least(1.0),
+          "a higher order of an axis is accepted up to this multiple of the residual of the best");
+    visit("product_ratio", self.product_ratio, "", at_least(1.0),
+          "products of symmetries may exceed the tolerance by this factor, as errors add up");
   }
   /// Throws InputError on a field out of its range.
   void validate() const { check_fields(*this); }

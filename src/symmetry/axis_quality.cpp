@@ -1,10 +1,10 @@
-#include "symmetry/rotational_scores.hpp"
+#include "symmetry/axis_quality.hpp"
 
 #include <algorithm>
 #include <bitset>
 #include <cmath>
 
-#include "symmetry/point_scores.hpp"
+#include "symmetry/point_residuals.hpp"
 #include "symmetry/score_range.hpp"
 
 namespace symscene {
@@ -30,28 +30,27 @@ double angular_coverage(const Points& points, const RotationAxis& axis) {
   return 1.0 - static_cast<double>(largest_gap) / bins;
 }
 
-RotationalScores rotational_scores(const PointCloud& cloud, const RotationAxis& axis,
-                                   const DistanceField& field,
-                                   const RotationalDetectionOptions& options) {
+AxisQuality axis_quality(const PointCloud& cloud, const RotationAxis& axis,
+                         const DistanceField& field, const RotationalDetectionOptions& options) {
   if (cloud.empty()) return {1.0, 1.0, 0.0, 1.0};
-  const AxisScorer scorer(axis);
+  const AxisResiduals residuals(axis);
   const ScoreRange angles = angle_range(options);
   const ScoreRange occlusions = occlusion_range(options);
-  RotationalScores scores;
+  AxisQuality quality;
   for (Index i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f p = cloud.position(i);
     const Eigen::Vector3f n = cloud.normal(i);
-    scores.symmetry_residual += double{angles(scorer.plane_angle(p, n))};  // Eq. 3.5
-    scores.perpendicularity +=
-        1.0 - double{scorer.axis_angle(n)} / (std::numbers::pi / 2);                  // Eq. 3.6
-    scores.occlusion_residual += double{occlusions(scorer.free_distance(p, field))};  // Eq. 4.3
+    quality.symmetry_residual += double{angles(residuals.plane_angle(p, n))};  // Eq. 3.5
+    quality.perpendicularity +=
+        1.0 - double{residuals.axis_angle(n)} / (std::numbers::pi / 2);                   // Eq. 3.6
+    quality.occlusion_residual += double{occlusions(residuals.free_distance(p, field))};  // Eq. 4.3
   }
   const auto count = static_cast<double>(cloud.size());
-  scores.symmetry_residual /= count;
-  scores.perpendicularity /= count;
-  scores.occlusion_residual /= count;
-  scores.coverage = angular_coverage(cloud.positions, axis);
-  return scores;
+  quality.symmetry_residual /= count;
+  quality.perpendicularity /= count;
+  quality.occlusion_residual /= count;
+  quality.coverage = angular_coverage(cloud.positions, axis);
+  return quality;
 }
 
 }  // namespace symscene

@@ -11,8 +11,8 @@
 #include "symscene/core/types.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 
-/// Scores of single points under a symmetry, in float: the inner loops of detection and
-/// segmentation.
+/// Angles and distances of single points under a symmetry, in float: the inner loops of detection
+/// and segmentation.
 namespace symscene {
 
 /// Arc sine and cosine of values that rounding may have put outside [−1, 1]. [rad]
@@ -22,10 +22,10 @@ inline float safe_acos(float cosine) { return std::acos(std::clamp(cosine, -1.0F
 /// The number of rotations over which a point is checked against free space (Eq. 4.3).
 constexpr int occlusion_rotations = 12;
 
-/// Point scores under one rotation axis.
-class AxisScorer {
+/// Residuals of points under one rotation axis, before their ramps.
+class AxisResiduals {
  public:
-  explicit AxisScorer(const RotationAxis& axis)
+  explicit AxisResiduals(const RotationAxis& axis)
       : point_(axis.point.cast<float>()), direction_(axis.direction.cast<float>()) {
     for (std::size_t i = 0; i < rotations_.size(); ++i) {
       const double angle =

@@ -1,13 +1,13 @@
-#include "symmetry/reflectional_scores.hpp"
+#include "symmetry/plane_quality.hpp"
 
-#include "symmetry/point_scores.hpp"
+#include "symmetry/point_residuals.hpp"
 #include "symmetry/score_range.hpp"
 
 namespace symscene {
 
-ReflectionalScores reflectional_scores(const IndexedCloud& target, std::span<const Index> members,
-                                       const ReflectionPlane& plane, const DistanceField& field,
-                                       const ReflectionalDetectionOptions& options) {
+PlaneQuality plane_quality(const IndexedCloud& target, std::span<const Index> members,
+                           const ReflectionPlane& plane, const DistanceField& field,
+                           const ReflectionalDetectionOptions& options) {
   if (members.empty()) return {0.0, 0.0, 1.0};
   const std::vector<Correspondence> matches =
       one_to_one(reflect_onto(target, members, plane, options.scoring));
