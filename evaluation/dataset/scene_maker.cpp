@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "simulation/household_object.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/physics/physics_world.hpp"
 #include "varied_scene.hpp"
 
 namespace symscene {
@@ -192,14 +193,19 @@ MadeScene make_scene(const DatasetOptions& options, Split split,
   const auto patience = static_cast<std::size_t>(options.patience);
   const auto asked = static_cast<std::size_t>(
       object_count(options.seed, split, index, options.min_objects, options.max_objects));
-  for (std::size_t attempt = 0;
-       attempt < static_cast<std::size_t>(options.attempts) && !made.facts.good; ++attempt) {
+  const auto attempts = static_cast<std::size_t>(options.attempts);
+  for (std::size_t attempt = 0; attempt < attempts && !made.facts.good; ++attempt) {
     made.facts.seed = scene_seed(options.seed, split, index, attempt);
     // Tracking fails on a bare table with a single can: more objects constrain the camera.
     made.facts.objects_asked = asked + (attempt < patience ? 0 : attempt - patience + 1);
     made.facts.objects_asked =
         std::min(made.facts.objects_asked, static_cast<std::size_t>(options.max_objects));
-    try_seed(options, models, made);
+    try {
+      try_seed(options, models, made);
+    } catch (const PhysicsDiverged& diverged) {
+      made.facts.failed.push_back({made.facts.seed, diverged.what()});
+      if (attempt + 1 == attempts) throw;
+    }
   }
   return made;
 }

@@ -42,8 +42,8 @@ vary() { # VIEWS SENSOR: the options of a kind
 seed=2000
 for sensor in structured stereo tof; do
   seed=$((seed + 10))
-  make "single_$sensor" $((seed + 1)) 50 "$(vary single $sensor)" $ycb
-  make "few_$sensor" $((seed + 2)) 20 "$(vary few $sensor)" $ycb
+  make "single_$sensor" $((seed + 1)) 125 "$(vary single $sensor)" $ycb
+  make "few_$sensor" $((seed + 2)) 50 "$(vary few $sensor)" $ycb
   make "tracked_$sensor" $((seed + 3)) 14 "$(vary tracked $sensor)" $ycb
 done
 make sweeps 2051 14 '{"camera": {"frames": 60}}' $ycb

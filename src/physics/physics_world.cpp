@@ -187,7 +187,7 @@ void PhysicsWorld::advance(double seconds) {
       if (!world.is_there[b]) world.hold_away(b);
     }
     mj_step(world.model.get(), world.data.get());
-    if (world.diverged()) throw std::runtime_error("the physics diverged");
+    if (world.diverged()) throw PhysicsDiverged();
   }
 }
 

@@ -170,7 +170,8 @@ BlockFusion::BlockFusion(const Measurement& measurement, const Eigen::Matrix3d& 
     : kernel_(std::make_unique<Kernel>(
           Kernel{make_projection(measurement, R_camera_world, options.voxel_size),
                  make_truncation(options, noise, distance_unit)})),
-      color_reach_(static_cast<float>(2.0 * options.voxel_size)) {}
+      color_reach_(static_cast<float>(2.0 * options.voxel_size)),
+      max_color_weight_(options.max_color_weight) {}
 
 BlockFusion::~BlockFusion() = default;
 
@@ -183,7 +184,6 @@ int BlockFusion::fuse(const Eigen::Vector3f& corner, Pixels& pixels, TsdfBlock& 
 }
 
 void BlockFusion::color(const Pixels& pixels, const Colors& colors, ColorBlock& block) const {
-  constexpr int max_weight = 60;  // [frames]
   for (std::size_t i = 0; i < TsdfBlock::voxels; ++i) {
     // The entry after the last pixel stands for voxels outside the image and has no colour.
     if (pixels.packed[i] == 0) continue;
@@ -196,7 +196,7 @@ void BlockFusion::color(const Pixels& pixels, const Colors& colors, ColorBlock& 
       voxel[c] =
           static_cast<std::uint8_t>((voxel[c] * weight + color[c] + weight / 2) / (weight + 1));
     }
-    voxel[3] = static_cast<std::uint8_t>(std::min(weight + 1, max_weight));
+    voxel[3] = static_cast<std::uint8_t>(std::min(weight + 1, max_color_weight_));
   }
 }
 

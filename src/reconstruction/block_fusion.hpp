@@ -33,7 +33,8 @@ class BlockFusion {
  private:
   struct Kernel;
   std::unique_ptr<const Kernel> kernel_;
-  float color_reach_;  ///< [m]
+  float color_reach_;     ///< [m]
+  int max_color_weight_;  ///< [frames]
 };
 
 }  // namespace symscene

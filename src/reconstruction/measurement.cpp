@@ -152,7 +152,8 @@ std::vector<SurfaceImage> surface_pyramid(DepthLevel level, const MeasurementOpt
     level = halve(level, step);
     pyramid.push_back(with_normals(level, 1, step));
   }
-  for (SurfaceImage& image : pyramid) smooth_planar_normals(image, options.noise);
+  for (SurfaceImage& image : pyramid)
+    smooth_planar_normals(image, options.noise, options.planar_normals);
   return pyramid;
 }
 

@@ -13,11 +13,7 @@
 namespace symscene {
 namespace {
 
-constexpr double block_angle = 0.015;     ///< edge of a block seen from the camera [rad]
 constexpr std::size_t blocks_across = 4;  ///< of a window
-constexpr double min_filled = 0.5;        ///< share of a window that shows a surface
-constexpr double pixel_deviations = 2.0;  ///< up to which a pixel lies on a window's plane
-constexpr double slope_deviations = 4.0;  ///< by which slopes of windows of one plane differ
 constexpr std::size_t block_rows_per_task = 4;
 
 /// Sums over pixels for a fit of inverse depth, d = a + b u + c v, which is linear on a plane.
@@ -99,16 +95,18 @@ std::array<std::array<std::size_t, 2>, blocks_across * blocks_across> central_fi
 /// The planes of the windows of an image, which start at every block.
 class PlanarWindows {
  public:
-  PlanarWindows(SurfaceImage& image, double noise)
+  PlanarWindows(SurfaceImage& image, double noise, const PlanarNormalOptions& options)
       : image_(image),
         noise_(noise),
+        options_(options),
         edge_(std::max<std::size_t>(
-            1, static_cast<std::size_t>(std::lround(block_angle * image.camera.fx)))),
+            1, static_cast<std::size_t>(
+                   std::lround(options.window_angle / blocks_across * image.camera.fx)))),
         columns_(image.camera.width / edge_),
         rows_(image.camera.height / edge_) {
     // The deviation of a slope fitted to n × n pixels is √12 / n² of a pixel's.
     const auto side = static_cast<double>(blocks_across * edge_);
-    slope_bound_ = slope_deviations * noise * std::sqrt(12.0) / (side * side);
+    slope_bound_ = options.slope_deviations * noise * std::sqrt(12.0) / (side * side);
   }
 
   void smooth() {
@@ -169,7 +167,7 @@ class PlanarWindows {
       for (std::size_t i = x; i < x + blocks_across; ++i) window.add(moments[j * columns_ + i]);
     }
     const auto side = static_cast<double>(blocks_across * edge_);
-    if (window.count < min_filled * side * side) return std::nullopt;
+    if (window.count < options_.min_filled * side * side) return std::nullopt;
     const std::optional<InversePlane> inverse = fit_plane(window, noise_);
     if (!inverse) return std::nullopt;
     const Plane plane{*inverse, normal_of(*inverse, image_.camera)};
@@ -202,7 +200,7 @@ class PlanarWindows {
       if (plane) planes[found++] = &*plane;
     }
     if (found == 0) return;
-    const double bound = pixel_deviations * noise_;
+    const double bound = options_.pixel_deviations * noise_;
     for_each_pixel(x, y, [&](double u, double v, SurfacePixel& pixel) {
       const double inverse = 1.0 / static_cast<double>(pixel.depth);
       for (std::size_t k = 0; k < found; ++k) {
@@ -216,6 +214,7 @@ class PlanarWindows {
 
   SurfaceImage& image_;
   double noise_;
+  const PlanarNormalOptions& options_;
   std::size_t edge_;  ///< of a block [px]
   std::size_t columns_, rows_;
   double slope_bound_;                         ///< between windows of one plane [1/m per px]
@@ -225,8 +224,8 @@ class PlanarWindows {
 
 }  // namespace
 
-void smooth_planar_normals(SurfaceImage& image, double noise) {
-  PlanarWindows(image, noise).smooth();
+void smooth_planar_normals(SurfaceImage& image, double noise, const PlanarNormalOptions& options) {
+  PlanarWindows(image, noise, options).smooth();
 }
 
 }  // namespace symscene

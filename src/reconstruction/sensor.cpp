@@ -15,11 +15,8 @@
 namespace symscene {
 namespace {
 
-constexpr double min_filled = 0.33;    // share of a patch that is measured
-constexpr double depth_bin = 0.2;      // in the logarithm of the depth
-constexpr double min_depth = 0.1;      // of a pixel [m]
-constexpr double max_depth = 20.0;     // of a pixel [m]
-constexpr double max_deviation = 0.1;  // share of the depth, of a patch that may be smooth
+constexpr double min_depth = 0.1;   // of a pixel [m]
+constexpr double max_depth = 20.0;  // of a pixel [m]
 
 constexpr std::array<std::pair<Sensor, const char*>, 3> names{
     {{Sensor::structured_light, "structured-light"},
@@ -36,14 +33,17 @@ struct Patch {
 /// A square of pixels of a depth image.
 class PatchFit {
  public:
-  PatchFit(const DepthFrame& frame, const CameraIntrinsics& camera, int edge)
-      : frame_(frame), camera_(camera), edge_(static_cast<std::size_t>(edge)) {}
+  PatchFit(const DepthFrame& frame, const CameraIntrinsics& camera,
+           const SensorEstimationOptions& options)
+      : frame_(frame),
+        camera_(camera),
+        edge_(static_cast<std::size_t>(options.patch)),
+        min_count_(options.min_filled * static_cast<double>(edge_ * edge_)) {}
 
   /// The plane of least squares, which is linear in inverse depth. None if too little is measured.
   std::optional<Patch> fit(std::size_t left, std::size_t top) {
     read(left, top);
-    const auto least = static_cast<double>(edge_ * edge_) * min_filled;
-    if (static_cast<double>(count_) < least) return {};
+    if (static_cast<double>(count_) < min_count_) return {};
     const Eigen::Vector3d plane = normal_matrix_.ldlt().solve(right_);
     return patch(plane);
   }
@@ -93,6 +93,7 @@ class PatchFit {
   const DepthFrame& frame_;
   const CameraIntrinsics& camera_;
   std::size_t edge_;
+  double min_count_;
   std::vector<double> inverse_;  ///< depths, 0 where nothing was measured [1/m]
   Eigen::Matrix3d normal_matrix_;
   Eigen::Vector3d right_;
@@ -100,16 +101,17 @@ class PatchFit {
 };
 
 std::vector<Patch> patches_of(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
-                              int edge) {
+                              const SensorEstimationOptions& options) {
   std::vector<Patch> patches;
-  const auto step = static_cast<std::size_t>(edge);
+  const auto step = static_cast<std::size_t>(options.patch);
   for (const DepthFrame& frame : frames) {
     require_pixels(frame.depth.size(), camera, "depth image");
-    PatchFit fit(frame, camera, edge);
+    PatchFit fit(frame, camera, options);
     for (std::size_t top = 0; top + step <= camera.height; top += step) {
       for (std::size_t left = 0; left + step <= camera.width; left += step) {
         const auto patch = fit.fit(left, top);
-        if (patch && patch->deviation < max_deviation * patch->depth) patches.push_back(*patch);
+        if (patch && patch->deviation < options.max_relative_deviation * patch->depth)
+          patches.push_back(*patch);
       }
     }
   }
@@ -119,8 +121,8 @@ std::vector<Patch> patches_of(std::span<const DepthFrame> frames, const CameraIn
 /// The smooth patches of each range of depths: those of least residual.
 std::vector<std::vector<Patch>> smooth_patches(std::vector<Patch> patches,
                                                const SensorEstimationOptions& options) {
-  const auto bin = [](const Patch& patch) {
-    return static_cast<int>(std::floor(std::log(patch.depth) / depth_bin));
+  const auto bin = [&](const Patch& patch) {
+    return static_cast<int>(std::floor(std::log(patch.depth) / options.depth_bin));
   };
   std::sort(patches.begin(), patches.end(), [&](const Patch& a, const Patch& b) {
     return std::pair(bin(a), a.deviation) < std::pair(bin(b), b.deviation);
@@ -211,7 +213,7 @@ SensorEstimate estimate_sensor(std::span<const DepthFrame> frames, const CameraI
   options.validate();
   SensorEstimate estimate;
   std::vector<double> correlations;
-  const auto bins = smooth_patches(patches_of(frames, camera, options.patch), options);
+  const auto bins = smooth_patches(patches_of(frames, camera, options), options);
   for (const std::vector<Patch>& smooth : bins) {
     const double deviation = median_of(smooth, [](const Patch& p) { return p.deviation; });
     const double depth = median_of(smooth, [](const Patch& p) { return p.depth; });

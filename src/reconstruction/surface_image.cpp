@@ -85,7 +85,7 @@ SurfaceImage find_surface(std::vector<float> depth, const CameraIntrinsics& came
   const DepthLevel level =
       smooth(bridge_holes({camera, std::move(depth)}, step), smoothing_noise(options));
   SurfaceImage image = with_normals(level, normal_reach, step);
-  smooth_planar_normals(image, options.noise);
+  smooth_planar_normals(image, options.noise, options.planar_normals);
   return image;
 }
 

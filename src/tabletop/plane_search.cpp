@@ -12,8 +12,6 @@
 namespace symscene {
 namespace {
 
-/// Over the inlier distance: hypotheses of one point and its normal are less accurate than fits.
-constexpr double coarse_factor = 3.0;
 constexpr std::size_t refined_hypotheses = 8;
 constexpr std::size_t hypothesis_refinements = 3;
 
@@ -107,7 +105,7 @@ class PlaneSearch {
       Plane plane;
       plane.normal = sample_.normal(i).cast<double>().normalized();
       plane.offset = -plane.normal.dot(sample_.position(i).cast<double>());
-      tried.push_back({plane, count(plane, coarse_factor * options_.inlier_distance)});
+      tried.push_back({plane, count(plane, options_.coarse_factor * options_.inlier_distance)});
     }
     std::stable_sort(tried.begin(), tried.end(),
                      [](const Counted& a, const Counted& b) { return a.inliers > b.inliers; });
@@ -116,7 +114,7 @@ class PlaneSearch {
   }
 
   Counted refined(Plane plane) const {
-    double distance = coarse_factor * options_.inlier_distance;
+    double distance = options_.coarse_factor * options_.inlier_distance;
     for (std::size_t round = 0; round < hypothesis_refinements; ++round) {
       PlaneMoments moments;
       for (std::size_t i = 0; i < sample_.size(); ++i) {

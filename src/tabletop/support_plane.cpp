@@ -11,8 +11,6 @@
 namespace symscene {
 namespace {
 
-constexpr double cell_edge = 0.02;        ///< of the cells that areas are counted in [m]
-constexpr double least_distance = 0.003;  ///< within which refinement keeps all points [m]
 constexpr int fit_refinements = 2;
 constexpr Index points_for_fit = 50000;
 
@@ -55,10 +53,10 @@ std::vector<Eigen::Vector2d> within_plane(const PointCloud& cloud, const PointIn
 
 /// The largest connected patch of the points near a plane whose normals agree with its own.
 PointIndices patch_of(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
-                      double distance, double normal_angle) {
-  const PointIndices near = points_near(cloud, usable, plane, distance, normal_angle);
+                      double distance, const SupportPlaneOptions& options) {
+  const PointIndices near = points_near(cloud, usable, plane, distance, options.normal_angle);
   PointIndices patch;
-  const PlaneCells cells(within_plane(cloud, near, plane), cell_edge);
+  const PlaneCells cells(within_plane(cloud, near, plane), options.cell_size);
   for (const std::size_t k : cells.largest_patch()) patch.push_back(near[k]);
   return patch;
 }
@@ -70,7 +68,8 @@ PointIndices patches_of(const PointCloud& cloud, const PointIndices& usable, con
       points_near(cloud, usable, plane, options.inlier_distance, options.normal_angle);
   const std::vector<Eigen::Vector2d> within = within_plane(cloud, near, plane);
   PointIndices patches;
-  for (const std::size_t k : PlaneCells(within, cell_edge).table_patches(within, options.patch_gap))
+  for (const std::size_t k :
+       PlaneCells(within, options.cell_size).table_patches(within, options.patch_gap))
     patches.push_back(near[k]);
   return patches;
 }
@@ -94,11 +93,11 @@ PlaneFit fitted(const PointCloud& cloud, const PointIndices& some, const Plane& 
   PlaneFit fit{start, options.inlier_distance};
   for (int round = 0; round < fit_refinements; ++round) {
     const PlaneMoments moments =
-        moments_of(cloud, patch_of(cloud, some, fit.plane, fit.distance, options.normal_angle));
+        moments_of(cloud, patch_of(cloud, some, fit.plane, fit.distance, options));
     fit.plane = moments.plane(fit.plane);
-    fit.distance =
-        std::clamp(options.refined_sigmas * moments.residual(fit.plane),
-                   std::min(least_distance, options.inlier_distance), options.inlier_distance);
+    fit.distance = std::clamp(options.refined_sigmas * moments.residual(fit.plane),
+                              std::min(options.min_refined_distance, options.inlier_distance),
+                              options.inlier_distance);
   }
   return fit;
 }
@@ -114,14 +113,15 @@ Plane refined(const PointCloud& cloud, const PointIndices& patch, const PlaneFit
 }
 
 /// The residual, area and outline of a plane with these inliers.
-SupportPlane described(const PointCloud& cloud, const Plane& plane, PointIndices inliers) {
+SupportPlane described(const PointCloud& cloud, const Plane& plane, PointIndices inliers,
+                       const SupportPlaneOptions& options) {
   SupportPlane support;
   support.plane = plane;
   support.inliers = std::move(inliers);
   support.residual = moments_of(cloud, support.inliers).residual(plane);
   const PlaneFrame frame(plane);
   const std::vector<Eigen::Vector2d> within = within_plane(cloud, support.inliers, plane);
-  const PlaneCells cells(within, cell_edge);
+  const PlaneCells cells(within, options.cell_size);
   support.area = cells.area(cells.occupied());
   std::vector<Eigen::Vector2d> border;
   for (const std::size_t k : cells.border()) border.push_back(within[k]);
@@ -144,10 +144,9 @@ std::vector<SupportPlane> distinct_planes(const PointCloud& cloud, const PointIn
   }
   for (const Plane& start : dominant_planes(cloud, usable, options)) {
     const PlaneFit fit = fitted(cloud, some, start, options);
-    PointIndices patch =
-        patch_of(cloud, usable, fit.plane, options.inlier_distance, options.normal_angle);
+    PointIndices patch = patch_of(cloud, usable, fit.plane, options.inlier_distance, options);
     const Plane whole = refined(cloud, patch, fit);
-    SupportPlane plane = described(cloud, whole, std::move(patch));
+    SupportPlane plane = described(cloud, whole, std::move(patch), options);
     const auto known = std::count_if(plane.inliers.begin(), plane.inliers.end(),
                                      [&](Index i) { return taken[i]; });
     if (2 * static_cast<std::size_t>(known) > plane.inliers.size()) continue;
@@ -183,23 +182,21 @@ PlaneCells covered_cells(const PointCloud& cloud, const PointIndices& usable,
     const Eigen::Vector2d within = frame.within(point);
     if (outline.distance(within) < 0.0) above.push_back(within);
   }
-  return {above, cell_edge};
+  return {above, options.cell_size};
 }
 
-/// The number of points just below the plane, at most 5 cm beside its outline, of surfaces at an
-/// angle to it: a bent table is below its own plane too.
+/// The number of points just below the plane and its outline, of surfaces at an angle to it: a bent
+/// table is below its own plane too.
 std::size_t points_beneath(const PointCloud& cloud, const PointIndices& usable,
                            const SupportPlane& plane, const SupportPlaneOptions& options) {
-  constexpr double depth = 0.2, margin = 0.05;  // [m]
-  constexpr double parallel = 0.7;              // cosine of the angle between normals
   const PlaneFrame frame(plane.plane);
   const ConvexOutline outline = outline_of(plane.outline, frame);
   return static_cast<std::size_t>(std::count_if(usable.begin(), usable.end(), [&](Index i) {
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
     const double below = -plane.plane.signed_distance(point);
-    return below > 1.5 * options.inlier_distance && below < depth &&
-           plane.plane.normal.dot(cloud.normal(i).cast<double>()) < parallel &&
-           outline.distance(frame.within(point)) < margin;
+    return below > 1.5 * options.inlier_distance && below < options.beneath_depth &&
+           plane.plane.normal.dot(cloud.normal(i).cast<double>()) < options.beneath_cosine &&
+           outline.distance(frame.within(point)) < options.beneath_margin;
   }));
 }
 
@@ -216,14 +213,14 @@ std::vector<Eigen::Vector3d> some_viewpoints(const TablePrior& known) {
 /// The extent of cells of a plane: the mean solid angle in which the cameras see them [sr], or
 /// their area [m²] without cameras.
 double extent(const PlaneCells& cells, const Plane& plane,
-              const std::vector<Eigen::Vector3d>& viewpoints) {
+              const std::vector<Eigen::Vector3d>& viewpoints, double cell_size) {
   if (viewpoints.empty()) return cells.area(cells.occupied());
   const PlaneFrame frame(plane);
   double sum = 0.0;
   cells.for_each_occupied([&](const Eigen::Vector2d& middle) {
     const Eigen::Vector3d cell = frame.lift(middle);
     for (const Eigen::Vector3d& viewpoint : viewpoints) {
-      const double distance = std::max((viewpoint - cell).norm(), cell_edge);
+      const double distance = std::max((viewpoint - cell).norm(), cell_size);
       sum += std::max(plane.signed_distance(viewpoint), 0.0) / std::pow(distance, 3);
     }
   });
@@ -231,15 +228,15 @@ double extent(const PlaneCells& cells, const Plane& plane,
 }
 
 /// Whether the cameras look onto the plane rather than along it.
-bool faces(const SupportPlane& plane, const std::vector<Eigen::Vector3d>& viewpoints) {
-  constexpr double largest_angle = std::numbers::pi / 4.0;
+bool faces(const SupportPlane& plane, const std::vector<Eigen::Vector3d>& viewpoints,
+           const SupportPlaneOptions& options) {
   if (viewpoints.empty() || plane.outline.empty()) return false;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero(), viewpoint = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& corner : plane.outline) middle += corner;
   for (const Eigen::Vector3d& position : viewpoints) viewpoint += position;
   middle /= static_cast<double>(plane.outline.size());
   viewpoint /= static_cast<double>(viewpoints.size());
-  return angle_between(plane.plane.normal, viewpoint - middle) <= largest_angle;
+  return angle_between(plane.plane.normal, viewpoint - middle) <= options.facing_angle;
 }
 
 /// The factor of a plane's score that its direction gives: 0 if it is no table.
@@ -248,24 +245,24 @@ double direction_factor(const SupportPlane& plane, const SupportPlaneOptions& op
   if (plane.area < options.min_area || plane.outline.size() < 3) return 0.0;
   if (!known.up) return 1.0;
   if (angle_between(plane.plane.normal, *known.up) <= options.max_tilt) return 1.0;
-  return faces(plane, known.viewpoints) ? options.facing_factor : 0.0;
+  return faces(plane, known.viewpoints, options) ? options.facing_factor : 0.0;
 }
 
 /// A plane as a table: all its patches, the objects on it, and the score.
 SupportPlane as_support(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
                         PointIndices inliers, const std::vector<bool>& walls,
                         const SupportPlaneOptions& options, const TablePrior& known) {
-  SupportPlane support = described(cloud, plane, std::move(inliers));
+  SupportPlane support = described(cloud, plane, std::move(inliers), options);
   const PlaneCells covered = covered_cells(cloud, usable, support, walls, options);
   support.object_area = covered.area(covered.occupied());
   support.beneath = static_cast<double>(points_beneath(cloud, usable, support, options)) /
                     std::max(static_cast<double>(support.inliers.size()), 1.0);
   const std::vector<Eigen::Vector3d> viewpoints = some_viewpoints(known);
-  const PlaneCells cells(within_plane(cloud, support.inliers, plane), cell_edge);
-  const double whole = extent(cells, plane, viewpoints);
+  const PlaneCells cells(within_plane(cloud, support.inliers, plane), options.cell_size);
+  const double whole = extent(cells, plane, viewpoints, options.cell_size);
   // An empty table counts as if one cell of the mean solid angle were covered.
   const double one = whole / std::max(static_cast<double>(cells.occupied()), 1.0);
-  support.score = std::sqrt(whole * (extent(covered, plane, viewpoints) + one));
+  support.score = std::sqrt(whole * (extent(covered, plane, viewpoints, options.cell_size) + one));
   return support;
 }
 

@@ -197,7 +197,7 @@ TableObjects objects_on(const PointCloud& cloud, const FoundPlanes& planes,
                         [&](const WallTest& wall) { return wall.holds(point, normal); });
   };
   const PointIndices over_table = indices_where(cloud.size(), is_over_table);
-  const TableRoughness roughness(cloud, surface, outline, options.plane.max_height);
+  const TableRoughness roughness(cloud, surface, outline, options.plane.max_height, crop);
   const PointIndices standing = standing_points(
       cloud, over_table, surface,
       {objects.clearance, crop.rough_clearance_sigmas, crop.max_rough_clearance, roughness},

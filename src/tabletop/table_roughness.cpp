@@ -9,22 +9,22 @@
 namespace symscene {
 namespace {
 
-constexpr int cells_across = 12;  // of the longer side of the outline's bounding box
-constexpr std::size_t least_points_of_cell = 50;  // below the table, for a deviation of a cell
 constexpr double deviation_of_median = 1.4826;  // of absolute values that are normally distributed
 
 }  // namespace
 
 TableRoughness::TableRoughness(const PointCloud& cloud, const BentPlane& surface,
-                               const ConvexOutline& outline, double depth) {
+                               const ConvexOutline& outline, double depth,
+                               const TableCropOptions& options)
+    : cells_across_(options.roughness_cells) {
   if (outline.corners().empty()) return;
   Eigen::Vector2d last = corner_ = outline.corners().front();
   for (const Eigen::Vector2d& corner : outline.corners()) {
     corner_ = corner_.cwiseMin(corner);
     last = last.cwiseMax(corner);
   }
-  edge_ = std::max((last - corner_).maxCoeff() / cells_across, 1e-6);
-  std::vector<std::vector<double>> depths(cells_across * cells_across);
+  edge_ = std::max((last - corner_).maxCoeff() / cells_across_, 1e-6);
+  std::vector<std::vector<double>> depths(static_cast<std::size_t>(cells_across_ * cells_across_));
   for (Index i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d point = cloud.position(i).cast<double>();
     const double height = surface.height(point);
@@ -34,15 +34,16 @@ TableRoughness::TableRoughness(const PointCloud& cloud, const BentPlane& surface
   }
   deviations_.resize(depths.size(), 0.0);
   for (std::size_t k = 0; k < depths.size(); ++k) {
-    if (depths[k].size() >= least_points_of_cell)
+    if (depths[k].size() >= static_cast<std::size_t>(options.min_roughness_points))
       deviations_[k] = deviation_of_median * *median(std::move(depths[k]));
   }
 }
 
 std::size_t TableRoughness::cell_of(const Eigen::Vector2d& within) const {
   const Eigen::Vector2d cell =
-      ((within - corner_) / edge_).array().floor().max(0.0).min(cells_across - 1.0);
-  return static_cast<std::size_t>(cell.y()) * cells_across + static_cast<std::size_t>(cell.x());
+      ((within - corner_) / edge_).array().floor().max(0.0).min(cells_across_ - 1.0);
+  return static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(cells_across_) +
+         static_cast<std::size_t>(cell.x());
 }
 
 double TableRoughness::at(const Eigen::Vector2d& within) const {

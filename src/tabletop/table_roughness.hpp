@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bent_plane.hpp"
+#include "symscene/tabletop/tabletop_options.hpp"
 
 namespace symscene {
 
@@ -13,7 +14,7 @@ class TableRoughness {
  public:
   /// From the points of the cloud that are inside the outline and at most `depth` [m] below.
   TableRoughness(const PointCloud& cloud, const BentPlane& surface, const ConvexOutline& outline,
-                 double depth);
+                 double depth, const TableCropOptions& options);
 
   /// The standard deviation of the table's points around a place on it; 0 where too few were seen.
   /// [m]
@@ -22,6 +23,7 @@ class TableRoughness {
  private:
   std::size_t cell_of(const Eigen::Vector2d& within) const;
 
+  int cells_across_;  ///< of the longer side of the outline's bounding box
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
   double edge_ = 1.0;  ///< of a cell [m]
   std::vector<double> deviations_;

@@ -28,6 +28,10 @@ struct Spoiler {
       }
     }
   }
+  template <class Nested>
+  void operator()(const char*, Nested& nested) {
+    visit_options(nested, *this);
+  }
 };
 
 template <class Options>
@@ -48,8 +52,8 @@ int expect_every_field_is_checked() {
 }
 
 TEST(ReconstructionOptions, OutOfRangeAreRefusedFieldByField) {
-  EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 8);
-  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 11);
+  EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 12);
+  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 12);
   EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 31);
   EXPECT_EQ(expect_every_field_is_checked<SurfaceExtractionOptions>(), 3);
 }

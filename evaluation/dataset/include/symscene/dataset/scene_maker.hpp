@@ -122,9 +122,10 @@ Tabletop place_objects(const DatasetOptions& options, std::span<const ObjectMode
 /// Makes scene `index` of a dataset: puts objects on a table, sweeps a noisy camera around it,
 /// reconstructs the sweep by tracking and transfers the ground truth to the reconstruction.
 /// `models` are those of the split (models_of()); procedural objects stand among them. If the
-/// reconstruction is not accurate enough, the scene is made again with its next seed. The result
-/// depends on the arguments only: not on other scenes, nor on the number of threads. Throws
-/// InputError if an option is out of range, or if there are models and this build has no physics.
+/// reconstruction is not accurate enough or the physics diverges, the scene is made again with its
+/// next seed. The result depends on the arguments only: not on other scenes, nor on the number of
+/// threads. Throws InputError if an option is out of range, or if there are models and this build
+/// has no physics; PhysicsDiverged if the physics of the last seed diverges.
 MadeScene make_scene(const DatasetOptions& options, Split split,
                      std::span<const ObjectModel> models, std::size_t index);
 

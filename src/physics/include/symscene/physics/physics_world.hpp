@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 
@@ -37,6 +38,11 @@ struct PhysicsOptions {
   void validate() const { check_fields(*this); }
 };
 
+/// The simulation left the range of finite numbers: other initial poses may not.
+struct PhysicsDiverged : std::runtime_error {
+  PhysicsDiverged() : std::runtime_error("the physics diverged") {}
+};
+
 /// Rigid bodies above a table. The world is the table's frame: the table is the unbounded plane
 /// z = 0, z points up, gravity acts along -z with 9.81 m/s². Bodies are numbered from 0 in the
 /// order in which they are given; a body takes part only between put() and take_away(). All lengths
@@ -59,7 +65,7 @@ class PhysicsWorld {
   /// Whether the body takes part.
   bool is_there(std::size_t body) const;
 
-  /// Simulates `seconds`, rounded to whole time steps. Throws std::runtime_error if the
+  /// Simulates `seconds`, rounded to whole time steps. Throws PhysicsDiverged if the
   /// simulation diverges.
   void advance(double seconds);
 

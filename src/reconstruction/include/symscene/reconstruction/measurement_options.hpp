@@ -5,6 +5,27 @@
 
 namespace symscene {
 
+/// Which windows of a depth image count as planar; their pixels take the plane's normal.
+struct PlanarNormalOptions {
+  double window_angle = 0.06;
+  double min_filled = 0.5;
+  double pixel_deviations = 2.0;
+  double slope_deviations = 4.0;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("window_angle", self.window_angle, "rad", strictly_between(0.0, 1.0),
+          "edge of a window as seen from the camera");
+    visit("min_filled", self.min_filled, "", between(0.0, 1.0),
+          "share of a window's pixels that must show a surface");
+    visit("pixel_deviations", self.pixel_deviations, "", between(0.0, 100.0),
+          "standard deviations within which a pixel lies on a window's plane");
+    visit("slope_deviations", self.slope_deviations, "", between(0.0, 100.0),
+          "standard deviations within which the slopes of neighbouring windows are of one plane");
+  }
+  void validate() const { check_fields(*this); }
+};
+
 /// How depth images are prepared for tracking and fusion.
 struct MeasurementOptions {
   double min_depth = 0.2;
@@ -15,6 +36,7 @@ struct MeasurementOptions {
   double smoothing_sigmas = 4.0;
   double min_cosine = 0.1;
   int tracking_width = 320;
+  PlanarNormalOptions planar_normals;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -34,6 +56,7 @@ struct MeasurementOptions {
           "cosine of the angle between normal and ray from which a pixel is fused");
     visit("tracking_width", self.tracking_width, "px", at_least(40.0),
           "images are halved for tracking while they are at least 1.5 times as wide");
+    visit("planar_normals", self.planar_normals);
   }
   /// Throws InputError if a value is out of its range or max_depth is not above min_depth.
   void validate() const;

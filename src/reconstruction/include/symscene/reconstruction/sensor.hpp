@@ -27,6 +27,9 @@ Sensor parse_sensor(const std::string& name);
 struct SensorEstimationOptions {
   int frames = 5;
   int patch = 16;
+  double min_filled = 0.33;
+  double max_relative_deviation = 0.1;
+  double depth_bin = 0.2;
   double smooth_share = 0.3;
   int min_patches = 20;
   double min_depth_ratio = 1.3;
@@ -44,6 +47,13 @@ struct SensorEstimationOptions {
   static void visit_fields(Self& self, Visit&& visit) {
     visit("frames", self.frames, "", between(1, 100), "frames that are looked at");
     visit("patch", self.patch, "px", between(6, 64), "edge of a patch to which a plane is fitted");
+    visit("min_filled", self.min_filled, "", between(0.0, 1.0),
+          "share of a patch's pixels that must be measured");
+    visit("max_relative_deviation", self.max_relative_deviation, "", above(0.0),
+          "deviation over depth up to which a patch may be a smooth surface");
+    visit(
+        "depth_bin", self.depth_bin, "", above(0.0),
+        "width of an interval of depths whose patches are compared, in the logarithm of the depth");
     visit("smooth_share", self.smooth_share, "", above_up_to(0.0, 1.0),
           "share of the patches at one depth that are taken for smooth: those of least residual");
     visit("min_patches", self.min_patches, "", at_least(5.0), "least patches at one depth");

@@ -16,6 +16,7 @@ struct TsdfOptions {
   double full_weight_sigmas = 1.8;
   double zero_weight_sigmas = 2.85;
   double max_weight = 200.0;
+  int max_color_weight = 60;
   double max_memory = 4.0;
   bool color = true;
 
@@ -46,6 +47,8 @@ struct TsdfOptions {
           "the depth of zero weight in standard deviations of a depth, where that is more");
     visit("max_weight", self.max_weight, "", between(1.0, 250.0),
           "largest weight of a voxel, in frontal views at 1 m");
+    visit("max_color_weight", self.max_color_weight, "frames", between(1, 255),
+          "largest weight of a voxel's colour");
     visit("max_memory", self.max_memory, "GB", above_up_to(0.0, 1000.0),
           "memory from which the surface is not extended, with a warning");
     visit("color", self.color, "", any_value(), "fuse colours where frames have them");

@@ -9,18 +9,25 @@ namespace symscene {
 /// The search for planes that objects stand on.
 struct SupportPlaneOptions {
   double inlier_distance = 0.01;
+  double coarse_factor = 3.0;
   double normal_angle = radians(25.0);
   int sample = 6000;
   int hypotheses = 300;
   int max_planes = 6;
   double min_share = 0.01;
   double refined_sigmas = 2.5;
+  double min_refined_distance = 0.003;
+  double cell_size = 0.02;
   double min_area = 0.03;
   double wall_area = 0.25;
   double max_tilt = radians(70.0);
   double facing_factor = 0.2;
+  double facing_angle = radians(45.0);
   double patch_gap = 0.4;
   double max_beneath = 0.5;
+  double beneath_depth = 0.2;
+  double beneath_margin = 0.05;
+  double beneath_cosine = 0.7;
   double max_height = 0.6;
   double ambiguity = 0.5;
   std::uint64_t seed = 1;
@@ -30,6 +37,9 @@ struct SupportPlaneOptions {
     constexpr double right_angle = radians(90.0);
     visit("inlier_distance", self.inlier_distance, "m", strictly_between(0.0, 1.0),
           "largest distance of an inlier from its plane; drift bends tables by as much");
+    visit("coarse_factor", self.coarse_factor, "", at_least(1.0),
+          "the distance for hypotheses of one point and its normal, over inlier_distance: they are "
+          "less accurate than fits");
     visit("normal_angle", self.normal_angle, "rad", strictly_between(0.0, right_angle),
           "largest angle between the normals of an inlier and its plane");
     visit("sample", self.sample, "", at_least(100.0),
@@ -41,6 +51,10 @@ struct SupportPlaneOptions {
           "share of the sample that a plane must have as inliers");
     visit("refined_sigmas", self.refined_sigmas, "", above(0.0),
           "refinement keeps points within this many standard deviations of the plane");
+    visit("min_refined_distance", self.min_refined_distance, "m", at_least(0.0),
+          "refinement keeps all points within this distance of the plane");
+    visit("cell_size", self.cell_size, "m", above(0.0),
+          "edge of the cells that areas are counted in");
     visit("min_area", self.min_area, "m^2", at_least(0.0), "least area of a supporting plane");
     visit("wall_area", self.wall_area, "m^2", at_least(0.0),
           "area from which the points of another plane are not points of objects");
@@ -50,13 +64,21 @@ struct SupportPlaneOptions {
     visit("facing_factor", self.facing_factor, "", between(0.0, 1.0),
           "score factor of a plane tilted beyond max_tilt that faces the cameras: a table seen "
           "from straight above, or a wall");
+    visit("facing_angle", self.facing_angle, "rad", between(0.0, right_angle),
+          "a plane faces the cameras if its normal is within this angle of the direction to them");
     visit(
         "patch_gap", self.patch_gap, "m", at_least(0.0),
         "gap between patches of one table, which the shadows of objects cut; a patch farther from "
         "the others is of another table");
     visit("max_beneath", self.max_beneath, "", at_least(0.0),
-          "points of surfaces at an angle up to 0.2 m below a supporting plane, over its inliers: "
+          "points of surfaces at an angle below a supporting plane, over its inliers: "
           "the sides of a box are below its lid, while a table hides what is below it");
+    visit("beneath_depth", self.beneath_depth, "m", above(0.0),
+          "depth down to which these points are counted");
+    visit("beneath_margin", self.beneath_margin, "m", at_least(0.0),
+          "distance from the plane's outline up to which they are counted");
+    visit("beneath_cosine", self.beneath_cosine, "", between(-1.0, 1.0),
+          "they are at an angle if the cosine of their normal and the plane's is below this");
     visit("max_height", self.max_height, "m", above(0.0),
           "height above a supporting plane up to which points belong to objects on it");
     visit("ambiguity", self.ambiguity, "", above_up_to(0.0, 1.0),
@@ -74,6 +96,8 @@ struct TableCropOptions {
   double max_clearance = 0.015;
   double max_rough_clearance = 0.06;
   double rough_clearance_sigmas = 2.0;
+  int roughness_cells = 12;
+  int min_roughness_points = 50;
   double clearance_sigmas = 3.0;
   double overhang = 0.05;
   double link = 0.012;
@@ -93,6 +117,10 @@ struct TableCropOptions {
         "the same at places where the table is measured more roughly than elsewhere, as far away");
     visit("rough_clearance_sigmas", self.rough_clearance_sigmas, "", at_least(0.0),
           "the height at a place in standard deviations of the points below the table there");
+    visit("roughness_cells", self.roughness_cells, "", between(1, 1000),
+          "places along the longer side of a table at which its roughness is measured");
+    visit("min_roughness_points", self.min_roughness_points, "points", at_least(1),
+          "points below the table from which a place's roughness is known");
     visit("clearance_sigmas", self.clearance_sigmas, "", at_least(0.0),
           "the height in standard deviations of the table's points, between these bounds");
     visit("overhang", self.overhang, "m", at_least(0.0),
