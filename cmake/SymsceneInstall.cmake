@@ -37,18 +37,30 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersi
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/symscene COMPONENT robot)
 
-# cpack -G DEB: the command, the libraries with their headers, and through the command the page.
+# cpack -G DEB: a package per wing. `symscene` has the command, the robot's libraries with their headers, and through the
+# command the page; `symscene-evaluation` has the libraries of the evaluation's wing.
 set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL robot)
+get_property(evaluation_libraries GLOBAL PROPERTY SYMSCENE_EVALUATION_LIBRARIES)
+if(evaluation_libraries)
+  list(APPEND CPACK_COMPONENTS_ALL evaluation)
+endif()
 set(CPACK_PACKAGE_NAME symscene)
 set(CPACK_PACKAGE_VENDOR SymScene)
-set(CPACK_PACKAGE_CONTACT "The authors of SymScene <symscene@example.org>")
+set(CPACK_PACKAGE_CONTACT "The SymScene authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-# For those who link the libraries.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
-  "libeigen3-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libpng-dev, libjpeg-dev, libembree-dev")
+set(CPACK_DEBIAN_ROBOT_PACKAGE_NAME symscene)
+set(CPACK_DEBIAN_EVALUATION_PACKAGE_NAME symscene-evaluation)
+set(CPACK_COMPONENT_EVALUATION_DESCRIPTION "Simulation, datasets, baselines and metrics, as libraries.")
+# The packages that those who link the libraries need.
+set(CPACK_DEBIAN_ROBOT_PACKAGE_RECOMMENDS
+  "libeigen3-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libpng-dev, libjpeg-dev")
+set(CPACK_DEBIAN_EVALUATION_PACKAGE_DEPENDS "symscene (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_EVALUATION_PACKAGE_RECOMMENDS "libembree-dev")
 include(CPack)
