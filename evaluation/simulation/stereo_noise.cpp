@@ -8,21 +8,25 @@
 namespace symscene {
 namespace {
 
-/// Per pixel the nearest of the pixels within `radius` along its row or column.
+/// The rows or the columns of an image, as steps between indices of pixels.
+struct Lines {
+  std::size_t count, line_step, length, step;
+};
+
+/// Per pixel the nearest of the pixels within `radius` along its line.
 std::vector<std::size_t> nearest_along(const SensorFrame& frame, std::vector<std::size_t> sources,
-                                       std::size_t lines, std::size_t line_step, std::size_t length,
-                                       std::size_t step, std::size_t radius) {
+                                       const Lines& lines, std::size_t radius) {
   const auto depth_of = [&](std::size_t pixel) {
     const float z = frame.depth[pixel];
     return z > 0.0F ? z : std::numeric_limits<float>::infinity();
   };
   const std::vector<std::size_t> before = sources;
-  for (std::size_t line = 0; line < lines; ++line) {
-    for (std::size_t i = 0; i < length; ++i) {
-      std::size_t& best = sources[line * line_step + i * step];
-      const std::size_t last = std::min(i + radius, length - 1);
+  for (std::size_t line = 0; line < lines.count; ++line) {
+    for (std::size_t i = 0; i < lines.length; ++i) {
+      std::size_t& best = sources[line * lines.line_step + i * lines.step];
+      const std::size_t last = std::min(i + radius, lines.length - 1);
       for (std::size_t k = i - std::min(i, radius); k <= last; ++k) {
-        const std::size_t other = before[line * line_step + k * step];
+        const std::size_t other = before[line * lines.line_step + k * lines.step];
         if (depth_of(other) < depth_of(best)) best = other;
       }
     }
@@ -35,9 +39,9 @@ std::vector<std::size_t> nearest_in_window(const SensorFrame& frame, const Camer
                                            std::size_t radius) {
   std::vector<std::size_t> sources(frame.depth.size());
   std::iota(sources.begin(), sources.end(), std::size_t{0});
-  sources = nearest_along(frame, std::move(sources), camera.height, camera.width, camera.width, 1,
-                          radius);
-  return nearest_along(frame, std::move(sources), camera.width, 1, camera.height, camera.width,
+  const Lines rows{camera.height, camera.width, camera.width, 1};
+  const Lines columns{camera.width, 1, camera.height, camera.width};
+  return nearest_along(frame, nearest_along(frame, std::move(sources), rows, radius), columns,
                        radius);
 }
 

@@ -81,11 +81,16 @@ inline void lower_by_step(const Byte* __restrict source, std::size_t length, int
   }
 }
 
-/// One dimension of the transform over `count` lines of `length` bytes, a line's neighbours being
-/// the lines before and after it.
+/// Lines of bytes, each the neighbour of the one before and the one after it.
+struct Lines {
+  const Byte* source;
+  std::size_t stride, count, length;
+};
+
+/// One dimension of the transform for one of the lines.
 SYMSCENE_MULTIVERSION
-void transform_across_lines(const Byte* source, std::size_t stride, std::size_t count,
-                            std::size_t length, int clamp, std::size_t line, Byte* target) {
+void transform_across_lines(const Lines& lines, std::size_t line, int clamp, Byte* target) {
+  const auto [source, stride, count, length] = lines;
   std::copy_n(source + line * stride, length, target);
   for (int step = 1; step < clamp; ++step) {
     const auto offset = static_cast<std::size_t>(step);
@@ -152,15 +157,15 @@ class Transform {
     }
     Byte* slice = in_slices + z * frame_.slice_length();
     for (std::size_t y = 0; y < rows; ++y) {
-      transform_across_lines(along_x.data(), length, rows, length, clamp_, y, slice + y * length);
+      transform_across_lines({along_x.data(), length, rows, length}, y, clamp_, slice + y * length);
     }
   }
 
   void finish_row(const Byte* in_slices, std::size_t y, std::size_t z, Byte* squared) const {
     const std::size_t length = frame_.row_length();
     Byte* row = squared + z * frame_.slice_length() + y * length;
-    transform_across_lines(in_slices + y * length, frame_.slice_length(), frame_.slices(), length,
-                           clamp_, z, row);
+    transform_across_lines({in_slices + y * length, frame_.slice_length(), frame_.slices(), length},
+                           z, clamp_, row);
     if (table_ && options_.table_depth_counts) {
       write_table_depth(height_of_row(*table_, frame_, y, z), length, static_cast<float>(clamp_),
                         row);

@@ -85,8 +85,9 @@ inline float between(float a, float b, float step) {
 
 /// Fills the holes of one row between neighbours on opposite sides, or opposite corners.
 SYMSCENE_MULTIVERSION
-void bridge_row(const float* above, const float* here, const float* below, std::size_t width,
-                float step, float* __restrict out) {
+void bridge_row(const float* here, std::size_t width, float step, float* __restrict out) {
+  const float* const above = here - width;
+  const float* const below = here + width;
   for (std::size_t u = 1; u + 1 < width; ++u) {
     const float across = between(here[u - 1], here[u + 1], step);
     const float down = between(above[u], below[u], step);
@@ -130,7 +131,7 @@ DepthLevel bridge_holes(const DepthLevel& raw, float step) {
   parallel_for_blocks(height - 2, image_rows_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin + 1; v < end + 1; ++v) {
       const float* const here = raw.depth.data() + v * width;
-      bridge_row(here - width, here, here + width, width, step, bridged.depth.data() + v * width);
+      bridge_row(here, width, step, bridged.depth.data() + v * width);
     }
   });
   return bridged;

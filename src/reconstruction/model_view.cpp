@@ -36,7 +36,7 @@ class RayCaster {
       const int x = floor_of(p.x()), y = floor_of(p.y()), z = floor_of(p.z());
       const TsdfBlock* block = field_.block_at(x, y, z);
       if (!field_.last_is_near_surface()) {
-        at = leave_block(p, inverse_ray, at, x, y, z);
+        at = leave_block(p, inverse_ray, at, {x, y, z});
         continue;
       }
       const std::int16_t units =
@@ -65,11 +65,11 @@ class RayCaster {
 
   /// The depth at which the ray leaves the block of a voxel.
   static float leave_block(const Eigen::Vector3f& p, const Eigen::Vector3f& inverse_ray, float at,
-                           int x, int y, int z) {
-    const int corner[3] = {x & ~7, y & ~7, z & ~7};
+                           const Eigen::Vector3i& voxel) {
     float step = 64.0F;
     for (int axis = 0; axis < 3; ++axis) {
-      const float wall = static_cast<float>(corner[axis] + (inverse_ray[axis] > 0.0F ? 8 : 0));
+      const float wall =
+          static_cast<float>((voxel[axis] & ~7) + (inverse_ray[axis] > 0.0F ? 8 : 0));
       const float reached = (wall - p[axis]) * inverse_ray[axis];
       step = reached < step ? reached : step;  // NaN for a ray along the wall
     }

@@ -7,27 +7,37 @@
 namespace symscene {
 namespace {
 
+/// LogOddsModel in the type of the sums, so that the loops vectorise.
+struct ShortModel {
+  explicit ShortModel(const LogOddsModel& model)
+      : hit(static_cast<std::int16_t>(model.hit)),
+        miss(static_cast<std::int16_t>(model.miss)),
+        min(static_cast<std::int16_t>(model.min)),
+        max(static_cast<std::int16_t>(model.max)) {}
+  std::int16_t hit, miss, min, max;
+};
+
 SYMSCENE_MULTIVERSION
 void add_evidence(LogOdds* values, const std::uint8_t* hits, const std::uint8_t* looks,
-                  std::int16_t hit, std::int16_t miss, std::int16_t min, std::int16_t max) {
+                  ShortModel model) {
   for (std::size_t i = 0; i < block_voxels; ++i) {
     const std::int16_t old = values[i];
     const std::int16_t known = old == unseen ? std::int16_t{0} : old;
-    const auto up = static_cast<std::int16_t>(known + hit);
-    const auto down = static_cast<std::int16_t>(known + miss);
+    const auto up = static_cast<std::int16_t>(known + model.hit);
+    const auto down = static_cast<std::int16_t>(known + model.miss);
     std::int16_t next = hits[i] != 0 ? up : down;
-    next = next < min ? min : next;
-    next = next > max ? max : next;
+    next = next < model.min ? model.min : next;
+    next = next > model.max ? model.max : next;
     values[i] = static_cast<LogOdds>((hits[i] | looks[i]) != 0 ? next : old);
   }
 }
 
 SYMSCENE_MULTIVERSION
-void add_looks(LogOdds* values, std::int16_t miss, std::int16_t min) {
+void add_looks(LogOdds* values, ShortModel model) {
   for (std::size_t i = 0; i < block_voxels; ++i) {
     const std::int16_t known = values[i] == unseen ? std::int16_t{0} : std::int16_t{values[i]};
-    const auto next = static_cast<std::int16_t>(known + miss);
-    values[i] = static_cast<LogOdds>(next < min ? min : next);
+    const auto next = static_cast<std::int16_t>(known + model.miss);
+    values[i] = static_cast<LogOdds>(next < model.min ? model.min : next);
   }
 }
 
@@ -77,17 +87,14 @@ void OccupancyBrick::look_through(std::size_t first, std::size_t count, const Lo
       cells_[block] = encoded(model.looked_through(decoded(cells_[block])));
       continue;
     }
-    add_looks(make_dense(block), static_cast<std::int16_t>(model.miss),
-              static_cast<std::int16_t>(model.min));
+    add_looks(make_dense(block), ShortModel(model));
     join(block);
   }
 }
 
 void OccupancyBrick::update(std::size_t block, const std::uint8_t* hits, const std::uint8_t* looks,
                             const LogOddsModel& model) {
-  add_evidence(make_dense(block), hits, looks, static_cast<std::int16_t>(model.hit),
-               static_cast<std::int16_t>(model.miss), static_cast<std::int16_t>(model.min),
-               static_cast<std::int16_t>(model.max));
+  add_evidence(make_dense(block), hits, looks, ShortModel(model));
   join(block);
 }
 

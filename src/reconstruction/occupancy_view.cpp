@@ -26,15 +26,20 @@ void least_in_row(const float* depth, std::size_t width, float* least) {
   }
 }
 
-/// The limits of the pixels of a row from the smallest depths of three rows.
+struct LimitBounds {
+  float margin, max_depth;  ///< [m]
+};
+
+/// The limits of the pixels of a row, from the smallest depths of it and of the rows beside it.
 SYMSCENE_MULTIVERSION
-void limit_row(const float* above, const float* here, const float* below, std::size_t width,
-               float margin, float max_depth, float* limit) {
+void limit_row(const float* here, std::size_t width, LimitBounds bounds, float* limit) {
+  const float* const above = here - width;
+  const float* const below = here + width;
   for (std::size_t u = 1; u + 1 < width; ++u) {
     const float sides = above[u] < below[u] ? above[u] : below[u];
     const float least = sides < here[u] ? sides : here[u];
-    const float free = least - margin;
-    const float within = free < max_depth ? free : max_depth;
+    const float free = least - bounds.margin;
+    const float within = free < bounds.max_depth ? free : bounds.max_depth;
     limit[u] = least < infinite && within > 0.0F ? within : 0.0F;
   }
 }
@@ -51,12 +56,12 @@ std::vector<float> depth_limits(const DepthFrame& frame, const CameraIntrinsics&
       least_in_row(frame.depth.data() + v * width, width, least.data() + v * width);
     }
   });
+  const LimitBounds bounds{static_cast<float>(options.free_margin),
+                           static_cast<float>(options.max_depth)};
   std::vector<float> limits(camera.pixels(), 0.0F);
   parallel_for_blocks(height, limit_rows_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = std::max<std::size_t>(begin, 1); v < std::min(end, height - 1); ++v) {
-      const float* const row = least.data() + v * width;
-      limit_row(row - width, row, row + width, width, static_cast<float>(options.free_margin),
-                static_cast<float>(options.max_depth), limits.data() + v * width);
+      limit_row(least.data() + v * width, width, bounds, limits.data() + v * width);
     }
   });
   return limits;

@@ -248,11 +248,20 @@ double direction_factor(const SupportPlane& plane, const SupportPlaneOptions& op
   return faces(plane, known.viewpoints, options) ? options.facing_factor : 0.0;
 }
 
+/// What the planes of a cloud are measured with.
+struct PlaneContext {
+  const PointCloud& cloud;
+  PointIndices usable;      ///< points with normals
+  std::vector<bool> walls;  ///< points of planes too large to be faces of objects
+  const SupportPlaneOptions& options;
+  const TablePrior& known;
+};
+
 /// A plane as a table: all its patches, the objects on it, and the score.
-SupportPlane as_support(const PointCloud& cloud, const PointIndices& usable, const Plane& plane,
-                        PointIndices inliers, const std::vector<bool>& walls,
-                        const SupportPlaneOptions& options, const TablePrior& known) {
-  SupportPlane support = described(cloud, plane, std::move(inliers), options);
+SupportPlane as_support(const PlaneContext& context, const Plane& plane) {
+  const auto& [cloud, usable, walls, options, known] = context;
+  SupportPlane support =
+      described(cloud, plane, patches_of(cloud, usable, plane, options), options);
   const PlaneCells covered = covered_cells(cloud, usable, support, walls, options);
   support.object_area = covered.area(covered.occupied());
   support.beneath = static_cast<double>(points_beneath(cloud, usable, support, options)) /
@@ -277,9 +286,9 @@ void SupportPlaneOptions::validate() const {
 SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOptions& options,
                                   const TablePrior& known) {
   options.validate();
-  const PointIndices usable = usable_points(cloud);
-  const std::vector<SupportPlane> planes = distinct_planes(cloud, usable, options);
-  const std::vector<bool> walls = points_of_walls(cloud, planes, options.wall_area);
+  PlaneContext context{cloud, usable_points(cloud), {}, options, known};
+  const std::vector<SupportPlane> planes = distinct_planes(cloud, context.usable, options);
+  context.walls = points_of_walls(cloud, planes, options.wall_area);
   SupportPlanes result;
   for (const SupportPlane& plane : planes) {
     const double factor = direction_factor(plane, options, known);
@@ -287,9 +296,7 @@ SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOpt
       result.others.push_back(plane);
       continue;
     }
-    SupportPlane support =
-        as_support(cloud, usable, plane.plane, patches_of(cloud, usable, plane.plane, options),
-                   walls, options, known);
+    SupportPlane support = as_support(context, plane.plane);
     support.score *= factor;
     if (support.beneath > options.max_beneath) {
       result.others.push_back(plane);
@@ -313,10 +320,10 @@ SupportPlane measure_support_plane(const PointCloud& cloud, const Plane& plane,
   if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(plane.offset)) {
     throw InputError("plane", "finite numbers a b c d with a normal", "others");
   }
-  const PointIndices usable = usable_points(cloud);
-  const Plane unit{plane.normal / length, plane.offset / length};
-  return as_support(cloud, usable, unit, patches_of(cloud, usable, unit, options),
-                    std::vector<bool>(cloud.size(), false), options, {});
+  const TablePrior known;
+  return as_support(
+      {cloud, usable_points(cloud), std::vector<bool>(cloud.size(), false), options, known},
+      {plane.normal / length, plane.offset / length});
 }
 
 }  // namespace symscene
