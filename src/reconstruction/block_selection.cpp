@@ -10,7 +10,7 @@
 namespace symscene {
 namespace {
 
-constexpr std::size_t search_rows_per_task = 8;
+constexpr std::size_t search_rows_per_task = 16;
 constexpr std::size_t slots_per_task = 4096;
 constexpr float min_depth = 0.05F;  // from which the image of a block is bounded [m]
 
@@ -41,22 +41,19 @@ class BlockSearch {
         R_((T_world_camera.linear() / block_size_).cast<float>()),
         t_((T_world_camera.translation() / block_size_).cast<float>()),
         ray_x_(measurement.camera.column_rays()),
-        ray_y_(measurement.camera.row_rays()) {}
-
-  /// Every second pixel, unless these are too far apart to hit every block of a slanted surface.
-  Index stride() const {
-    const CameraIntrinsics& camera = measurement_.camera;
-    const double spacing = selection_.sensor.max_depth / std::min(camera.fx, camera.fy);
-    return 2.0 * spacing < 0.5 * block_size_ ? 2 : 1;
-  }
+        ray_y_(measurement.camera.row_rays()),
+        far_(static_cast<float>(0.25 * block_size_ *
+                                std::min(measurement.camera.fx, measurement.camera.fy))) {}
 
   /// Adds the missing blocks of one row of pixels. `last` is the block that was looked up last.
   void search_row(Index v, Eigen::Vector3i& last, std::vector<Eigen::Vector3i>& found) const {
     const CameraIntrinsics& camera = measurement_.camera;
-    for (Index u = 0; u < camera.width; u += stride()) {
+    for (Index u = 0; u < camera.width; ++u) {
       const std::uint32_t packed = measurement_.packed[std::size_t{v} * camera.width + u];
       if (packed == 0) continue;
       const float depth = static_cast<float>(packed >> 16) * Measurement::depth_unit;
+      const bool is_between = ((u | v) & 1U) != 0;
+      if (is_between && depth < far_) continue;
       search_ray(R_ * Eigen::Vector3f(ray_x_[u], ray_y_[v], 1.0F), depth, last, found);
     }
   }
@@ -91,6 +88,7 @@ class BlockSearch {
   Eigen::Matrix3f R_;  ///< from the camera's frame to blocks
   Eigen::Vector3f t_;
   std::vector<float> ray_x_, ray_y_;
+  float far_;  ///< depth up to which every second pixel hits every block of a slanted surface [m]
 };
 
 /// Decides whether the ball around a block may be seen.
@@ -144,15 +142,13 @@ class VisibilityTest {
 std::vector<Eigen::Vector3i> BlockSelection::missing(
     const Measurement& measurement, const Eigen::Isometry3d& T_world_camera) const {
   const BlockSearch search(*this, measurement, T_world_camera);
-  const Index stride = search.stride();
-  const std::size_t rows = (measurement.camera.height + stride - 1) / stride;
+  const std::size_t rows = measurement.camera.height;
   std::vector<std::vector<Eigen::Vector3i>> lists((rows + search_rows_per_task - 1) /
                                                   search_rows_per_task);
   parallel_for_blocks(rows, search_rows_per_task, [&](std::size_t begin, std::size_t end) {
     Eigen::Vector3i last = Eigen::Vector3i::Constant(BlockIndex::reach);
     for (std::size_t row = begin; row < end; ++row) {
-      search.search_row(static_cast<Index>(row) * stride, last,
-                        lists[begin / search_rows_per_task]);
+      search.search_row(static_cast<Index>(row), last, lists[begin / search_rows_per_task]);
     }
   });
   return joined(lists);
