@@ -14,20 +14,6 @@ namespace {
 
 constexpr Index unassigned = ~Index{0};
 
-/// 1 − the mean cosine between a point's normal and its neighbours': zero on a plane.
-std::vector<float> curvatures(const PointCloud& cloud, const NeighborLists& neighbors) {
-  std::vector<float> curvature(cloud.size(), 1.0F);
-  parallel_for_blocks(curvature.size(), 2048, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<Index>(begin); i < end; ++i) {
-      const auto list = neighbors.of(i);
-      float cosines = 0.0F;
-      for (const Index j : list) cosines += cloud.normals.row(i).dot(cloud.normals.row(j));
-      if (!list.empty()) curvature[i] = 1.0F - cosines / static_cast<float>(list.size());
-    }
-  });
-  return curvature;
-}
-
 PointIndices by_rising(const std::vector<float>& keys) {
   PointIndices order(keys.size());
   std::iota(order.begin(), order.end(), Index{0});
@@ -92,6 +78,19 @@ std::vector<PointIndices> without_duplicates(std::vector<PointIndices> segments,
 }
 
 }  // namespace
+
+std::vector<float> curvatures(const PointCloud& cloud, const NeighborLists& neighbors) {
+  std::vector<float> curvature(cloud.size(), 1.0F);
+  parallel_for_blocks(curvature.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      const auto list = neighbors.of(i);
+      float cosines = 0.0F;
+      for (const Index j : list) cosines += cloud.normals.row(i).dot(cloud.normals.row(j));
+      if (!list.empty()) curvature[i] = 1.0F - cosines / static_cast<float>(list.size());
+    }
+  });
+  return curvature;
+}
 
 std::vector<PointIndices> grow_regions(const PointCloud& cloud, const NeighborLists& neighbors,
                                        double max_angle, const OversegmentationOptions& options) {

@@ -1,0 +1,140 @@
+#include "symscene/symmetry/curve_detection.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/parallel.hpp"
+#include "curve_matching.hpp"
+#include "distinct_candidates.hpp"
+#include "symmetry/point_scores.hpp"
+#include "symmetry/score_range.hpp"
+
+namespace symscene {
+namespace {
+
+using CurvePair = std::pair<Index, Index>;
+
+/// The pairs, a curve with itself included, that may match.
+std::vector<CurvePair> pairs_to_match(const std::vector<EdgeCurve>& curves,
+                                      const CurveMatchingOptions& options) {
+  const std::vector<BoundedCurve> bounded(curves.begin(), curves.end());
+  std::vector<std::vector<CurvePair>> rows(curves.size());
+  parallel_for_each(curves.size(), [&](std::size_t a) {
+    for (std::size_t b = a; b < curves.size(); ++b) {
+      if (may_match(bounded[a], bounded[b], options))
+        rows[a].emplace_back(static_cast<Index>(a), static_cast<Index>(b));
+    }
+  });
+  std::vector<CurvePair> pairs;
+  for (const std::vector<CurvePair>& row : rows) pairs.insert(pairs.end(), row.begin(), row.end());
+  return pairs;
+}
+
+/// The points of the cloud along the matched parts of both curves, ascending.
+PointIndices matched_points(const EdgeCurve& a, const EdgeCurve& b, const CurveMatch& match) {
+  PointIndices points;
+  for (const CurveCorrespondence& pair : match.correspondences) {
+    for (const PointIndices* members : {&a.points[pair.a].members, &b.points[pair.b].members})
+      points.insert(points.end(), members->begin(), members->end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Eq. 4.12 over the points along both curves.
+double occlusion_of(const PointCloud& cloud, const PointIndices& support,
+                    const ReflectionPlane& plane, const DistanceField& field,
+                    const CurveDetectionOptions& options) {
+  const PlaneReflector reflector(plane);
+  const ScoreRange range = occlusion_range(options);
+  double sum = 0.0;
+  for (const Index i : support) sum += double{range(field.at(reflector.point(cloud.position(i))))};
+  return sum / static_cast<double>(support.size());
+}
+
+double tangent_agreement(const CurveMatch& match, double max_angle) {
+  double sum = 0.0;
+  for (const CurveCorrespondence& pair : match.correspondences)
+    sum += max_angle > 0.0 ? 1.0 - pair.angle / max_angle : 1.0;
+  return sum / static_cast<double>(match.correspondences.size());
+}
+
+std::optional<ReflectionalCandidate> matched_candidate(const PointCloud& cloud, const EdgeCurve& a,
+                                                       const EdgeCurve& b,
+                                                       const DistanceField& field,
+                                                       const CurveDetectionOptions& options) {
+  const std::optional<CurveMatch> match = match_curves(a, b, options.matching);
+  if (!match) return std::nullopt;
+  PointIndices support = matched_points(a, b, *match);
+  const double occlusion = occlusion_of(cloud, support, match->plane, field, options);
+  const ReflectionalScores scores{tangent_agreement(*match, options.matching.max_angle),
+                                  match->inlier_ratio, occlusion};
+  return ReflectionalCandidate{match->plane, scores, std::move(support)};
+}
+
+void sort_by_inlier_ratio(std::vector<ReflectionalCandidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+    return std::tuple(a.scores.inlier_score, a.support.size()) >
+           std::tuple(b.scores.inlier_score, b.support.size());
+  });
+}
+
+EqualPlanes equal_planes(const CurveDetectionOptions& options) {
+  return {options.same_angle, options.same_distance, options.max_support_distance};
+}
+
+}  // namespace
+
+void CurveDetectionOptions::validate() const {
+  check_fields(*this);
+  require_option(min_occlusion < max_occlusion, "max_occlusion", "a distance above min_occlusion",
+                 max_occlusion);
+}
+
+ReflectionalDetection detect_reflectional_by_curves(const PointCloud& cloud,
+                                                    const std::vector<EdgeCurve>& curves,
+                                                    const DistanceField& field,
+                                                    const CurveDetectionOptions& options) {
+  options.validate();
+  const std::vector<CurvePair> pairs = pairs_to_match(curves, options.matching);
+  std::vector<std::optional<ReflectionalCandidate>> matches(pairs.size());
+  parallel_for_blocks(pairs.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      matches[k] =
+          matched_candidate(cloud, curves[pairs[k].first], curves[pairs[k].second], field, options);
+    }
+  });
+  std::size_t matched = 0;
+  std::vector<ReflectionalCandidate> clear;
+  for (std::optional<ReflectionalCandidate>& match : matches) {
+    if (!match) continue;
+    ++matched;
+    if (match->scores.occlusion_residual <= options.max_occlusion_residual)
+      clear.push_back(std::move(*match));
+  }
+  ReflectionalDetection detection;
+  detection.funnel = {{"curves", curves.size()},
+                      {"curves: pairs", curves.size() * (curves.size() + 1) / 2},
+                      {"curves: pairs that may match", pairs.size()},
+                      {"curves: enough points matched", matched},
+                      {"curves: clear of free space", clear.size()}};
+  sort_by_inlier_ratio(clear);
+  detection.candidates = distinct_candidates(std::move(clear), cloud, equal_planes(options));
+  const auto most = static_cast<std::size_t>(options.max_candidates);
+  detection.funnel.push_back({"curves: distinct planes", detection.candidates.size()});
+  if (detection.candidates.size() > most)
+    detection.candidates.erase(detection.candidates.begin() + static_cast<std::ptrdiff_t>(most),
+                               detection.candidates.end());
+  return detection;
+}
+
+std::vector<ReflectionalCandidate> united_candidates(std::vector<ReflectionalCandidate> candidates,
+                                                     std::vector<ReflectionalCandidate> others,
+                                                     const PointCloud& cloud,
+                                                     const CurveDetectionOptions& options) {
+  std::move(others.begin(), others.end(), std::back_inserter(candidates));
+  return distinct_candidates(std::move(candidates), cloud, equal_planes(options));
+}
+
+}  // namespace symscene
