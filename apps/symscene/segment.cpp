@@ -24,10 +24,20 @@ struct Segment {
   std::filesystem::path page;
   std::filesystem::path masks;
   std::optional<int> repeat;
+  std::string reflectional;
+
+  /// --reflectional, if it is given.
+  void choose_planes() {
+    if (reflectional.empty()) return;
+    options.pipeline.planes_of_surfaces = reflectional != "curve";
+    options.pipeline.planes_of_curves = reflectional != "surface";
+  }
 
   OptionFields configure() {
-    return configure_options(options, shared.config,
-                             [&] { read_score_models(options.pipeline.models); });
+    return configure_options(options, shared.config, [&] {
+      read_score_models(options.pipeline.models);
+      choose_planes();
+    });
   }
 
   void check_outputs() const {
@@ -140,6 +150,9 @@ void add_segment(CommandLine& line) {
                    "also write the label image of a depth image, and an overlay");
   arguments.count("--repeat", state->repeat,
                   "run N more times and report the median time of each stage");
+  arguments.choice("--reflectional", state->reflectional, {"curve", "surface", "both"},
+                   "what proposes reflection planes: pairs of edge curves, smooth segments "
+                   "(default), or both");
   arguments.sequence_options(state->source.sequence);
   state->source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
   state->source.sensor.add_to(arguments);

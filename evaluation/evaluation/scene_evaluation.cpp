@@ -9,7 +9,7 @@
 #include "assignment.hpp"
 #include "core/evenly_spaced.hpp"
 #include "core/parallel.hpp"
-#include "pipeline/detections.hpp"
+#include "detection_sweeps.hpp"
 #include "proposals/object_proposals.hpp"
 #include "setting_counts.hpp"
 #include "sweep_settings.hpp"
@@ -149,78 +149,10 @@ Sweep baseline_sweep(const BaselineMethod& baseline, const PointCloud& cloud,
   return sweep;
 }
 
-std::vector<RotationAxis> axes_within(const SceneDetections& detections, double max_symmetry,
-                                      double max_perpendicularity) {
-  std::vector<RotationAxis> axes;
-  for (const RotationalCandidate& candidate : detections.axes) {
-    if (candidate.quality.symmetry_residual < max_symmetry &&
-        candidate.quality.perpendicularity < max_perpendicularity)
-      axes.push_back(candidate.axis);
-  }
-  return axes;
-}
-
-std::vector<ReflectionPlane> planes_within(const SceneDetections& detections, double min_symmetry,
-                                           double min_inlier) {
-  std::vector<ReflectionPlane> planes;
-  for (const ReflectionalCandidate& candidate : detections.planes) {
-    if (candidate.quality.symmetry_score > min_symmetry &&
-        candidate.quality.inlier_score > min_inlier)
-      planes.push_back(candidate.plane);
-  }
-  return planes;
-}
-
-/// The sweeps of table 3.1: axes, then planes.
-std::vector<Sweep> detection_sweeps(const SceneDetections& detections, const SceneTruth& truth,
-                                    const PipelineOptions& options) {
-  const auto count_axes = [&](double symmetry, double perpendicularity) {
-    return count_symmetries(truth, axes_within(detections, symmetry, perpendicularity), {});
-  };
-  const auto count_planes = [&](double symmetry, double inlier) {
-    return count_symmetries(truth, {}, planes_within(detections, symmetry, inlier));
-  };
-  Sweep axes;
-  axes.method = axis_detection_method;
-  axes.parameters = {"symmetry", "perpendicularity"};
-  axes.metrics = {Metric::axes, Metric::axes_near};
-  axes.settings = all_settings({evenly_spaced(0.004, 0.03, 0.002), evenly_spaced(0.6, 0.7, 0.1)});
-  for (const auto& setting : axes.settings)
-    axes.counts.push_back(count_axes(setting[0], setting[1]));
-  axes.at_default = count_axes(options.rotational_detection.max_symmetry_residual,
-                               options.rotational_detection.max_perpendicularity);
-  Sweep planes;
-  planes.method = plane_detection_method;
-  planes.parameters = {"symmetry", "inlier"};
-  planes.metrics = {Metric::planes, Metric::planes_near};
-  planes.settings = all_settings({evenly_spaced(0.7, 0.95, 0.05), evenly_spaced(0.2, 0.8, 0.2)});
-  for (const auto& setting : planes.settings)
-    planes.counts.push_back(count_planes(setting[0], setting[1]));
-  planes.at_default = count_planes(options.reflectional_detection.min_symmetry_score,
-                                   options.reflectional_detection.min_inlier_score);
-  return {axes, planes};
-}
-
-/// The options with the loosest bounds of table 3.1, or their own if those are looser.
-PipelineOptions relaxed(PipelineOptions options) {
-  RotationalDetectionOptions& axes = options.rotational_detection;
-  axes.max_symmetry_residual = std::max(axes.max_symmetry_residual, 0.03);
-  axes.max_perpendicularity = std::max(axes.max_perpendicularity, 0.7);
-  ReflectionalDetectionOptions& planes = options.reflectional_detection;
-  planes.min_symmetry_score = std::min(planes.min_symmetry_score, 0.7);
-  planes.min_inlier_score = std::min(planes.min_inlier_score, 0.2);
-  return options;
-}
-
 /// An empty scene, such as that of a sweep on which tracking failed, has no proposals.
 SceneProposals proposals_of(const Scene& scene, const PipelineOptions& options,
                             const StageTimer::OnBegin& on_begin) {
   return scene.cloud.empty() ? SceneProposals{} : propose_objects(scene, options, on_begin);
-}
-
-SceneDetections detections_of(const Scene& scene, const PipelineOptions& options,
-                              const StageTimer::OnBegin& on_begin) {
-  return scene.cloud.empty() ? SceneDetections{} : detect_symmetries(scene, options, on_begin);
 }
 
 /// A scene to evaluate.
@@ -264,15 +196,25 @@ void evaluate_given(const Job& job, StageTimer& timer, SceneEvaluation& evaluati
     evaluation.segmentation.push_back(baseline_sweep(baseline, proposals.cloud, context, timer));
 }
 
-void evaluate_reflectional_only(const Job& job, SceneEvaluation& evaluation) {
-  PipelineOptions pipeline = job.options.pipeline;
-  pipeline.rotational_stream = false;
+/// A variant of the pipeline without its rotational stream (section 4.5.1), at its place among the
+/// variants.
+void evaluate_variant(const Job& job, const char* method, const PipelineOptions& pipeline,
+                      std::ptrdiff_t place, SceneEvaluation& evaluation) {
   const SceneProposals proposals = proposals_of(job.scene, pipeline, job.on_begin);
   const CountingContext context(job.scene, job.truth, proposals.cloud, job.options, job.view);
-  Sweep sweep = segmentation_sweep(reflectional_method, proposals, context, pipeline);
+  Sweep sweep = segmentation_sweep(method, proposals, context, pipeline);
   sweep.at_default =
       context.count_with_pixels(choose_objects(proposals, within_bounds(pipeline)).objects);
-  evaluation.segmentation.insert(evaluation.segmentation.begin() + 2, std::move(sweep));
+  evaluation.segmentation.insert(evaluation.segmentation.begin() + place, std::move(sweep));
+}
+
+void evaluate_reflectional_variants(const Job& job, SceneEvaluation& evaluation) {
+  PipelineOptions pipeline = job.options.pipeline;
+  pipeline.rotational_stream = false;
+  evaluate_variant(job, reflectional_method, pipeline, 2, evaluation);
+  pipeline.planes_of_surfaces = false;
+  pipeline.planes_of_curves = true;
+  evaluate_variant(job, curve_method, pipeline, 3, evaluation);
 }
 
 }  // namespace
@@ -307,9 +249,8 @@ SceneEvaluation evaluate_scene(const Scene& scene, const SceneTruth& truth,
   const Job job{scene, truth, options, on_begin, view};
   evaluate_given(job, timer, evaluation);
   if (options.reflectional_only && options.pipeline.rotational_stream)
-    evaluate_reflectional_only(job, evaluation);
-  evaluation.detection = detection_sweeps(detections_of(scene, relaxed(options.pipeline), on_begin),
-                                          truth, options.pipeline);
+    evaluate_reflectional_variants(job, evaluation);
+  evaluation.detection = detection_sweeps(scene, truth, options.pipeline, on_begin);
   return evaluation;
 }
 

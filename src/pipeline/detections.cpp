@@ -1,5 +1,6 @@
 #include "pipeline/detections.hpp"
 
+#include "planes.hpp"
 #include "stage_options.hpp"
 
 namespace symscene {
@@ -20,7 +21,10 @@ SceneDetections detect_symmetries(const Scene& scene, const PipelineOptions& opt
                                options.reflectional_detection)
         .candidates;
   });
+  detections.curves =
+      timer.time("edge curves", [&] { return scene_curves(space.cloud, options); });  // 3.4.1
   detections.cloud = std::move(space.cloud);
+  detections.field = std::move(space.field);
   detections.warnings = std::move(space.warnings);
   return detections;
 }

@@ -1,5 +1,6 @@
 #include "symscene/pipeline/pipeline.hpp"
 
+#include "planes.hpp"
 #include "proposals/object_proposals.hpp"
 #include "stage_options.hpp"
 
@@ -49,9 +50,8 @@ void index_whole_cloud(const Remainder& rest, ReflectionalStream& stream) {
 ReflectionalStream reflectional_stream(const Workspace& space, const Remainder& rest,
                                        const PipelineOptions& options, StageTimer& timer) {
   ReflectionalStream stream;
-  stream.planes = timer.time("reflectional detection", [&] {  // section 3.5.3
-    return detect_reflectional(rest.cloud, rest.segments, space.field, space.up,
-                               options.reflectional_detection);
+  stream.planes = timer.time("reflectional detection", [&] {  // sections 3.4, 3.5.3
+    return detect_planes({rest.cloud, rest.segments, space.field, space.up}, options);
   });
   stream.segmented = timer.time("reflectional segmentation", [&] {  // section 4.3.1.2
     return segment_reflectional({rest.cloud, rest.edges, space.field}, stream.planes.candidates,
@@ -99,7 +99,7 @@ SceneProposals propose_objects(const Scene& scene, const PipelineOptions& option
     return without_rotational_objects(space, rotational.hypotheses, removal_options(options));
   });
   ReflectionalStream reflectional =
-      reflectional_stream(space, rest, options, timer);                // 3.5.3, 4.3.1.2
+      reflectional_stream(space, rest, options, timer);                // 3.4, 3.5.3, 4.3.1.2
   std::vector<ObjectProposal> objects = timer.time("proposals", [&] {  // sections 4.3.3 and 4.4
     return object_proposals(space, rotational.hypotheses, reflectional.segmented.hypotheses,
                             options.proposal_options());

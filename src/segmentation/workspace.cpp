@@ -85,12 +85,11 @@ void complete_normals(const Scene& scene, const WorkspaceOptions& options, Works
   cloud = select(cloud, oriented);
 }
 
-/// Smooth neighbours for region growing: all points within the diagonal of a voxel.
-NeighborLists voxel_neighbors(const PointCloud& cloud, double voxel_size) {
-  return radius_neighbors(cloud.positions, static_cast<float>(voxel_size * std::sqrt(3.0)));
-}
-
 }  // namespace
+
+NeighborLists voxel_neighbors(const Points& points, double voxel_size) {
+  return radius_neighbors(points, static_cast<float>(voxel_size * std::sqrt(3.0)));
+}
 
 Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, StageTimer& timer) {
   Workspace space;
@@ -109,7 +108,7 @@ Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, S
     return surface_graph(space.cloud, options.surface_graph);
   });
   space.segments = timer.time("oversegmentation", [&] {  // section 3.5.1
-    space.neighbors = voxel_neighbors(space.cloud, options.voxel_size);
+    space.neighbors = voxel_neighbors(space.cloud.positions, options.voxel_size);
     return oversegment(space.cloud, space.neighbors, options.oversegmentation);
   });
   return space;

@@ -9,7 +9,9 @@ namespace symscene {
 struct SceneDetections {
   PointCloud cloud;  ///< the sampled cloud that supports index
   std::vector<RotationalCandidate> axes;
-  std::vector<ReflectionalCandidate> planes;
+  std::vector<ReflectionalCandidate> planes;  ///< of smooth segments (section 3.5.3)
+  std::vector<EdgeCurve> curves;              ///< whose pairs propose planes too (section 3.4)
+  DistanceField field;
   std::vector<std::string> warnings;  ///< one sentence each
 };
 

@@ -24,7 +24,7 @@ struct Workspace {
   DistanceField field;
   std::optional<Eigen::Vector3d> up;   ///< unit normal of the table, where known
   std::vector<WeightedEdge> edges;     ///< the surface graph of `cloud`
-  NeighborLists neighbors;             ///< for region growing: within the diagonal of a voxel
+  NeighborLists neighbors;             ///< voxel_neighbors(), for region growing
   std::vector<PointIndices> segments;  ///< smooth segments, largest first
   std::vector<std::string> warnings;   ///< one sentence each
 
@@ -43,6 +43,9 @@ struct WorkspaceOptions {
   OversegmentationOptions oversegmentation;
   SurfaceGraphOptions surface_graph;
 };
+
+/// For every point of a cloud of one point per voxel the others within the diagonal of a voxel.
+NeighborLists voxel_neighbors(const Points& points, double voxel_size);
 
 /// Prepares a scene for both streams: samples its cloud (section 2.1.1), drops stray points,
 /// computes the distance field (2.1.2), completes the normals, and builds the surface graph (4.3.2)

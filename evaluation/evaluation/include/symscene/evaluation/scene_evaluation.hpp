@@ -25,8 +25,10 @@ struct EvaluationOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("pipeline", self.pipeline);
-    visit("reflectional_only", self.reflectional_only, "", any_value(),
-          "evaluate the pipeline without its rotational stream too");
+    visit(
+        "reflectional_only", self.reflectional_only, "", any_value(),
+        "evaluate the pipeline without its rotational stream too, by planes of smooth segments and "
+        "by planes of curves");
     visit("boundary_radius", self.boundary_radius, "m", strictly_between(0.0, 1.0),
           "distance of a neighbour with another label that makes a point a boundary point");
     visit("mask_radius", self.mask_radius, "m", strictly_between(0.0, 1.0),
@@ -50,7 +52,7 @@ struct SceneEvaluation {
   std::string name;
   std::string subset;               ///< of the dataset, may be empty
   std::vector<Sweep> segmentation;  ///< the variants of the pipeline, then the baselines
-  std::vector<Sweep> detection;     ///< rotational and reflectional, before segmentation
+  std::vector<Sweep> detection;     ///< axes, planes, planes of curves, before segmentation
   std::vector<ObjectOutcome> objects;
   std::vector<StageTime> timings;     ///< of segmentation at the given options, without completion
   std::size_t returned = 0;           ///< number of objects that it returned
@@ -58,12 +60,15 @@ struct SceneEvaluation {
 };
 
 /// Names of the methods in `segmentation` and `detection`: proposals selected by score, and
-/// hypotheses within the bounds of section 4.3.3 with and without the rotational stream.
+/// hypotheses within the bounds of section 4.3.3 with and without the rotational stream, and
+/// without it by planes of curves alone (section 3.4).
 inline constexpr const char* scored_method = "SymScene";
 inline constexpr const char* full_method = "Rot + Refl, bounds";
 inline constexpr const char* reflectional_method = "Refl only, bounds";
+inline constexpr const char* curve_method = "Refl (curve), bounds";
 inline constexpr const char* axis_detection_method = "Axes before segmentation";
 inline constexpr const char* plane_detection_method = "Planes before segmentation";
+inline constexpr const char* curve_detection_method = "Planes of curves before segmentation";
 
 /// Throws InputError, naming the object, if a mask has an index that the cloud does not have, or
 /// two masks share a point.

@@ -11,7 +11,10 @@
 #include "symscene/segmentation/oversegmentation.hpp"
 #include "symscene/segmentation/reflectional_segmentation.hpp"
 #include "symscene/segmentation/rotational_segmentation.hpp"
+#include "symscene/segmentation/supervoxels.hpp"
 #include "symscene/segmentation/surface_graph.hpp"
+#include "symscene/symmetry/curve_detection.hpp"
+#include "symscene/symmetry/edge_curves.hpp"
 #include "symscene/symmetry/object_symmetry_options.hpp"
 
 namespace symscene {
@@ -24,6 +27,8 @@ struct PipelineOptions {
   double space_margin = 0.15;
   double min_removal_confidence = 0.6;
   bool rotational_stream = true;
+  bool planes_of_surfaces = true;
+  bool planes_of_curves = false;
   NormalEstimationOptions normals;
   OutwardVoteOptions outward_vote;
   DistanceFieldOptions distance_field;
@@ -33,6 +38,9 @@ struct PipelineOptions {
   RotationalDetectionOptions rotational_detection;
   RotationalSegmentationOptions rotational_segmentation;
   ReflectionalDetectionOptions reflectional_detection;
+  SupervoxelOptions supervoxels;
+  EdgeCurveOptions edge_curves;
+  CurveDetectionOptions curve_detection;
   ReflectionalSegmentationOptions reflectional_segmentation;
   ContinuationOptions continuation;
   MergeOptions merge;
@@ -59,6 +67,10 @@ struct PipelineOptions {
     visit("rotational_stream", self.rotational_stream, "", any_value(),
           "detect rotational objects first; without this, reflection planes alone find the objects "
           "(section 4.5)");
+    visit("planes_of_surfaces", self.planes_of_surfaces, "", any_value(),
+          "detect reflection planes by fits to smooth segments (section 3.5.3)");
+    visit("planes_of_curves", self.planes_of_curves, "", any_value(),
+          "detect reflection planes by pairs of edge curves (section 3.4)");
     visit("normals", self.normals);
     visit("outward_vote", self.outward_vote);
     visit("distance_field", self.distance_field);
@@ -68,6 +80,9 @@ struct PipelineOptions {
     visit("rotational_detection", self.rotational_detection);
     visit("rotational_segmentation", self.rotational_segmentation);
     visit("reflectional_detection", self.reflectional_detection);
+    visit("supervoxels", self.supervoxels);
+    visit("edge_curves", self.edge_curves);
+    visit("curve_detection", self.curve_detection);
     visit("reflectional_segmentation", self.reflectional_segmentation);
     visit("continuation", self.continuation);
     visit("merge", self.merge);
