@@ -55,49 +55,35 @@ float largest_gap(const PointCloud& cloud, const CellList& cells, Index i, float
   return largest;
 }
 
-/// Boundary points around one of them.
-struct BoundaryNeighborhood {
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< mean, a unit vector
-  Eigen::Vector3f along = Eigen::Vector3f::Zero();   ///< direction of greatest extent
-};
-
-BoundaryNeighborhood neighborhood(const PointCloud& boundary, const CellList& cells, Index i,
-                                  float radius) {
-  const Eigen::Vector3f here = boundary.position(i);
-  BoundaryNeighborhood around;
+/// Where the middle of the band of boundary points around one of them lies. Along the band it stays
+/// at the point: means of uneven points would gather in clusters.
+Eigen::Vector3f middle_of_band(const Points& boundary, const CellList& cells, Index i,
+                               float radius) {
+  const Eigen::Vector3f here = boundary.row(i).transpose();
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
   float count = 0.0F;
   cells.for_each_within(here, radius, [&](Index j, float) {
-    const Eigen::Vector3f offset = boundary.position(j) - here;
-    around.mean += offset;
+    const Eigen::Vector3f offset = boundary.row(j).transpose() - here;
+    sum += offset;
     squares += offset * offset.transpose();
-    around.normal += boundary.normal(j);
     count += 1.0F;
   });
-  around.mean /= count;
-  around.normal.normalize();
-  const Eigen::Matrix3f scatter = squares / count - around.mean * around.mean.transpose();
-  around.along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(scatter).eigenvectors().col(2);
-  around.mean += here;
-  return around;
+  const Eigen::Vector3f mean = sum / count;
+  const Eigen::Matrix3f scatter = squares / count - mean * mean.transpose();
+  const Eigen::Vector3f along =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(scatter).eigenvectors().col(2);
+  return here + mean - mean.dot(along) * along;
 }
 
-/// Moves every boundary point to the middle of the band around it. Along the band it stays: means
-/// of uneven points would gather in clusters.
-PointCloud contracted(const PointCloud& boundary, float radius) {
-  const CellList cells(boundary.positions, radius);
-  PointCloud result = boundary;
-  parallel_for_blocks(boundary.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<Index>(begin); i < end; ++i) {
-      const BoundaryNeighborhood around = neighborhood(boundary, cells, i, radius);
-      const Eigen::Vector3f here = boundary.position(i);
-      const Eigen::Vector3f offset = around.mean - here;
-      result.positions.row(i) =
-          (here + offset - offset.dot(around.along) * around.along).transpose();
-      result.normals.row(i) = around.normal.transpose();
-    }
-  });
+Points contracted(const Points& boundary, float radius) {
+  const CellList cells(boundary, radius);
+  Points result(boundary.rows(), 3);
+  parallel_for_blocks(static_cast<std::size_t>(boundary.rows()), 512,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (auto i = static_cast<Index>(begin); i < end; ++i)
+                          result.row(i) = middle_of_band(boundary, cells, i, radius).transpose();
+                      });
   return result;
 }
 
@@ -114,7 +100,7 @@ PointIndices boundary_points(const PointCloud& cloud, const NeighborLists& neigh
   parallel_for_blocks(cloud.size(), 2048, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
       const bool is_edge =
-          has_other_facet(neighbors.of(i), facets, i) && bend(cloud, cells, i, radius) > min_bend;
+          has_other_facet(neighbors.of(i), facets, i) && bend(cloud, cells, i, radius) >= min_bend;
       const bool is_boundary_point =
           is_edge || (options.outlines && largest_gap(cloud, cells, i, radius) > min_gap);
       is_boundary[i] = is_boundary_point ? 1 : 0;
@@ -130,20 +116,18 @@ PointIndices boundary_points(const PointCloud& cloud, const NeighborLists& neigh
 BoundaryNodes boundary_nodes(const PointCloud& cloud, const PointIndices& boundary,
                              const EdgeCurveOptions& options) {
   if (boundary.empty()) return {};
-  PointCloud line = select(cloud, boundary);
+  Points line = select(cloud, boundary).positions;
   for (int round = 0; round < contractions; ++round)
     line = contracted(line, static_cast<float>(options.radius));
   const auto spacing = static_cast<float>(options.spacing);
-  const CellList cells(line.positions, spacing);
-  std::vector<bool> covered(line.size(), false);
+  const CellList cells(line, spacing);
+  std::vector<bool> covered(boundary.size(), false);
   BoundaryNodes nodes;
-  for (Index i = 0; i < line.size(); ++i) {
+  for (Index i = 0; i < boundary.size(); ++i) {
     if (covered[i]) continue;
-    EdgeCurve::Point node{line.position(i).cast<double>(),
-                          Eigen::Vector3d::Zero(),
-                          line.normal(i).cast<double>(),
-                          {}};
-    cells.for_each_within(line.position(i), spacing, [&](Index j, float) {
+    const Eigen::Vector3f here = line.row(i).transpose();
+    EdgeCurve::Point node{here.cast<double>(), Eigen::Vector3d::Zero(), {}};
+    cells.for_each_within(here, spacing, [&](Index j, float) {
       if (!covered[j]) node.members.push_back(boundary[j]);
       covered[j] = true;
     });

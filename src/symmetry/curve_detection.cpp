@@ -30,19 +30,26 @@ std::vector<CurvePair> pairs_to_match(const std::vector<EdgeCurve>& curves,
   return pairs;
 }
 
-/// The points of the cloud along the matched parts of both curves, ascending.
-PointIndices matched_points(const EdgeCurve& a, const EdgeCurve& b, const CurveMatch& match) {
+/// The points of the cloud within `radius` of the matched parts of both curves, ascending.
+PointIndices surface_beside(const PointCloud& cloud, const CellList& cells, const EdgeCurve& a,
+                            const EdgeCurve& b, const CurveMatch& match, double radius) {
   PointIndices points;
+  const auto append_around = [&](const EdgeCurve::Point& point) {
+    for (const Index i : point.members) {
+      cells.for_each_within(cloud.position(i), static_cast<float>(radius),
+                            [&](Index j, float) { points.push_back(j); });
+    }
+  };
   for (const CurveCorrespondence& pair : match.correspondences) {
-    for (const PointIndices* members : {&a.points[pair.a].members, &b.points[pair.b].members})
-      points.insert(points.end(), members->begin(), members->end());
+    append_around(a.points[pair.a]);
+    append_around(b.points[pair.b]);
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
 }
 
-/// Eq. 4.12 over the points along both curves.
+/// Eq. 4.12 over the surface beside both curves.
 double occlusion_of(const PointCloud& cloud, const PointIndices& support,
                     const ReflectionPlane& plane, const DistanceField& field,
                     const CurveDetectionOptions& options) {
@@ -60,18 +67,32 @@ double tangent_agreement(const CurveMatch& match, double max_angle) {
   return sum / static_cast<double>(match.correspondences.size());
 }
 
-std::optional<ReflectionalCandidate> matched_candidate(const PointCloud& cloud, const EdgeCurve& a,
-                                                       const EdgeCurve& b,
-                                                       const DistanceField& field,
-                                                       const CurveDetectionOptions& options) {
-  const std::optional<CurveMatch> match = match_curves(a, b, options.matching);
-  if (!match) return std::nullopt;
-  PointIndices support = matched_points(a, b, *match);
-  const double occlusion = occlusion_of(cloud, support, match->plane, field, options);
-  const ReflectionalScores scores{tangent_agreement(*match, options.matching.max_angle),
-                                  match->inlier_ratio, occlusion};
-  return ReflectionalCandidate{match->plane, scores, std::move(support)};
-}
+/// Matches curves of one cloud.
+class CurveMatcher {
+ public:
+  CurveMatcher(const PointCloud& cloud, const DistanceField& field,
+               const CurveDetectionOptions& options)
+      : cloud_(cloud),
+        cells_(cloud.positions, static_cast<float>(options.support_radius)),
+        field_(field),
+        options_(options) {}
+
+  std::optional<ReflectionalCandidate> candidate(const EdgeCurve& a, const EdgeCurve& b) const {
+    const std::optional<CurveMatch> match = match_curves(a, b, options_.matching);
+    if (!match) return std::nullopt;
+    PointIndices support = surface_beside(cloud_, cells_, a, b, *match, options_.support_radius);
+    const double occlusion = occlusion_of(cloud_, support, match->plane, field_, options_);
+    const ReflectionalScores scores{tangent_agreement(*match, options_.matching.max_angle),
+                                    match->inlier_ratio, occlusion};
+    return ReflectionalCandidate{match->plane, scores, std::move(support)};
+  }
+
+ private:
+  const PointCloud& cloud_;
+  CellList cells_;
+  const DistanceField& field_;
+  const CurveDetectionOptions& options_;
+};
 
 void sort_by_inlier_ratio(std::vector<ReflectionalCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
@@ -97,12 +118,13 @@ ReflectionalDetection detect_reflectional_by_curves(const PointCloud& cloud,
                                                     const DistanceField& field,
                                                     const CurveDetectionOptions& options) {
   options.validate();
+  if (curves.empty()) return {};
+  const CurveMatcher matcher(cloud, field, options);
   const std::vector<CurvePair> pairs = pairs_to_match(curves, options.matching);
   std::vector<std::optional<ReflectionalCandidate>> matches(pairs.size());
   parallel_for_blocks(pairs.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      matches[k] =
-          matched_candidate(cloud, curves[pairs[k].first], curves[pairs[k].second], field, options);
+      matches[k] = matcher.candidate(curves[pairs[k].first], curves[pairs[k].second]);
     }
   });
   std::size_t matched = 0;

@@ -38,8 +38,6 @@ std::optional<PointPair> point_pair(const EdgeCurve::Point& a, const EdgeCurve::
   const Eigen::Vector3d normal = between / distance;
   const double angle = line_angle(a.tangent, reflected(b.tangent, normal));
   if (angle > options.max_angle) return std::nullopt;
-  if (angle_between(a.normal, reflected(b.normal, normal)) > options.max_normal_angle)
-    return std::nullopt;
   const Eigen::Vector3d middle = 0.5 * (a.position + b.position);
   return PointPair{{0, 0, angle}, {normal, normal.dot(middle - centre)}};
 }

@@ -8,7 +8,6 @@ namespace symscene {
 /// When two points of curves reflect onto each other, and two curves (section 3.4.2).
 struct CurveMatchingOptions {
   double max_angle = radians(7.0);
-  double max_normal_angle = radians(45.0);
   double min_distance = 0.02;
   double max_distance = 0.4;
   double angle_bandwidth = radians(4.0);
@@ -22,9 +21,6 @@ struct CurveMatchingOptions {
     visit(
         "max_angle", self.max_angle, "rad", between(0.0, std::numbers::pi / 2.0),
         "greatest angle between a tangent and the other's reflected one, M_S (Eq. 3.3, table 4.1)");
-    visit("max_normal_angle", self.max_normal_angle, "rad", between(0.0, std::numbers::pi),
-          "greatest angle between the mean normal at a point and the other's reflected one; π asks "
-          "nothing of normals, as the thesis");
     visit("min_distance", self.min_distance, "m", above(0.0),
           "least distance between two points that reflect onto each other");
     visit("max_distance", self.max_distance, "m", above(0.0),
@@ -50,6 +46,7 @@ struct CurveMatchingOptions {
 /// The search for reflection planes by pairs of curves.
 struct CurveDetectionOptions {
   CurveMatchingOptions matching;
+  double support_radius = 0.015;
   double min_occlusion = 0.01;
   double max_occlusion = 0.03;
   double max_occlusion_residual = 0.01;
@@ -61,14 +58,17 @@ struct CurveDetectionOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("matching", self.matching);
+    visit(
+        "support_radius", self.support_radius, "m", above(0.0),
+        "the surface within this distance of the matched parts of two curves supports their plane");
     visit("min_occlusion", self.min_occlusion, "m", at_least(0.0),
           "the occlusion residual is 0 at distances into free space up to this (Eq. 4.7)");
     visit("max_occlusion", self.max_occlusion, "m", above(0.0),
           "the occlusion residual is 1 at distances into free space from this (Eq. 4.7)");
-    visit(
-        "max_occlusion_residual", self.max_occlusion_residual, "", between(0.0, 1.0),
-        "upper bound of the mean occlusion residual of the points along both curves; 1 leaves the "
-        "bound out, as the thesis");
+    visit("max_occlusion_residual", self.max_occlusion_residual, "", between(0.0, 1.0),
+          "upper bound of the mean occlusion residual of that surface; 1 leaves the bound out, as "
+          "the "
+          "thesis");
     visit("same_angle", self.same_angle, "rad", at_least(0.0),
           "planes closer than this and same_distance are one (Eq. 3.11)");
     visit("same_distance", self.same_distance, "m", at_least(0.0),
@@ -86,8 +86,8 @@ struct CurveDetectionOptions {
 /// included: points are matched by their tangents, mean shift finds the dominant plane of each
 /// pair, and planes that reflect the curves into free space are dropped. `curves` come from
 /// `cloud`, `field` is in the same frame. Candidates are distinct, the highest inlier ratio first;
-/// the support of each is the points along the matched parts of its curves, its symmetry score the
-/// mean agreement of tangents (1 − M_S / max_angle), its inlier score the inlier ratio (at most
+/// the support of each is the surface beside the matched parts of its curves, its symmetry score
+/// the mean agreement of tangents (1 − M_S / max_angle), its inlier score the inlier ratio (at most
 /// 0.5). The result does not depend on the number of threads. Throws InputError on invalid options.
 ReflectionalDetection detect_reflectional_by_curves(const PointCloud& cloud,
                                                     const std::vector<EdgeCurve>& curves,

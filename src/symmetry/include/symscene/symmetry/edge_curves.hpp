@@ -28,10 +28,10 @@ struct EdgeCurveOptions {
           "the rim of the observed surface is an edge too");
     visit("min_rim_gap", self.min_rim_gap, "rad", between(0.0, 2.0 * std::numbers::pi),
           "a point is on the rim if its neighbours leave a larger angle about it empty");
-    visit(
-        "min_bend", self.min_bend, "rad", between(0.0, std::numbers::pi),
-        "the border of two facets is an edge where the surface bends by more; 0 takes all borders, "
-        "as the thesis");
+    visit("min_bend", self.min_bend, "rad", between(0.0, std::numbers::pi),
+          "the border of two facets is an edge where the surface bends by at least this; 0 takes "
+          "all borders, "
+          "as the thesis");
     visit("radius", self.radius, "m", above(0.0),
           "radius of the neighbourhood in which rim and bend are judged, and within which the band "
           "of "
@@ -55,7 +55,6 @@ struct EdgeCurve {
   struct Point {
     Eigen::Vector3d position;
     Eigen::Vector3d tangent;  ///< unit vector, of either sign
-    Eigen::Vector3d normal;   ///< unit mean of the surface's normals on both sides of the edge
     PointIndices members;     ///< points of the cloud that it stands for, ascending
   };
   std::vector<Point> points;
@@ -65,9 +64,9 @@ struct EdgeCurve {
 
 /// The curves along the borders of the facets of a cloud (one label per point) and, with
 /// `outlines`, along the rim of the surface: boundary points are linked by a minimum spanning tree,
-/// which is split into paths without branches, and these at corners (section 3.4.1). `cloud` has
-/// unit normals, `neighbors` its points in adjacent voxels. Longest paths of each tree first.
-/// Throws InputError on invalid options.
+/// which is split into paths without branches, and these at corners (section 3.4.1); paths that go
+/// on as each other are joined. `cloud` has unit normals, `neighbors` its points in adjacent
+/// voxels. Throws InputError on invalid options.
 std::vector<EdgeCurve> edge_curves(const PointCloud& cloud, const NeighborLists& neighbors,
                                    std::span<const Index> facets,
                                    const EdgeCurveOptions& options = {});
