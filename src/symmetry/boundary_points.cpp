@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/parallel.hpp"
-#include "symmetry/point_scores.hpp"
+#include "symmetry/point_residuals.hpp"
 #include "symscene/core/geometry.hpp"
 
 namespace symscene {

@@ -6,7 +6,7 @@
 #include "core/parallel.hpp"
 #include "curve_matching.hpp"
 #include "distinct_candidates.hpp"
-#include "symmetry/point_scores.hpp"
+#include "symmetry/point_residuals.hpp"
 #include "symmetry/score_range.hpp"
 
 namespace symscene {
@@ -82,9 +82,9 @@ class CurveMatcher {
     if (!match) return std::nullopt;
     PointIndices support = surface_beside(cloud_, cells_, a, b, *match, options_.support_radius);
     const double occlusion = occlusion_of(cloud_, support, match->plane, field_, options_);
-    const ReflectionalScores scores{tangent_agreement(*match, options_.matching.max_angle),
-                                    match->inlier_ratio, occlusion};
-    return ReflectionalCandidate{match->plane, scores, std::move(support)};
+    const PlaneQuality quality{tangent_agreement(*match, options_.matching.max_angle),
+                               match->inlier_ratio, occlusion};
+    return ReflectionalCandidate{match->plane, quality, std::move(support)};
   }
 
  private:
@@ -96,8 +96,8 @@ class CurveMatcher {
 
 void sort_by_inlier_ratio(std::vector<ReflectionalCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-    return std::tuple(a.scores.inlier_score, a.support.size()) >
-           std::tuple(b.scores.inlier_score, b.support.size());
+    return std::tuple(a.quality.inlier_score, a.support.size()) >
+           std::tuple(b.quality.inlier_score, b.support.size());
   });
 }
 
@@ -132,7 +132,7 @@ ReflectionalDetection detect_reflectional_by_curves(const PointCloud& cloud,
   for (std::optional<ReflectionalCandidate>& match : matches) {
     if (!match) continue;
     ++matched;
-    if (match->scores.occlusion_residual <= options.max_occlusion_residual)
+    if (match->quality.occlusion_residual <= options.max_occlusion_residual)
       clear.push_back(std::move(*match));
   }
   ReflectionalDetection detection;

@@ -12,9 +12,9 @@ struct PlacedCandidate {
 
 }  // namespace
 
-std::vector<ReflectionalCandidate> distinct_candidates(std::vector<ReflectionalCandidate> candidates,
-                                                   const PointCloud& cloud,
-                                                   const EqualPlanes& equal) {
+std::vector<ReflectionalCandidate> distinct_candidates(
+    std::vector<ReflectionalCandidate> candidates, const PointCloud& cloud,
+    const EqualPlanes& equal) {
   std::vector<PlacedCandidate> placed;
   for (ReflectionalCandidate& candidate : candidates) {
     const Eigen::Vector3d here = centroid(cloud.positions, candidate.support);

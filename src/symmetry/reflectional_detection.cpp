@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "core/without_repeats.hpp"
+#include "distinct_candidates.hpp"
 #include "plane_placement.hpp"
 #include "symmetry/plane_quality.hpp"
 #include "symmetry/score_range.hpp"
@@ -119,23 +120,9 @@ std::vector<ReflectionalCandidate> merge_equal_planes(std::vector<ReflectionalCa
     return std::tuple(a.quality.occlusion_residual, b.support.size()) <
            std::tuple(b.quality.occlusion_residual, a.support.size());
   });
-  struct Placed {
-    ReflectionalCandidate candidate;
-    Eigen::Vector3d centroid;
-  };
-  std::vector<Placed> placed;
-  for (ReflectionalCandidate& candidate : candidates) {
-    const Eigen::Vector3d here = centroid(cloud.positions, candidate.support);
-    placed.push_back({std::move(candidate), here});
-  }
-  placed = without_repeats(std::move(placed), [&](const Placed& a, const Placed& b) {
-    const SameSymmetry same{a.centroid, options.same_angle, options.same_distance};
-    return same(a.candidate.plane, b.candidate.plane) &&
-           (a.centroid - b.centroid).norm() < options.max_support_distance;
-  });
-  candidates.clear();
-  for (Placed& kept : placed) candidates.push_back(std::move(kept.candidate));
-  return candidates;
+  return distinct_candidates(
+      std::move(candidates), cloud,
+      {options.same_angle, options.same_distance, options.max_support_distance});
 }
 
 }  // namespace
