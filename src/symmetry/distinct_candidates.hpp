@@ -12,8 +12,8 @@ struct EqualPlanes {
 };
 
 /// The candidates in their order, without those whose plane repeats that of one kept before.
-std::vector<ReflectionalCandidate> distinct_candidates(std::vector<ReflectionalCandidate> candidates,
-                                                   const PointCloud& cloud,
-                                                   const EqualPlanes& equal);
+std::vector<ReflectionalCandidate> distinct_candidates(
+    std::vector<ReflectionalCandidate> candidates, const PointCloud& cloud,
+    const EqualPlanes& equal);
 
 }  // namespace symscene

@@ -230,6 +230,24 @@ TEST_F(Command, FlagsOverrideTheConfigurationFile) {
   EXPECT_EQ(values.at("camera").at("frames"), 8);
 }
 
+TEST_F(Command, ChoosesWhatProposesReflectionPlanes) {
+  write(file("curves.json"), R"({"planes_of_surfaces": false, "planes_of_curves": true})");
+  const std::vector<std::tuple<std::string, bool, bool>> expected{
+      {"", true, false},
+      {"--config curves.json", false, true},
+      {"--reflectional curve", false, true},
+      {"--reflectional surface --config curves.json", true, false},
+      {"--reflectional both", true, true}};
+  for (const auto& [flags, surfaces, curves] : expected) {
+    const Outcome printed = run("segment --dump-config " + flags);
+    ASSERT_EQ(printed.code, 0) << printed.err;
+    const auto values = nlohmann::json::parse(printed.out, nullptr, true, true);
+    EXPECT_EQ(values.at("planes_of_surfaces"), surfaces) << flags;
+    EXPECT_EQ(values.at("planes_of_curves"), curves) << flags;
+  }
+  EXPECT_NE(run("segment scene -o planes --reflectional edges").code, 0);
+}
+
 TEST_F(Command, SimulatesTheSameBytesForTheSameSeed) {
   ASSERT_EQ(run("simulate -o twin --config small.json --threads 1").code, 0);
   ASSERT_EQ(run("simulate -o other --config small.json --seed 2").code, 0);

@@ -72,17 +72,28 @@ TEST(EvaluateScene, SweepsEveryVariantAndBaselineEquallyForAnyNumberOfThreads) {
   EvaluationOptions options;
   options.baselines = {everything};
   const SceneEvaluation evaluation = evaluate_scene(scene.scene, scene.truth, options);
-  ASSERT_EQ(evaluation.segmentation.size(), 4U);
+  ASSERT_EQ(evaluation.segmentation.size(), 5U);
   EXPECT_EQ(evaluation.segmentation[0].method, scored_method);
   EXPECT_EQ(evaluation.segmentation[0].counts.size(), 19U * 7U);
   EXPECT_EQ(evaluation.segmentation[1].method, full_method);
   EXPECT_EQ(evaluation.segmentation[1].counts.size(), 180U);
   EXPECT_EQ(evaluation.segmentation[2].method, reflectional_method);
   EXPECT_EQ(evaluation.segmentation[2].counts.size(), 30U);
-  EXPECT_EQ(evaluation.segmentation[3].method, "everything");
-  EXPECT_EQ(evaluation.segmentation[3].counts[0].detections(Metric::masks_50).found, 0U);
-  EXPECT_EQ(evaluation.segmentation[3].counts[1].detections(Metric::masks_50).found, 1U);
-  EXPECT_EQ(evaluation.detection.size(), 2U);
+  EXPECT_EQ(evaluation.segmentation[3].method, curve_method);
+  EXPECT_EQ(evaluation.segmentation[3].counts.size(), 30U);
+  EXPECT_EQ(evaluation.segmentation[4].method, "everything");
+  EXPECT_EQ(evaluation.segmentation[4].counts[0].detections(Metric::masks_50).found, 0U);
+  EXPECT_EQ(evaluation.segmentation[4].counts[1].detections(Metric::masks_50).found, 1U);
+  ASSERT_EQ(evaluation.detection.size(), 3U);
+  // Table 3.1: 15 values of M_S, 5 of the inlier ratio.
+  const Sweep& of_curves = evaluation.detection[2];
+  EXPECT_EQ(of_curves.method, curve_detection_method);
+  ASSERT_EQ(of_curves.counts.size(), 75U);
+  EXPECT_GT(of_curves.counts[30].detections(Metric::planes).recall(), 0.0);
+  for (std::size_t k = 0; k < 75; k += 5) {
+    EXPECT_GE(of_curves.counts[k].detections(Metric::planes).found,
+              of_curves.counts[k + 4].detections(Metric::planes).found);
+  }
   EXPECT_EQ(evaluation.objects.size(), scene.truth.objects.size());
   const ThreadLimit one(1);
   EXPECT_EQ(timeless(evaluate_scene(scene.scene, scene.truth, options)), timeless(evaluation));
@@ -137,7 +148,7 @@ TEST(EvaluateScene, AcceptsAnEmptyScene) {
   options.baselines = {everything};
   const SceneEvaluation evaluation = evaluate_scene(Scene{}, SceneTruth{}, options);
   EXPECT_EQ(evaluation.returned, 0U);
-  EXPECT_EQ(evaluation.segmentation.size(), 4U);
+  EXPECT_EQ(evaluation.segmentation.size(), 5U);
 }
 
 TEST(EvaluateScene, RefusesABaselineWithAnotherNumberOfMasksThanValues) {

@@ -83,7 +83,7 @@ TEST(PlanesOfCurves, OfTheRimOfAVaseContainItsAxis) {
 }
 
 TEST(PlanesOfCurves, RefuseThoseThatReflectCurvesIntoFreeSpace) {
-  // Of the two outer edges of an open book, standing on edge, those of one half.
+  // The mirror planes reflect the three faces that are seen onto those that are not.
   const PointCloud seen = testing::seen_from(testing::box(box_size), {1.0F, 0.8F, 1.0F});
   const std::size_t unknown = planes_of(seen, nothing_known(seen)).size();
   EXPECT_LT(planes_of(seen, all_seen(seen)).size(), unknown);

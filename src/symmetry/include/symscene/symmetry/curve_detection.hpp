@@ -10,8 +10,8 @@ struct CurveMatchingOptions {
   double max_angle = radians(7.0);
   double min_distance = 0.02;
   double max_distance = 0.4;
-  double angle_bandwidth = radians(4.0);
-  double offset_bandwidth = 0.006;
+  double angle_bandwidth = radians(5.0);
+  double offset_bandwidth = 0.008;
   int max_samples = 400;
   int min_correspondences = 4;
   double min_inlier_ratio = 0.3;
@@ -49,7 +49,7 @@ struct CurveDetectionOptions {
   double support_radius = 0.015;
   double min_occlusion = 0.01;
   double max_occlusion = 0.03;
-  double max_occlusion_residual = 0.01;
+  double max_occlusion_residual = 0.05;
   double same_angle = radians(7.0);
   double same_distance = 0.01;
   double max_support_distance = 0.3;
