@@ -6,7 +6,7 @@
 namespace symscene {
 namespace {
 
-constexpr Index tile = DepthRanges::tile;
+constexpr Index tile_width = DepthRanges::tile;
 constexpr float closest = 0.02F;  // depth from which surface is shown [m]
 
 /// The interval of pixels that a box covers along one axis of the image.
@@ -37,7 +37,7 @@ struct TileSpan {
 
  private:
   static Index tile_at(float pixel, float last_pixel) {
-    return static_cast<Index>(std::clamp(pixel, 0.0F, last_pixel)) / tile;
+    return static_cast<Index>(std::clamp(pixel, 0.0F, last_pixel)) / tile_width;
   }
 };
 
@@ -63,8 +63,8 @@ void cover(const BlockBox& box, const CameraIntrinsics& camera, DepthRanges& ran
 DepthRanges find_depth_ranges(const TsdfVolume& volume, const CameraIntrinsics& camera,
                               const Eigen::Isometry3d& T_camera_world) {
   DepthRanges ranges;
-  ranges.columns = (camera.width + tile - 1) / tile;
-  const Index rows = (camera.height + tile - 1) / tile;
+  ranges.columns = (camera.width + tile_width - 1) / tile_width;
+  const Index rows = (camera.height + tile_width - 1) / tile_width;
   ranges.nearest.assign(std::size_t{ranges.columns} * rows, std::numeric_limits<float>::infinity());
   ranges.farthest.assign(ranges.nearest.size(), 0.0F);
   const double block_size = volume.voxel_size() * TsdfBlock::edge;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "block_vertices.hpp"
-#include "cell_triangles.hpp"
+#include "core/cell_triangles.hpp"
 #include "core/parallel.hpp"
 #include "padded_field.hpp"
 #include "small_pieces.hpp"

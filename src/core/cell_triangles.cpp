@@ -1,4 +1,4 @@
-#include "cell_triangles.hpp"
+#include "core/cell_triangles.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -41,6 +41,26 @@ void add_face(int behind, int axis, int side, std::vector<Segment>& segments) {
   }
 }
 
+/// Whether two edges lie on one face of the cell.
+bool share_face(const CellEdge& a, const CellEdge& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.axis != axis && b.axis != axis && ((a.corner ^ b.corner) >> axis & 1) == 0) return true;
+  }
+  return false;
+}
+
+/// Rotates an outline so that no diagonal of the fan about its first corner lies in a face of the
+/// cell, where the neighbouring cell could have the same diagonal: four triangles at one edge.
+/// Every outline has such a corner.
+void choose_apex(std::vector<CellEdge>& outline) {
+  const auto has_diagonal_in_face = [&] {
+    return std::any_of(outline.begin() + 2, outline.end() - 1,
+                       [&](const CellEdge& edge) { return share_face(outline[0], edge); });
+  };
+  for (std::size_t turns = 0; turns < outline.size() && has_diagonal_in_face(); ++turns)
+    std::rotate(outline.begin(), outline.begin() + 1, outline.end());
+}
+
 /// Joins the segments to closed outlines and fills each with a fan.
 CellTriangles fill(std::vector<Segment> segments) {
   CellTriangles cell;
@@ -55,6 +75,7 @@ CellTriangles fill(std::vector<Segment> segments) {
       next = step->to;
       segments.erase(step);
     }
+    choose_apex(outline);
     for (std::size_t k = 2; k < outline.size(); ++k) {
       cell.triangles.at(cell.count++) = {outline[0], outline[k - 1], outline[k]};
     }

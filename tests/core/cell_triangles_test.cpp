@@ -1,4 +1,4 @@
-#include "reconstruction/cell_triangles.hpp"
+#include "core/cell_triangles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -108,6 +108,22 @@ TEST(CellTriangles, HaveClosedOutlines) {
     }
     EXPECT_EQ(out, in) << behind;
     for (const auto& [edge, count] : out) EXPECT_EQ(count, 1) << behind;
+  }
+}
+
+/// A diagonal in a face could be one of the neighbouring cell too: an edge of four triangles.
+TEST(CellTriangles, HaveNoDiagonalInAFaceOfTheCell) {
+  for (int behind = 0; behind < 256; ++behind) {
+    const std::set<Step> outline = outline_of(behind);
+    for (const auto& [step, count] : steps_of(behind)) {
+      if (outline.contains(step)) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int side = 0; side < 2; ++side) {
+          EXPECT_FALSE(on_face(step.first, axis, side) && on_face(step.second, axis, side))
+              << behind;
+        }
+      }
+    }
   }
 }
 
