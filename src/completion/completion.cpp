@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include "core/voxel_sampling.hpp"
+#include "perpendicular_planes.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
 
@@ -157,21 +158,6 @@ Eigen::Vector3d solve_where_determined(const Eigen::Matrix3d& matrix,
     if (eigenvalue > min_eigenvalue) solution += direction.dot(right_side) / eigenvalue * direction;
   }
   return solution;
-}
-
-/// At most three planes at right angles to each other, those of lowest residual first. Their
-/// reflections and products are a finite group of eight. Planes at other angles generate an
-/// infinite group unless the angles are exact.
-std::vector<ReflectionPlane> perpendicular_planes(const std::vector<ObjectPlane>& planes,
-                                                  double tolerance) {
-  std::vector<ReflectionPlane> chosen;
-  for (const ObjectPlane& candidate : planes) {
-    const bool fits = std::all_of(chosen.begin(), chosen.end(), [&](const ReflectionPlane& other) {
-      return line_angle(candidate.plane.normal, other.normal) > std::numbers::pi / 2 - tolerance;
-    });
-    if (fits) chosen.push_back(candidate.plane);
-  }
-  return chosen;
 }
 
 }  // namespace

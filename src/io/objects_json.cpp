@@ -13,6 +13,17 @@ constexpr const char* result_to_write = "result to write";
 constexpr std::size_t version = 2;
 
 std::string mesh_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
+std::string surface_name(std::size_t id) { return fmt::format("objects/{}.obj", id); }
+
+Json format_solid(const SolidProperties& solid) {
+  Json axes = Json::array();
+  for (int k = 0; k < 3; ++k)
+    axes.push_back(to_json(Eigen::Vector3d(solid.principal_axes.col(k)), result_to_write));
+  return {{"volume", to_json(solid.volume, result_to_write)},
+          {"centre_of_mass", to_json(solid.centre_of_mass, result_to_write)},
+          {"principal_axes", axes},
+          {"principal_moments", to_json(solid.principal_moments, result_to_write)}};
+}
 
 Json format_object(const SceneObject& object, std::size_t id) {
   Json json = {{"id", id}, {"points", object.points}};
@@ -32,6 +43,10 @@ Json format_object(const SceneObject& object, std::size_t id) {
   }
   if (object.centroid) json["centroid"] = to_json(*object.centroid, result_to_write);
   json["mesh"] = mesh_name(id);
+  if (object.solid) {
+    json["surface"] = surface_name(id);
+    json["solid"] = format_solid(*object.solid);
+  }
   return json;
 }
 
@@ -75,6 +90,17 @@ double share(const JsonCursor& value, const char* expected) {
   return number;
 }
 
+SolidProperties parse_solid(const JsonCursor& json) {
+  SolidProperties solid;
+  solid.volume = json.at("volume").number();
+  solid.centre_of_mass = json.at("centre_of_mass").vector3();
+  const std::vector<JsonCursor> axes = json.at("principal_axes").items(3);
+  for (int k = 0; k < 3; ++k)
+    solid.principal_axes.col(k) = axes[static_cast<std::size_t>(k)].vector3();
+  solid.principal_moments = json.at("principal_moments").vector3();
+  return solid;
+}
+
 SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_size,
                          std::size_t file_version) {
   if (object.at("id").count() != id) object.at("id").fail(std::to_string(id));
@@ -91,6 +117,9 @@ SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_s
   if (const auto mesh = object.find("mesh"); mesh && mesh->string() != mesh_name(id)) {
     mesh->fail(mesh_name(id));
   }
+  if (const auto surface = object.find("surface"); surface && surface->string() != surface_name(id))
+    surface->fail(surface_name(id));
+  if (const auto solid = object.find("solid")) result.solid = parse_solid(*solid);
   return result;
 }
 

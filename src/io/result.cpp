@@ -8,6 +8,7 @@
 #include "cloud_checks.hpp"
 #include "io/atomic_file.hpp"
 #include "io/ply.hpp"
+#include "mesh_formats.hpp"
 #include "ply_points.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/mesh.hpp"
@@ -20,9 +21,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* folder_to_write = "result to write";
 
-/// Whether `file` is NUMBER.ply.
+/// Whether `file` is NUMBER.ply or NUMBER.obj.
 bool is_object_file(std::string_view file) {
-  if (!file.ends_with(".ply") || file.size() == 4) return false;
+  if (!(file.ends_with(".ply") || file.ends_with(".obj")) || file.size() == 4) return false;
   file.remove_suffix(4);
   return std::all_of(file.begin(), file.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -35,6 +36,20 @@ bool belongs_to_result(const std::string& relative) {
 }
 
 std::string object_file(std::size_t id) { return fmt::format("objects/{}.ply", id); }
+std::string surface_file(std::size_t id) { return fmt::format("objects/{}.obj", id); }
+
+void require_surfaces(const SegmentationResult& result) {
+  const std::size_t count = result.surfaces.size();
+  if (count != 0 && count != result.objects.size()) {
+    throw InputError(folder_to_write,
+                     fmt::format("{} surfaces, one per object", result.objects.size()),
+                     std::to_string(count));
+  }
+  for (const ObjectSurface& surface : result.surfaces) {
+    if (static_cast<Eigen::Index>(surface.observed.size()) != surface.mesh.triangles.rows())
+      throw InputError(folder_to_write, "a flag per triangle of a surface", "others");
+  }
+}
 
 void require_writable(const SegmentationResult& result) {
   require_consistent(result.cloud, folder_to_write);
@@ -45,6 +60,7 @@ void require_writable(const SegmentationResult& result) {
   }
   for (const PointCloud& completed : result.completed)
     require_consistent(completed, folder_to_write);
+  require_surfaces(result);
   for (const SceneObject& object : result.objects) {
     const PointIndices& points = object.points;
     const bool ascending =
@@ -113,6 +129,8 @@ void write_result(const fs::path& dir, const SegmentationResult& result,
     const PointCloud own = select(result.cloud, result.objects[id].points);
     const PointCloud& added = result.completed.empty() ? PointCloud{} : result.completed[id];
     folder.write(object_file(id), format_object_cloud(own, added));
+    if (!result.surfaces.empty() && result.surfaces[id].mesh.triangles.rows() != 0)
+      folder.write(surface_file(id), format_obj(result.surfaces[id]));
   }
   if (extras.surface != nullptr) folder.write("surface.ply", format_ply(*extras.surface));
   if (extras.trajectory != nullptr)
@@ -132,6 +150,10 @@ SegmentationResult read_result(const fs::path& dir) {
   result.cloud = std::move(cloud);
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
     result.completed.push_back(read_added(dir / object_file(id), result.objects[id].points.size()));
+    const fs::path surface = dir / surface_file(id);
+    result.surfaces.push_back(fs::exists(surface)
+                                  ? parse_obj_surface(read_file(surface), surface.string())
+                                  : ObjectSurface{});
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #include "symscene/pipeline/pipeline.hpp"
 
+#include "core/parallel.hpp"
 #include "planes.hpp"
 #include "proposals/object_proposals.hpp"
 #include "stage_options.hpp"
@@ -74,17 +75,24 @@ std::vector<FunnelStep> funnel_of(const Scene& scene, const Workspace& space,
   return funnel;
 }
 
-/// Adds the hidden points of every object and its centre of mass.
-void complete_objects(const DistanceField& field, const CompletionOptions& options,
+/// Adds the hidden points of every object, its centre of mass, and its closed surface.
+void complete_objects(const DistanceField& field, const PipelineOptions& options,
                       SegmentationResult& result) {
-  for (SceneObject& object : result.objects) {
+  result.completed.resize(result.objects.size());
+  result.surfaces.resize(result.objects.size());
+  parallel_for_each(result.objects.size(), [&](std::size_t id) {
+    SceneObject& object = result.objects[id];
     const PointCloud observed = select(result.cloud, object.points);
-    PointCloud added =
-        complete_object(observed, object.rotational, object.reflectional, field, options);
-    object.centroid =
-        centre_of_mass({observed, added, object.rotational, object.reflectional}, options);
-    result.completed.push_back(std::move(added));
-  }
+    PointCloud& added = result.completed[id];
+    added = complete_object(observed, object.rotational, object.reflectional, field,
+                            options.completion);
+    const CompletedObject completed{observed, added, object.rotational, object.reflectional};
+    object.centroid = centre_of_mass(completed, options.completion);
+    ObjectSurface& surface = result.surfaces[id];
+    surface = object_surface(completed, {field, result.table}, options.object_surface,
+                             options.completion);
+    if (surface.mesh.triangles.rows() != 0) object.solid = solid_properties(surface.mesh);
+  });
 }
 
 }  // namespace
@@ -127,7 +135,7 @@ SegmentationResult segment_scene(const Scene& scene, const PipelineOptions& opti
   for (const StageTime& entry : proposals.timings) timer.add(entry.stage, entry.seconds);
   SegmentationResult result =
       timer.time("choice", [&] { return choose_objects(proposals, options); });
-  timer.time("completion", [&] { complete_objects(proposals.field, options.completion, result); });
+  timer.time("completion", [&] { complete_objects(proposals.field, options, result); });
   result.timings = timer.stages();
   return result;
 }

@@ -11,6 +11,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr Index closed_triangles = 120000;  // of the closed surfaces of all objects: 1 MB
+
 json to_json(const PointCloud& cloud) {
   return {{"positions", encode_positions(cloud.positions)},
           {"normals", encode_normals(cloud.normals)},
@@ -61,26 +63,43 @@ json list(const std::vector<Item>& items) {
   return result;
 }
 
-json to_json(const SceneObject& object, std::size_t id, const PointCloud& completed, Index count) {
+/// What an object is shown with.
+struct ShownObject {
+  const SceneObject& object;
+  const PointCloud& completed;
+  const ObjectSurface& surface;
+};
+
+json to_json(const ShownObject& shown, std::size_t id, Index count, Index max_triangles) {
+  const SceneObject& object = shown.object;
   return {{"id", id},
           {"score", object.rank()},
           {"points", indices(object.points, count)},
           {"rotational", list(object.rotational)},
           {"reflectional", list(object.reflectional)},
           {"centroid", object.centroid ? json(encode(*object.centroid)) : json(nullptr)},
-          {"completed", to_json(completed)}};
+          {"volume", object.solid ? json(object.solid->volume) : json(nullptr)},
+          {"closed", closed_payload(shown.surface, max_triangles)},
+          {"completed", to_json(shown.completed)}};
+}
+
+void require_one_each(const char* what, std::size_t count, std::size_t objects) {
+  if (count == 0 || count == objects) return;
+  throw InputError("the page", std::string(what) + " for every object or for none",
+                   std::to_string(count) + " of " + std::to_string(objects));
 }
 
 json objects(const SegmentationResult& result) {
-  const std::size_t completed = result.completed.size();
-  if (completed != 0 && completed != result.objects.size()) {
-    throw InputError("the page", "completed points for every object or for none",
-                     std::to_string(completed) + " of " + std::to_string(result.objects.size()));
-  }
+  const std::size_t count = result.objects.size();
+  require_one_each("completed points", result.completed.size(), count);
+  require_one_each("surfaces", result.surfaces.size(), count);
+  const Index max_triangles = count == 0 ? 0 : closed_triangles / static_cast<Index>(count);
   json list = json::array();
-  for (std::size_t id = 0; id < result.objects.size(); ++id) {
-    list.push_back(to_json(result.objects[id], id, completed ? result.completed[id] : PointCloud{},
-                           result.cloud.size()));
+  for (std::size_t id = 0; id < count; ++id) {
+    const PointCloud completed = result.completed.empty() ? PointCloud{} : result.completed[id];
+    const ObjectSurface surface = result.surfaces.empty() ? ObjectSurface{} : result.surfaces[id];
+    list.push_back(
+        to_json({result.objects[id], completed, surface}, id, result.cloud.size(), max_triangles));
   }
   return list;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base64.hpp"
+#include "core/mesh_thinning.hpp"
 #include "encoding.hpp"
 #include "symscene/core/point_cloud.hpp"
 
@@ -13,6 +14,7 @@ using nlohmann::json;
 
 constexpr Index path_points = 1000;
 constexpr Index shown_cameras = 9;
+constexpr float closed_cell = 0.003F;  // of thinned closed surfaces [m]
 
 /// LEB128: seven bits per byte, lowest first; the eighth bit is set if more bytes follow.
 void append_number(std::vector<std::uint8_t>& bytes, Index number) {
@@ -63,6 +65,17 @@ json surface_payload(const TriangleMesh& surface) {
   return {{"positions", encode_positions(vertices.positions)},
           {"colors", encode_colors(vertices.colors)},
           {"triangles", {{"count", surface.triangles.rows()}, {"data", base64(renumbered.bytes)}}}};
+}
+
+json closed_payload(const ObjectSurface& surface, Index max_triangles) {
+  if (surface.mesh.triangles.rows() == 0) return nullptr;
+  TriangleMesh shaded = surface.mesh;
+  shaded.colors = Colors::Zero(shaded.vertices.rows(), 3);
+  for (Eigen::Index t = 0; t < shaded.triangles.rows(); ++t) {
+    if (surface.observed[static_cast<std::size_t>(t)] == 0) continue;
+    for (Eigen::Index k = 0; k < 3; ++k) shaded.colors.row(shaded.triangles(t, k)).setConstant(255);
+  }
+  return surface_payload(thin(shaded, max_triangles, closed_cell));
 }
 
 json trajectory_payload(const Trajectory& trajectory) {

@@ -3,13 +3,17 @@
 #include <nlohmann/json.hpp>
 
 #include "symscene/core/depth_frame.hpp"
-#include "symscene/core/triangle_mesh.hpp"
+#include "symscene/core/scene.hpp"
 
 namespace symscene {
 
 /// A surface as the page reads it; null if it is empty. Vertices are in the order in which the
 /// triangles first use them.
 nlohmann::json surface_payload(const TriangleMesh& surface);
+
+/// The closed surface of an object, thinned to at most `max_triangles`: as above, observed vertices
+/// white and inferred ones black.
+nlohmann::json closed_payload(const ObjectSurface& surface, Index max_triangles);
 
 /// A camera path as the page reads it, with a few cameras on it; null if it is empty.
 nlohmann::json trajectory_payload(const Trajectory& trajectory);

@@ -56,6 +56,49 @@ TEST(Result, WritingAndReadingGiveTheSameBits) {
   EXPECT_EQ(format_objects_json(again), format_objects_json(result));
 }
 
+/// A tetrahedron whose last triangle was not seen.
+ObjectSurface small_surface() {
+  ObjectSurface surface;
+  surface.mesh.vertices.resize(4, 3);
+  surface.mesh.vertices << 0.1F, 0.0F, 1e-7F, 1.0F / 3.0F, 0, 0, 0, 1, 0, 0, 0, 1;
+  surface.mesh.triangles.resize(4, 3);
+  surface.mesh.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  surface.observed = {1, 1, 1, 0};
+  return surface;
+}
+
+TEST(Result, SurfacesAndSolidsAreReadBackWithTheSameBits) {
+  const TemporaryFolder folder;
+  SegmentationResult result = small_result();
+  result.surfaces = {small_surface(), {}};
+  result.objects[0].solid = solid_properties(result.surfaces[0].mesh);
+  write_result(folder / "out", result);
+  const SegmentationResult again = read_result(folder / "out");
+  ASSERT_EQ(again.surfaces.size(), 2U);
+  EXPECT_EQ(again.surfaces[0].mesh.vertices, result.surfaces[0].mesh.vertices);
+  EXPECT_EQ(again.surfaces[0].mesh.triangles, result.surfaces[0].mesh.triangles);
+  EXPECT_EQ(again.surfaces[0].observed, result.surfaces[0].observed);
+  EXPECT_EQ(again.surfaces[1].mesh.triangles.rows(), 0);
+  EXPECT_FALSE(fs::exists(folder / "out/objects/1.obj"));
+  ASSERT_TRUE(again.objects[0].solid);
+  EXPECT_EQ(again.objects[0].solid->volume, result.objects[0].solid->volume);
+  EXPECT_EQ(again.objects[0].solid->principal_axes, result.objects[0].solid->principal_axes);
+  EXPECT_FALSE(again.objects[1].solid);
+  EXPECT_EQ(format_objects_json(again), format_objects_json(result));
+  write_result(folder / "out", small_result());  // replaces the folder with its surfaces
+  EXPECT_FALSE(fs::exists(folder / "out/objects/0.obj"));
+}
+
+TEST(Result, RefusesSurfacesThatAreNotOnePerObjectOrLackFlags) {
+  const TemporaryFolder folder;
+  SegmentationResult result = small_result();
+  result.surfaces = {small_surface()};
+  EXPECT_THROW(write_result(folder / "out", result), InputError);
+  result.surfaces.resize(2);
+  result.surfaces[0].observed.clear();
+  EXPECT_THROW(write_result(folder / "out", result), InputError);
+}
+
 TEST(Result, TheSurroundingsAreReadAndMayBeMissing) {
   const TemporaryFolder folder;
   TriangleMesh surface;

@@ -92,6 +92,26 @@ TEST(Pipeline, ReturnsWellFormedObjects) {
   EXPECT_EQ(result.funnel.back().count, result.objects.size());
 }
 
+TEST(Pipeline, ClosesTheSurfaceOfEveryObjectNearItsTrueVolume) {
+  const SimulatedScene& simulated = table_of_four();
+  const SegmentationResult& result = result_of_four();
+  ASSERT_EQ(result.surfaces.size(), result.objects.size());
+  const auto truth = transfer_masks(simulated.scene.cloud, simulated.truth, result.cloud);
+  const OverlapMatrix overlaps = overlap_matrix(truth, masks_of(result));
+  for (Eigen::Index k = 0; k < overlaps.rows(); ++k) {
+    Eigen::Index id = 0;
+    ASSERT_GT(overlaps.row(k).maxCoeff(&id), 0.9);
+    const SceneObject& object = result.objects[static_cast<std::size_t>(id)];
+    ASSERT_TRUE(object.solid);
+    const PlacedObject& placed =
+        simulated.tabletop.objects[simulated.sources[static_cast<std::size_t>(k)]];
+    const SolidProperties true_solid = solid_properties(world_mesh(placed));
+    EXPECT_LT((object.solid->centre_of_mass - true_solid.centre_of_mass).norm(), 0.015);
+    EXPECT_GT(object.solid->volume, 0.75 * true_solid.volume);
+    EXPECT_LT(object.solid->volume, 1.7 * true_solid.volume);  // thin walls come out thicker
+  }
+}
+
 /// Whether a warning of the result contains `part`.
 bool warns(const SegmentationResult& result, const std::string& part) {
   return std::any_of(

@@ -1,6 +1,6 @@
 // A synthetic tabletop: solids of revolution and boxes, observed from one side; completion adds the
 // unseen sides. World frame: z up, the table at z = 0, the camera at −y.
-import { scannedSurface, sweep } from './scan.mjs';
+import { closedSurface, scannedSurface, sweep } from './scan.mjs';
 import { encodeScene } from './payload.mjs';
 
 const CAMERA = [0.15, -1.15, 0.8];
@@ -132,8 +132,8 @@ function refusals(random) {
 }
 
 /** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain;
- * `scan` adds the surface and the camera's path. */
-export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false } = {}) {
+ * `scan` adds the surface and the camera's path, `closed` the closed surfaces of the objects. */
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false, closed = false } = {}) {
   const random = randomNumbers(seed);
   const parts = SOLIDS.map((solid) => thin(solid.kind(solid, cell, random), cell));
   const seen = visibleSamples(parts.flat());
@@ -152,6 +152,7 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
       add(cloud, sample);
     });
     offset += samples.length;
+    if (closed) Object.assign(object, { closed: closedSurface(SOLIDS[id]), volume: 0.000412 });
     const { point } = (object.rotational[0] ?? object.reflectional[0]);
     return { ...object, centroid: point };
   });

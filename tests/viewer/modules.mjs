@@ -6,6 +6,7 @@ import { overlaps, placeLabels } from '../../viewer/src/declutter.js';
 import { footprint } from '../../viewer/src/footprint.js';
 import { tableFrame } from '../../viewer/src/frame.js';
 import { HIDDEN, REST, pointOwners } from '../../viewer/src/ownership.js';
+import { paintClosed } from '../../viewer/src/painting.js';
 import { inkOn, objectColor } from '../../viewer/src/palette.js';
 import { decodePayload } from '../../viewer/src/payload.js';
 import { dot, length } from '../../viewer/src/vector.js';
@@ -95,4 +96,20 @@ test('consecutive objects have distinct colours and legible text', () => {
     assert.ok(Math.hypot(...a.map((value, k) => value - b[k])) > 60, `${i}`);
     assert.match(inkOn(a), /^#/);
   }
+});
+
+test('the inferred side of a closed surface is lighter than the observed one', () => {
+  const object = decodePayload(tabletop({ closed: true })).objects[3];
+  assert.ok(object.hasCompletion);
+  const shades = [];
+  paintClosed({ paint: (ownerOf, shadeOf) => {
+    for (let i = 0; 3 * i < object.closed.positions.length; ++i) shades.push([ownerOf(i), shadeOf(i)]);
+  } }, object);
+  const sum = ([r, g, b]) => r + g + b;
+  const observed = (i) => object.closed.colors[3 * i] > 127;
+  assert.ok(shades.some((_, i) => observed(i)) && shades.some((_, i) => !observed(i)));
+  shades.forEach(([owner, shade], i) => {
+    assert.equal(owner, 3);
+    assert.equal(sum(shade) > sum(objectColor(3)) + 100, !observed(i));
+  });
 });

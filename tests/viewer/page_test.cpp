@@ -47,6 +47,21 @@ TEST(Page, IsOneDocumentWithoutPlaceholders) {
   EXPECT_EQ(occurrences(page, "<script"), 2U);
 }
 
+TEST(Page, HasClosedSurfacesWithObservedVerticesWhite) {
+  SegmentationResult result = small_result();
+  ObjectSurface surface;
+  surface.mesh.vertices.resize(6, 3);
+  surface.mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1;
+  surface.mesh.triangles.resize(2, 3);
+  surface.mesh.triangles << 0, 1, 2, 3, 4, 5;
+  surface.observed = {1, 0};
+  result.surfaces = {surface};
+  EXPECT_NE(page_payload(result).find("\"closed\":{\"colors\":\"////////////AAAAAAAAAAAA\""),
+            std::string::npos);
+  result.surfaces = {ObjectSurface{}};
+  EXPECT_NE(page_payload(result).find("\"closed\":null"), std::string::npos);
+}
+
 TEST(Page, EscapesMarkupInTexts) {
   const std::string hostile = "</title></script><script>alert(1)</script><!--";
   SegmentationResult result = small_result();
@@ -189,6 +204,9 @@ TEST(Payload, RefusesAnInvalidResult) {
 
   SegmentationResult uneven = small_result();
   uneven.completed.resize(3);
+  EXPECT_THROW(page_payload(uneven), InputError);
+  uneven.completed.clear();
+  uneven.surfaces.resize(3);
   EXPECT_THROW(page_payload(uneven), InputError);
 
   EXPECT_THROW(page_payload(small_result(), {.up = Eigen::Vector3d::Zero()}), InputError);

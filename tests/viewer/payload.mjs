@@ -21,6 +21,8 @@ export function encodeObject(object, id) {
     rotational: object.rotational ?? [],
     reflectional: object.reflectional ?? [],
     centroid: object.centroid,
+    volume: object.volume ?? null,
+    closed: object.closed ? encodeSurface(object.closed) : null,
     completed: encodeCloud(object.completed ?? { positions: [] }),
   };
 }

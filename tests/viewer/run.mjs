@@ -21,7 +21,7 @@ const pages = {};
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
-  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
+  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
   for (const [name, scene] of Object.entries(scenes)) {
     pages[name] = join(folder, `${name}.html`);
     await writePage(pages[name], scene);
@@ -260,6 +260,29 @@ describe('a result with the surface that was reconstructed', () => {
   }, '#mesh=0&path=1');
 
   pageTest('has no overlapping elements on a phone', path, PHONE, async (page) => {
+    assert.deepEqual(await layoutProblems(page), []);
+  });
+});
+
+describe('a result with closed surfaces', () => {
+  const path = () => pages.closed;
+
+  pageTest('shows them in place of the points', path, WINDOW, async (page) => {
+    const points = await hook(page, 'pixels()');
+    await page.click('[data-toggle=completed]');
+    const closed = await hook(page, 'pixels()');
+    assert.notEqual(closed.hash, points.hash);
+    assert.ok(closed.filled > 0.9 * points.filled, 'a closed surface covers what its points cover');
+    await page.click('[data-toggle=completed]');
+    assert.equal((await hook(page, 'pixels()')).hash, points.hash);
+  });
+
+  pageTest('selects the clicked object on its surface, and tells its volume', path, WINDOW, async (page) => {
+    await page.click('[data-toggle=completed]');
+    const { x, y } = await hook(page, 'clickPoint(2)');
+    await page.mouse.click(x, y);
+    assert.equal(await hook(page, 'selected'), 2);
+    assert.match(await page.textContent('.object.selected .details'), /Volume412 cm³/);
     assert.deepEqual(await layoutProblems(page), []);
   });
 });

@@ -64,6 +64,14 @@ export function scannedSurface(solids) {
   return mesh;
 }
 
+/** The closed surface of a solid: observed (white) on the side of the camera, inferred (black) behind. */
+export function closedSurface(solid) {
+  const mesh = new Mesh();
+  (solid.size ? addBox : addRevolution)(mesh, solid);
+  mesh.colors = mesh.positions.map(([, y]) => (y < solid.at[1] ? [255, 255, 255] : [0, 0, 0]));
+  return mesh;
+}
+
 /** A quarter of a turn about the table, looking at its middle. */
 export function sweep() {
   const path = Array.from({ length: 60 }, (_, i) => {

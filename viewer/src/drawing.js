@@ -1,4 +1,4 @@
-// Draws the layers according to the state: cloud, completed points, surface, symmetries, camera
+// Draws the layers according to the state: cloud, completed objects, surface, symmetries, camera
 // path, table.
 import { coverage } from './coverage.js';
 import { Splats, sampleSpacing } from './gl/splats.js';
@@ -6,7 +6,7 @@ import { Surface } from './gl/surface.js';
 import { Symmetries } from './gl/symmetries.js';
 import { createTable } from './gl/table.js';
 import { Trajectory } from './gl/trajectory.js';
-import { paintCloud, paintCompleted, paintSurface } from './painting.js';
+import { paintClosed, paintCloud, paintCompleted, paintSurface } from './painting.js';
 import { objectColor } from './palette.js';
 
 const RADIUS_OF_SPACING = 1.15;
@@ -16,12 +16,14 @@ const SCHEMES = {
   dark: { paper: [38, 42, 49], outline: [255, 255, 255], ink: [150, 165, 190], path: [205, 214, 230], grid: 0.2, shadow: 0.75 },
 };
 
+// The closed surface of every object or, where there is none, the added points.
 function createCompleted(scene, radius, stage) {
   return scene.objects.map((object) => {
-    const splats = new Splats(object.completed, radius);
-    paintCompleted(splats, object);
-    stage.cloud.add(splats.object);
-    return splats;
+    const layer = object.closed ? new Surface(object.closed) : new Splats(object.completed, radius);
+    if (object.closed) paintClosed(layer, object);
+    else paintCompleted(layer, object);
+    stage.cloud.add(layer.object);
+    return layer;
   });
 }
 
@@ -82,7 +84,7 @@ export class Drawing {
 
   update(state, changed) {
     this.state = state;
-    if (['mode', 'visible', 'rest', 'mesh'].some((key) => changed.has(key))) this.#paint(state);
+    if (['mode', 'visible', 'rest', 'mesh', 'completed'].some((key) => changed.has(key))) this.#paint(state);
     if (this.surface) this.surface.mesh.object.visible = state.mesh;
     if (this.trajectory) this.trajectory.object.visible = state.path;
     const { paper } = SCHEMES[this.scheme];
@@ -96,9 +98,19 @@ export class Drawing {
 
   #paint(state) {
     const { cloud, objects, surface } = this.scene;
-    paintCloud(this.cloud, cloud, objects, state, this.scheme, state.mesh ? this.surface?.covered : null);
+    paintCloud(this.cloud, cloud, objects, state, this.scheme, this.#covered(state));
     if (!this.surface || !state.mesh) return;
     paintSurface(this.surface.mesh, surface, this.surface.nearest, cloud, objects, state, this.scheme);
+  }
+
+  // The points that the mesh or a closed surface shows.
+  #covered(state) {
+    const { cloud, objects } = this.scene;
+    const covered = state.mesh && this.surface ? this.surface.covered.slice() : new Uint8Array(cloud.count);
+    for (const { index, closed, points } of objects) {
+      if (closed && state.completed.has(index)) points.forEach((i) => { covered[i] = 1; });
+    }
+    return covered;
   }
 
   #updateObject({ index }, state, selected) {
@@ -111,7 +123,7 @@ export class Drawing {
 
   /** The layers that can be picked. */
   layers() {
-    const completed = this.completed.filter((splats) => splats.object.visible);
+    const completed = this.completed.filter((layer) => layer.object.visible);
     return [this.cloud, ...completed];
   }
 }

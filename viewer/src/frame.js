@@ -53,6 +53,7 @@ function moveCloud(cloud, frame) {
 
 function moveObject(object, frame) {
   moveCloud(object.completed, frame);
+  if (object.closed) mapTriples(object.closed.positions, frame.point);
   object.axes = object.rotational.map((s) => ({
     point: frame.point(s.point),
     direction: frame.direction(s.direction),

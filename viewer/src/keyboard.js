@@ -8,7 +8,7 @@ const STEP = 8; // degrees
 
 export const KEY_HELP = [
   ['Arrows', 'orbit (with Shift: pan)'], ['+  −', 'zoom'], ['H F S T', 'home, front, side, top'],
-  ['[  ]', 'previous, next object'], ['P A C', 'planes, axes, completed points'],
+  ['[  ]', 'previous, next object'], ['P A C', 'planes, axes, completed objects'],
   ['M V', 'mesh, camera path'], ['L O', 'labels, other points'], ['1 2 3', 'scan, blend, objects'], ['Esc', 'clear the selection'],
 ];
 

@@ -62,6 +62,13 @@ export function paintSurface(drawn, { colors }, nearest, cloud, objects, state, 
   });
 }
 
+/** A closed surface: inferred vertices, which are black in the payload, are lighter. */
+export function paintClosed(drawn, { index, closed }) {
+  const color = objectColor(index);
+  const inferred = lighter(color);
+  drawn.paint(() => index, (i) => (closed.colors[3 * i] > 127 ? color : inferred));
+}
+
 export function paintCompleted(splats, object) {
   const color = lighter(objectColor(object.index));
   splats.paint(new Uint16Array(object.completed.count).fill(object.index), () => color);

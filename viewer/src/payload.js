@@ -63,11 +63,15 @@ function decodeSurface({ positions, colors, triangles }) {
 }
 
 function decodeObject(object, index) {
+  const completed = decodeCloud(object.completed);
+  const closed = object.closed ? decodeSurface(object.closed) : null;
   return {
     ...object,
     index,
     points: decodeAs(Uint32Array, object.points),
-    completed: decodeCloud(object.completed),
+    completed,
+    closed,
+    hasCompletion: completed.count > 0 || closed !== null,
   };
 }
 

@@ -11,7 +11,7 @@ const TOGGLES = [
   ['mesh', 'Mesh', 'Reconstructed surface instead of points (M)'],
   ['planes', 'Planes', 'Mirror planes (P)'],
   ['axes', 'Axes', 'Rotation axes (A)'],
-  ['completed', 'Completed', 'Points that the symmetries add on the hidden side (C)'],
+  ['completed', 'Completed', 'Closed surfaces; the inferred side is lighter (C)'],
   ['labels', 'Labels', 'Numbers of objects (L)'],
   ['rest', 'Other', 'Points of no object (O)'],
   ['path', 'Camera', 'Path of the camera (V)'],
@@ -26,7 +26,7 @@ export function createToolbar(scene, store, actions) {
   const toggles = TOGGLES.filter(([key]) => !missing[key]).map(([key, text, title]) =>
     h('button', { type: 'button', title, 'aria-label': text, 'data-toggle': key, onclick: () => press(key) },
       icon(key), h('span', { class: 'text' }, text)));
-  const hasCompleted = scene.objects.some((object) => object.completed.count > 0);
+  const hasCompleted = scene.objects.some((object) => object.hasCompletion);
   toggles.find((button) => button.dataset.toggle === 'completed').disabled = !hasCompleted;
   store.subscribe((state) => {
     for (const button of modes) setPressed(button, state.mode === button.dataset.mode);

@@ -24,6 +24,7 @@ function surfaceMaterials() {
 export class Surface {
   constructor({ positions, triangles }) {
     const count = positions.length / 3;
+    this.positions = positions;
     this.shades = new Uint8Array(3 * count);
     this.owners = new Uint16Array(count);
     const geometry = new THREE.BufferGeometry();

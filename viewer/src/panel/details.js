@@ -23,6 +23,7 @@ function facts(object, scene, extent) {
     ['Score', format.fixed(object.score, 3)],
     ['Points seen', `${format.count(object.points.length)} (${format.percent(share)})`],
     ['Completed', object.completed.count ? `+ ${format.count(object.completed.count)}` : 'none'],
+    ...(object.volume ? [['Volume', `${format.fixed(1e6 * object.volume, 0)} cm³`]] : []),
     ['Size', `${extent.map(format.centimetres).join(' × ')} cm`],
     ...(object.centroid ? [['Centroid', `${vector(object.centroid, 3)} m`]] : []),
   ];

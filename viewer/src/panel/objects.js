@@ -26,9 +26,9 @@ function createRow(object, scene, actions, extent) {
   const name = `Object ${object.id}`;
   const { index } = object;
   const eye = iconButton('eye', `Show or hide ${name}`, () => actions.toggleVisible(index), 'eye');
-  const completed = iconButton('completed', `Completed points of ${name}`, () => actions.toggleCompleted(index));
+  const completed = iconButton('completed', `Completed ${name}`, () => actions.toggleCompleted(index));
   const solo = iconButton('solo', `Show only ${name}`, () => actions.solo(index));
-  if (object.completed.count === 0) completed.disabled = true;
+  if (!object.hasCompletion) completed.disabled = true;
   const select = h('button', { class: 'pick', type: 'button', 'aria-expanded': 'false', onclick: () => actions.toggleSelect(index) },
     h('span', { class: 'badge' }, String(object.id)),
     h('span', { class: 'name' }, name, h('small', {}, symmetrySummary(object))),

@@ -9,6 +9,7 @@
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/occupancy_map.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "symscene/core/solid.hpp"
 #include "symscene/core/stage_timer.hpp"
 
 namespace symscene {
@@ -43,9 +44,16 @@ struct SceneObject {
   std::vector<ObjectPlane> reflectional = {};
   /// Centre of mass under the symmetries, once the object is completed. [m]
   std::optional<Eigen::Vector3d> centroid = {};
+  std::optional<SolidProperties> solid = {};  ///< of its closed surface, if that is not empty
 
   /// By which objects are sorted.
   double rank() const { return score.value_or(confidence); }
+};
+
+/// The closed surface of an object: the observed part and what is inferred of its hidden side.
+struct ObjectSurface {
+  TriangleMesh mesh;
+  std::vector<std::uint8_t> observed = {};  ///< per triangle: 1 observed, 0 inferred
 };
 
 /// A hypothesis that was rejected or merged, and the bound that it failed.
@@ -70,7 +78,8 @@ struct SegmentationResult {
   std::optional<Plane> table;         ///< of the scene, if known
   std::vector<SceneObject> objects;   ///< in descending order of rank()
   std::vector<PointCloud> completed;  ///< per object: the points that its symmetries add
-  std::vector<Rejection> rejected;    ///< hypotheses that did not become objects
+  std::vector<ObjectSurface> surfaces = {};  ///< per object: closed, or empty
+  std::vector<Rejection> rejected;           ///< hypotheses that did not become objects
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
   std::vector<std::string> warnings;  ///< limitations of the result, one sentence each

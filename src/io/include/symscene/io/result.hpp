@@ -17,9 +17,9 @@ namespace symscene {
 /// an object is not finite.
 std::string format_objects_json(const SegmentationResult& result, bool with_timings = true);
 
-/// Reads objects.json back; `cloud` and `completed` of the result are empty. Normals and directions
-/// are scaled to unit length. `name` is the name of the file in messages.
-/// Throws InputError if the text is not a valid objects.json or an index is not below `cloud_size`.
+/// Reads objects.json back; `cloud`, `completed` and `surfaces` of the result are empty. Normals
+/// and directions are scaled to unit length. `name` is the name of the file in messages. Throws
+/// InputError if the text is not a valid objects.json or an index is not below `cloud_size`.
 SegmentationResult parse_objects_json(std::string_view text, const std::string& name,
                                       Index cloud_size);
 
@@ -31,12 +31,13 @@ struct ResultExtras {
 
 /// Writes a result folder atomically: cloud.ply, objects.json, the extras, and for object N the
 /// file objects/N.ply with its points (observed = 1) followed by those that completion added
-/// (observed = 0). Throws InputError if the result is inconsistent, if `dir` is neither empty nor a
-/// result folder, or if it cannot be written; an existing folder is then unchanged.
+/// (observed = 0), and objects/N.obj with its closed surface, if that is not empty. Throws
+/// InputError if the result is inconsistent, if `dir` is neither empty nor a result folder, or if
+/// it cannot be written; an existing folder is then unchanged.
 void write_result(const std::filesystem::path& dir, const SegmentationResult& result,
                   const ResultExtras& extras = {});
 
-/// Reads a result folder; `completed` has one cloud, possibly empty, per object.
+/// Reads a result folder; `completed` and `surfaces` have one, possibly empty, per object.
 /// Throws InputError if `dir` is not a result folder or its files contradict each other.
 SegmentationResult read_result(const std::filesystem::path& dir);
 

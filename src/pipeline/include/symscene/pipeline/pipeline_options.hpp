@@ -1,6 +1,6 @@
 #pragma once
 
-#include "symscene/completion/completion.hpp"
+#include "symscene/completion/object_surface.hpp"
 #include "symscene/core/normal_estimation.hpp"
 #include "symscene/core/options.hpp"
 #include "symscene/occupancy/distance_field.hpp"
@@ -49,6 +49,7 @@ struct PipelineOptions {
   SelectionOptions selection;
   ObjectSymmetryOptions object_symmetry;
   CompletionOptions completion;
+  ObjectSurfaceOptions object_surface;
   ModelOptions models;
 
   template <class Self, class Visit>
@@ -91,6 +92,7 @@ struct PipelineOptions {
     visit("selection", self.selection);
     visit("object_symmetry", self.object_symmetry);
     visit("completion", self.completion);
+    visit("object_surface", self.object_surface);
     visit("models", self.models);
   }
   /// Throws InputError if a field of any stage is out of its range.

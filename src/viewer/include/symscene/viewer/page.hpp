@@ -23,8 +23,8 @@ struct PageOptions {
 
 /// A self-contained HTML page that shows the result; it needs no other file and no network. Titles
 /// and notes are escaped. Throws InputError if a position is not finite, an index is not below the
-/// size of the cloud, `completed` is neither empty nor one per object, or the cloud does not lie on
-/// the surface.
+/// size of the cloud, `completed` or `surfaces` are neither empty nor one per object, or the cloud
+/// does not lie on the surface.
 std::string render_page(const SegmentationResult& result, const PageOptions& options = {});
 
 }  // namespace symscene

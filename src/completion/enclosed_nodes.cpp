@@ -1,0 +1,80 @@
+#include "enclosed_nodes.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "symscene/core/types.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr Index unlabelled = ~Index{0};
+
+/// Labels of the nodes, by components of equal sign that share edges of the lattice, and their
+/// sizes in the order of their first nodes.
+class SignComponents {
+ public:
+  SignComponents(const NodeGrid& grid, const std::vector<float>& field)
+      : grid_(grid), field_(field), labels_(grid.nodes(), unlabelled) {
+    for (std::size_t node = 0; node < labels_.size(); ++node) {
+      if (labels_[node] == unlabelled) fill_from(node);
+    }
+  }
+
+  Index label(std::size_t node) const { return labels_[node]; }
+  bool is_inside(Index label) const { return field_[firsts_[label]] < 0.0F; }
+  std::size_t size(Index label) const { return sizes_[label]; }
+  std::size_t count() const { return sizes_.size(); }
+
+ private:
+  void fill_from(std::size_t first) {
+    const auto label = static_cast<Index>(sizes_.size());
+    firsts_.push_back(first);
+    std::vector<std::size_t> open{first};
+    labels_[first] = label;
+    std::size_t size = 0;
+    while (!open.empty()) {
+      const std::size_t node = open.back();
+      open.pop_back();
+      ++size;
+      for_each_neighbour(grid_, node, [&](std::size_t next) {
+        if (labels_[next] != unlabelled || (field_[next] < 0.0F) != (field_[node] < 0.0F)) return;
+        labels_[next] = label;
+        open.push_back(next);
+      });
+    }
+    sizes_.push_back(size);
+  }
+
+  const NodeGrid& grid_;
+  const std::vector<float>& field_;
+  std::vector<Index> labels_;
+  std::vector<std::size_t> firsts_, sizes_;
+};
+
+}  // namespace
+
+void keep_one_body(const NodeGrid& grid, double min_share, std::vector<float>& field) {
+  const SignComponents components(grid, field);
+  std::size_t largest = 0;
+  for (Index label = 0; label < components.count(); ++label) {
+    if (components.is_inside(label)) largest = std::max(largest, components.size(label));
+  }
+  const Index outside = components.label(0);
+  std::vector<std::uint8_t> flips(components.count(), 0);
+  for (Index label = 0; label < components.count(); ++label) {
+    const bool is_small =
+        static_cast<double>(components.size(label)) < min_share * static_cast<double>(largest);
+    flips[label] = (components.is_inside(label) ? is_small : label != outside) ? 1 : 0;
+  }
+  std::vector<std::size_t> flipped;
+  for (std::size_t node = 0; node < field.size(); ++node) {
+    if (flips[components.label(node)] != 0) flipped.push_back(node);
+  }
+  for (const std::size_t node : flipped) {
+    const float distance = std::max(std::abs(field[node]), 1e-6F);
+    field[node] = field[node] < 0.0F ? distance : -distance;
+  }
+}
+
+}  // namespace symscene
