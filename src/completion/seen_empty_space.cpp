@@ -1,6 +1,7 @@
 #include "seen_empty_space.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -28,18 +29,25 @@ CylinderAround cylinder_around(const Box& box, const RotationAxis& axis) {
   return cylinder;
 }
 
-float greatest_depth(const DistanceField& field, const RotationAxis& axis, double height,
-                     double radius) {
+using CircleDirections = std::array<Eigen::Vector3f, 48>;
+
+/// Unit vectors around an axis.
+CircleDirections directions_around(const RotationAxis& axis) {
   const Eigen::Matrix<double, 3, 2> across = orthonormal_complement(axis.direction);
-  const Eigen::Vector3d centre = axis.point + height * axis.direction;
-  const double turn = 2.0 * std::numbers::pi;
-  const int steps = std::max(4, static_cast<int>(turn * radius / double{field.frame.resolution}));
-  float greatest = 0.0F;
-  for (int step = 0; step < steps; ++step) {
-    const double angle = turn * step / steps;
-    const Eigen::Vector3d away = across * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    greatest = std::max(greatest, field.at((centre + radius * away).cast<float>()));
+  CircleDirections directions;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const double angle =
+        2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(directions.size());
+    directions[k] = (across * Eigen::Vector2d(std::cos(angle), std::sin(angle))).cast<float>();
   }
+  return directions;
+}
+
+float greatest_depth(const DistanceField& field, const Eigen::Vector3f& centre, float radius,
+                     const CircleDirections& directions) {
+  float greatest = 0.0F;
+  for (const Eigen::Vector3f& direction : directions)
+    greatest = std::max(greatest, field.at(centre + radius * direction));
   return greatest;
 }
 
@@ -54,10 +62,12 @@ CircleDepths::CircleDepths(const RotationAxis& axis, const DistanceField& field,
   heights_ = 1 + static_cast<int>((cylinder.high - cylinder.low) / cell);
   radii_ = 1 + static_cast<int>(cylinder.radius / cell);
   depths_.reserve(static_cast<std::size_t>(heights_) * static_cast<std::size_t>(radii_));
+  const CircleDirections directions = directions_around(axis);
   for (int h = 0; h < heights_; ++h) {
+    const float height = lowest_ + (static_cast<float>(h) + 0.5F) * cell;
     for (int r = 0; r < radii_; ++r) {
-      const double height = double{lowest_} + (h + 0.5) * double{cell};
-      depths_.push_back(greatest_depth(field, axis, height, (r + 0.5) * double{cell}));
+      depths_.push_back(greatest_depth(field, point_ + height * direction_,
+                                       (static_cast<float>(r) + 0.5F) * cell, directions));
     }
   }
 }

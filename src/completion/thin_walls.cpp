@@ -9,7 +9,7 @@ namespace {
 
 constexpr Index most_probes = 2000;
 constexpr double min_inner = 0.05;     // share of the points that look into the cavity
-constexpr double min_walled = 0.15;    // share of these with a wall behind them
+constexpr double min_walled = 0.05;    // share of these with a wall behind them
 constexpr float facing_away = -0.5F;   // cosine between the normals of a wall's two faces
 constexpr float wall_in_cells = 1.2F;  // least thickness, so that no path leads through a wall
 

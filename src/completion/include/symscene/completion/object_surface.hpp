@@ -8,8 +8,8 @@ namespace symscene {
 
 struct ObjectSurfaceOptions {
   double voxel_size = 0.0025;
-  int max_nodes = 200000;
-  double reach = 0.01;
+  int max_nodes = 150000;
+  double reach = 0.008;
   double image_tolerance = 0.0075;
   double max_base_gap = 0.03;
   double max_wall = 0.012;
@@ -25,7 +25,7 @@ struct ObjectSurfaceOptions {
     visit("max_nodes", self.max_nodes, "", between(1000, 1 << 26),
           "most nodes of the field of an object");
     visit("reach", self.reach, "m", above_up_to(0.0, 0.1),
-          "radius of the mean over points; twice their spacing");
+          "radius of the mean over points; somewhat more than their spacing");
     visit("image_tolerance", self.image_tolerance, "m", at_least(0.0),
           "the surface reaches no farther into space whose image under a symmetry was seen empty, "
           "except near observed points");
