@@ -36,18 +36,16 @@ ConvexBound::ConvexBound(std::vector<Eigen::Vector3f> directions,
                          const std::vector<Eigen::Vector3f>& points)
     : directions_(std::move(directions)) {
   append_even_directions(directions_);
-  offsets_.assign(directions_.size(), -std::numeric_limits<float>::max());
-  for (std::size_t k = 0; k < directions_.size(); ++k) {
-    for (const Eigen::Vector3f& point : points)
-      offsets_[k] = std::max(offsets_[k], directions_[k].dot(point));
+  for (const Eigen::Vector3f& direction : directions_) {
+    float low = std::numeric_limits<float>::max(), high = -low;
+    for (const Eigen::Vector3f& point : points) {
+      const float along = direction.dot(point);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    offsets_.push_back(high);
+    least_width_ = std::min(least_width_, high - low);
   }
-}
-
-float ConvexBound::least_width() const {
-  float least = std::numeric_limits<float>::max();
-  for (std::size_t k = directions_.size() - even_directions; k < directions_.size(); k += 2)
-    least = std::min(least, offsets_[k] + offsets_[k + 1]);
-  return least;
 }
 
 float ConvexBound::exit_distance(const Eigen::Vector3f& point,

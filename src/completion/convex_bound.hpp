@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,8 +15,8 @@ class ConvexBound {
   /// `directions` are outward unit normals; others, evenly spread, are added to them.
   ConvexBound(std::vector<Eigen::Vector3f> directions, const std::vector<Eigen::Vector3f>& points);
 
-  /// The least width between two parallel bounds. [m]
-  float least_width() const;
+  /// The least extent of the points along one of the directions. [m]
+  float least_width() const { return least_width_; }
 
   /// How far a ray from a point inside goes until it leaves the bound. [m]
   float exit_distance(const Eigen::Vector3f& point, const Eigen::Vector3f& direction) const;
@@ -35,6 +36,7 @@ class ConvexBound {
 
   std::vector<Eigen::Vector3f> directions_;
   std::vector<float> offsets_;  ///< p·d of the farthest point along each direction [m]
+  float least_width_ = std::numeric_limits<float>::max();  ///< [m]
 };
 
 }  // namespace symscene

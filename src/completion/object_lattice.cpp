@@ -61,7 +61,7 @@ NodeGrid grid_around(const Box& box, float base, float thickness,
                      const ObjectSurfaceOptions& options) {
   const auto voxel = static_cast<float>(options.voxel_size);
   NodeGrid grid;
-  grid.spacing = std::clamp(0.25F * thickness, 0.5F * voxel, voxel);
+  grid.spacing = std::clamp(0.25F * thickness, 0.4F * voxel, voxel);
   const auto size_at = [&](float spacing) -> Eigen::Array3d {
     return (box.extent().array() / spacing).ceil().cast<double>() + 6.0;
   };

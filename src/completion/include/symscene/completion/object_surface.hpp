@@ -7,8 +7,8 @@
 namespace symscene {
 
 struct ObjectSurfaceOptions {
-  double voxel_size = 0.0025;
-  int max_nodes = 150000;
+  double voxel_size = 0.003;
+  int max_nodes = 120000;
   double reach = 0.008;
   double image_tolerance = 0.0075;
   double max_base_gap = 0.03;
@@ -20,7 +20,7 @@ struct ObjectSurfaceOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("voxel_size", self.voxel_size, "m", between(5e-4, 0.1),
-          "edge of the cells in which the surface is extracted; flat objects get down to half of "
+          "edge of the cells in which the surface is extracted; flat objects get down to 40 % of "
           "it, large ones more");
     visit("max_nodes", self.max_nodes, "", between(1000, 1 << 26),
           "most nodes of the field of an object");
