@@ -32,19 +32,13 @@ void raise_to_line(float first, float step, std::size_t length, float* value) {
 
 }  // namespace
 
-ConvexBound::ConvexBound(std::vector<Eigen::Vector3f> directions,
-                         const std::vector<Eigen::Vector3f>& points)
+ConvexBound::ConvexBound(std::vector<Eigen::Vector3f> directions, const Points& points)
     : directions_(std::move(directions)) {
   append_even_directions(directions_);
   for (const Eigen::Vector3f& direction : directions_) {
-    float low = std::numeric_limits<float>::max(), high = -low;
-    for (const Eigen::Vector3f& point : points) {
-      const float along = direction.dot(point);
-      low = std::min(low, along);
-      high = std::max(high, along);
-    }
-    offsets_.push_back(high);
-    least_width_ = std::min(least_width_, high - low);
+    const Eigen::ArrayXf along = points * direction;
+    offsets_.push_back(along.maxCoeff());
+    least_width_ = std::min(least_width_, offsets_.back() - along.minCoeff());
   }
 }
 

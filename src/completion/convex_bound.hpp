@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "node_grid.hpp"
+#include "symscene/core/types.hpp"
 
 namespace symscene {
 
@@ -13,7 +14,7 @@ namespace symscene {
 class ConvexBound {
  public:
   /// `directions` are outward unit normals; others, evenly spread, are added to them.
-  ConvexBound(std::vector<Eigen::Vector3f> directions, const std::vector<Eigen::Vector3f>& points);
+  ConvexBound(std::vector<Eigen::Vector3f> directions, const Points& points);
 
   /// The least extent of the points along one of the directions. [m]
   float least_width() const { return least_width_; }

@@ -34,25 +34,17 @@ double height_of_base(const SurfacePoints& points, const Plane& table, double ma
 }
 
 /// The points and, where there is a table, their projections onto the object's base.
-std::vector<Eigen::Vector3f> with_projections(const SurfacePoints& points,
-                                              const std::optional<Plane>& table, double max_gap) {
+Points with_projections(const SurfacePoints& points, const std::optional<Plane>& table,
+                        double max_gap) {
   std::vector<Eigen::Vector3f> all = points.positions;
-  if (!table || points.observed == 0) return all;
-  const double base = height_of_base(points, *table, max_gap);
-  for (const Eigen::Vector3f& point : points.positions) {
-    const double height = table->signed_distance(point.cast<double>()) - base;
-    if (height > 0.0) all.push_back(point - (height * table->normal).cast<float>());
+  if (table && points.observed != 0) {
+    const double base = height_of_base(points, *table, max_gap);
+    for (const Eigen::Vector3f& point : points.positions) {
+      const double height = table->signed_distance(point.cast<double>()) - base;
+      if (height > 0.0) all.push_back(point - (height * table->normal).cast<float>());
+    }
   }
-  return all;
-}
-
-Box box_of(const std::vector<Eigen::Vector3f>& points) {
-  Box box;
-  for (const Eigen::Vector3f& point : points) {
-    box.min = box.min.cwiseMin(point);
-    box.max = box.max.cwiseMax(point);
-  }
-  return box;
+  return as_rows(all);
 }
 
 /// Nodes around a box, with a margin in which the surface ends. A layer of nodes lies just above
@@ -78,9 +70,9 @@ NodeGrid grid_around(const Box& box, float base, float thickness,
 
 ObjectLattice object_lattice(const SurfacePoints& points, const std::optional<Plane>& table,
                              const ObjectSurfaceOptions& options) {
-  const std::vector<Eigen::Vector3f> held = with_projections(points, table, options.max_base_gap);
+  const Points held = with_projections(points, table, options.max_base_gap);
   ObjectLattice lattice{.grid = {},
-                        .box = box_of(held),
+                        .box = bounding_box(held),
                         .bound = ConvexBound(bound_directions(points, table), held),
                         .in_bound = {},
                         .nearest = {}};

@@ -13,13 +13,6 @@ constexpr double min_walled = 0.05;    // share of these with a wall behind them
 constexpr float facing_away = -0.5F;   // cosine between the normals of a wall's two faces
 constexpr float wall_in_cells = 1.2F;  // least thickness, so that no path leads through a wall
 
-Points as_matrix(const std::vector<Eigen::Vector3f>& positions) {
-  Points points(static_cast<Eigen::Index>(positions.size()), 3);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = positions[i].transpose();
-  return points;
-}
-
 /// The thickness of the wall behind a point, if there is one. [m]
 std::optional<float> wall_behind(const SurfacePoints& points, std::size_t i, const CellList& cells,
                                  float max_thickness) {
@@ -60,7 +53,7 @@ std::optional<Vessel> find_vessel(const SurfacePoints& points, const ConvexBound
   vessel.inner.assign(points.size(), 0);
   std::size_t inner = 0;
   std::vector<float> walls;
-  const CellList cells(as_matrix(points.positions), bounds.max_thickness);
+  const CellList cells(as_rows(points.positions), bounds.max_thickness);
   const PointIndices probes = evenly_spread(static_cast<Index>(points.size()), most_probes);
   for (const Index i : probes) {
     if (points.positions[i].z() < bounds.lowest) continue;
