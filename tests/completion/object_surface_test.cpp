@@ -212,17 +212,27 @@ TEST(ObjectSurface, HasNoVertexMoreThanAVoxelInsideSeenEmptySpace) {
   }
 }
 
+/// A point far behind the hidden half of a ball spans a cone in its convex hull. The image of the
+/// space that was seen empty before the ball cuts most of the cone off.
 TEST(ObjectSurface, EndsWhereAnImageOfItWasSeenEmpty) {
   const PointCloud whole = ball(0.04);
-  Known known{.observed = front_half(whole), .field = half_seen(whole, 0.04)};
-  // Of the hidden half no image point is left, only the space that the plane's image empties.
-  const std::vector<ObjectPlane> planes{across_x};
+  PointCloud spike;
+  spike.positions.resize(1, 3);
+  spike.positions << -0.12F, 0.0F, 0.04F;
+  spike.normals.resize(1, 3);
+  spike.normals << -1.0F, 0.0F, 0.0F;
+  const PointCloud observed = testing::joined(front_half(whole), spike);
   const PointCloud nothing;
-  const ObjectSurface without =
-      object_surface({known.observed, nothing, {}, {}}, {known.field, known.table});
-  const ObjectSurface with =
-      object_surface({known.observed, nothing, {}, planes}, {known.field, known.table});
-  EXPECT_LE(solid_properties(with.mesh).volume, solid_properties(without.mesh).volume + 1e-9);
+  const DistanceField field = half_seen(testing::joined(whole, spike), 0.04);
+  const std::optional<Plane> no_table;
+  const auto farthest_back = [&](const std::vector<ObjectPlane>& planes) {
+    const ObjectSurface surface =
+        object_surface({observed, nothing, {}, planes}, {field, no_table});
+    expect_watertight(surface.mesh);
+    return surface.mesh.vertices.col(0).minCoeff();
+  };
+  EXPECT_LT(farthest_back({}), -0.1F);
+  EXPECT_GT(farthest_back({across_x}), -0.06F);  // the radius, the tolerance and two voxels
 }
 
 TEST(ObjectSurface, TellsObservedFromInferredTriangles) {
