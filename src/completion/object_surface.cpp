@@ -8,6 +8,7 @@
 #include "object_lattice.hpp"
 #include "perpendicular_planes.hpp"
 #include "seen_empty_space.hpp"
+#include "slivers.hpp"
 #include "symscene/core/oriented_box.hpp"
 #include "thin_walls.hpp"
 #include "zero_surface.hpp"
@@ -76,8 +77,11 @@ std::vector<float> object_field(const ObjectLattice& lattice, const SurfacePoint
                                nearest.squared_distance[node] <= lattice.reach * lattice.reach;
     field[node] = std::max(field[node], empty.depth(grid.position(x, y, z), near_observed));
   });
-  if (const auto vessel = find_vessel(points, lattice.bound, walls))
+  if (const auto vessel = find_vessel(points, lattice.bound, walls)) {
     hollow_out(grid, *vessel, nearest, {surface, lattice.in_bound}, field);
+  } else {
+    remove_slivers(grid, nearest, lattice.reach, field);
+  }
   return field;
 }
 

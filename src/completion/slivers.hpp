@@ -1,0 +1,13 @@
+#pragma once
+
+#include "point_field.hpp"
+
+namespace symscene {
+
+/// Turns inside nodes to the outside that are farther than `reach` from all points and lie in
+/// layers of one node or columns of a few: what narrow gaps between seen empty space leave of the
+/// hidden side.
+void remove_slivers(const NodeGrid& grid, const NearestPoints& nearest, float reach,
+                    std::vector<float>& field);
+
+}  // namespace symscene
