@@ -132,6 +132,26 @@ TEST(ObjectSurface, OfAThinWallIsHollow) {
   EXPECT_NEAR(solid_properties(surface.mesh).volume / volume, 1.0, 0.25);
 }
 
+/// The lower half of the cavity and the floor are hidden; the walls above tell that it is a vessel.
+TEST(ObjectSurface, OfACupIsHollowWhereItsInsideIsHidden) {
+  const std::array<ProfilePoint, 6> profile{ProfilePoint{0.0, 0.0}, {0.04, 0.0},    {0.04, 0.1},
+                                            {0.036, 0.1},           {0.036, 0.006}, {0.0, 0.006}};
+  const TriangleMesh cup = make_revolution(profile, 96, 0.004);
+  const PointCloud whole = testing::as_cloud(cup);
+  PointIndices seen;
+  for (Index i = 0; i < whole.size(); ++i) {
+    const float radius = std::hypot(whole.positions(i, 0), whole.positions(i, 1));
+    const bool outer = radius > 0.038F && whole.positions(i, 2) > 0.005F;
+    if (outer || whole.positions(i, 2) > 0.05F) seen.push_back(i);
+  }
+  const ObjectSurface surface =
+      closed_where_nothing_is_seen({.observed = select(whole, seen), .table = Plane{}});
+  expect_watertight(surface.mesh);
+  const double volume = solid_properties(cup).volume, filled = std::numbers::pi * 1.6e-3 * 0.05;
+  EXPECT_LT(solid_properties(surface.mesh).volume, 1.5 * volume);
+  EXPECT_LT(solid_properties(surface.mesh).volume, 0.6 * (volume + filled));
+}
+
 /// Without a symmetry: top and front of a box on a table.
 TEST(ObjectSurface, WithoutASymmetryReachesDownToTheTable) {
   const PointCloud whole = testing::box({0.1, 0.14, 0.08});
