@@ -95,7 +95,8 @@ ScoredObjects scored_objects(const SceneProposals& proposals, const PipelineOpti
   for (auto& [chosen, found] : objects.symmetries) unsearched.emplace_back(chosen, &found);
   parallel_for_each(unsearched.size(), [&](std::size_t k) {
     *unsearched[k].second = symmetry_candidates(
-        proposals.observed(), searched_object(proposals.objects[unsearched[k].first]),
+        proposals.observed(),
+        searched_object(proposals, unsearched[k].first, options.object_symmetry),
         options.symmetry_search_options());
   });
   return objects;

@@ -120,7 +120,7 @@ CandidatesOfScene<Kind> candidates_of(const FitScene& given, const FitArguments&
   scene.dataset = given.dataset;
   std::size_t count = 0;
   for (std::size_t k = 0; k < proposals.objects.size(); ++k) {
-    const SearchedObject object = searched_object(proposals.objects[k]);
+    const SearchedObject object = searched_object(proposals, k, options.object_symmetry);
     const bool is_chosen = std::find(chosen.begin(), chosen.end(), k) != chosen.end();
     if (!is_chosen && (object.score < min_object_score || count >= max_objects)) continue;
     ++count;

@@ -69,7 +69,9 @@ void choose_probable(const SceneProposals& proposals, const PipelineOptions& opt
   parallel_for_each(chosen.size(), [&](std::size_t k) {
     const ObjectProposal& proposal = proposals.objects[chosen[k]];
     result.objects[k] = probable_object(
-        proposal, symmetry_candidates(proposals.observed(), searched_object(proposal), search),
+        proposal,
+        symmetry_candidates(proposals.observed(),
+                            searched_object(proposals, chosen[k], options.object_symmetry), search),
         options.object_symmetry);
   });
 }

@@ -14,13 +14,13 @@ ReflectionalDetection detect_planes(const PlaneInput& input, const PipelineOptio
     planes = detect_reflectional(input.cloud, input.segments, input.field, input.up,
                                  options.reflectional_detection);
   if (!options.planes_of_curves) return planes;
-  ReflectionalDetection of_curves = detect_reflectional_by_curves(
+  const ReflectionalDetection of_curves = detect_reflectional_by_curves(
       input.cloud, scene_curves(input.cloud, options), input.field, options.curve_detection);
-  planes.candidates =
-      united_candidates(std::move(planes.candidates), std::move(of_curves.candidates), input.cloud,
-                        options.curve_detection);
+  const std::vector<ReflectionalCandidate> further = further_candidates(
+      of_curves.candidates, planes.candidates, input.cloud, options.curve_detection);
+  planes.candidates.insert(planes.candidates.end(), further.begin(), further.end());
   planes.funnel.insert(planes.funnel.end(), of_curves.funnel.begin(), of_curves.funnel.end());
-  planes.funnel.push_back({"reflectional: planes of both", planes.candidates.size()});
+  planes.funnel.push_back({"curves: planes that segments do not propose", further.size()});
   return planes;
 }
 

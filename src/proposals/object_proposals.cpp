@@ -140,10 +140,17 @@ std::vector<std::size_t> probable_proposals(const SceneProposals& proposals,
   return select_probable(candidates, options, rejected);
 }
 
-SearchedObject searched_object(const ObjectProposal& proposal) {
+SearchedObject searched_object(const SceneProposals& proposals, std::size_t k,
+                               const ObjectSymmetryOptions& options) {
+  const ObjectProposal& proposal = proposals.objects[k];
   SearchedObject object{proposal.merged.points, proposal.score};
   for (const ObjectAxis& own : proposal.merged.axes) object.axes.push_back(own.axis);
   for (const ObjectPlane& own : proposal.merged.planes) object.planes.push_back(own.plane);
+  for (const ReflectionalCandidate& detected : proposals.planes) {
+    const auto inside = static_cast<double>(intersection_size(detected.support, object.points));
+    if (inside >= options.min_support_share * static_cast<double>(detected.support.size()))
+      object.planes.push_back(detected.plane);
+  }
   return object;
 }
 

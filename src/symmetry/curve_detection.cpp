@@ -151,12 +151,10 @@ ReflectionalDetection detect_reflectional_by_curves(const PointCloud& cloud,
   return detection;
 }
 
-std::vector<ReflectionalCandidate> united_candidates(std::vector<ReflectionalCandidate> candidates,
-                                                     std::vector<ReflectionalCandidate> others,
-                                                     const PointCloud& cloud,
-                                                     const CurveDetectionOptions& options) {
-  std::move(others.begin(), others.end(), std::back_inserter(candidates));
-  return distinct_candidates(std::move(candidates), cloud, equal_planes(options));
+std::vector<ReflectionalCandidate> further_candidates(
+    std::vector<ReflectionalCandidate> of_curves, const std::vector<ReflectionalCandidate>& known,
+    const PointCloud& cloud, const CurveDetectionOptions& options) {
+  return without_known(std::move(of_curves), known, cloud, equal_planes(options));
 }
 
 }  // namespace symscene

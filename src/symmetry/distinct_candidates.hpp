@@ -16,4 +16,9 @@ std::vector<ReflectionalCandidate> distinct_candidates(
     std::vector<ReflectionalCandidate> candidates, const PointCloud& cloud,
     const EqualPlanes& equal);
 
+/// Those of `others` whose plane repeats none of `known`, in their order.
+std::vector<ReflectionalCandidate> without_known(std::vector<ReflectionalCandidate> others,
+                                                 const std::vector<ReflectionalCandidate>& known,
+                                                 const PointCloud& cloud, const EqualPlanes& equal);
+
 }  // namespace symscene

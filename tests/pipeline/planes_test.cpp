@@ -1,6 +1,7 @@
 // What proposes reflection planes: smooth segments, edge curves, or both.
 #include <gtest/gtest.h>
 
+#include "proposals/object_proposals.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 #include "symscene/simulation/simulation.hpp"
@@ -48,6 +49,16 @@ TEST(DetectPlanes, OfBothBeginWithThoseOfSurfaces) {
   ASSERT_GE(both.size(), surfaces.size());
   for (std::size_t k = 0; k < surfaces.size(); ++k)
     EXPECT_EQ(both[k].plane.normal, surfaces[k].plane.normal);
+}
+
+TEST(SearchedObject, HasThePlanesWhoseSupportItHolds) {
+  SceneProposals proposals;
+  proposals.objects.resize(1);
+  proposals.objects[0].merged.points = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  proposals.planes.push_back({{}, {}, {1, 2, 3, 4, 20}});   // four of five points
+  proposals.planes.push_back({{}, {}, {1, 2, 3, 20, 21}});  // three of five
+  const ObjectSymmetryOptions options;
+  EXPECT_EQ(searched_object(proposals, 0, options).planes.size(), 1U);
 }
 
 TEST(DetectPlanes, OfCurvesMakeObjectsThatAreTheSameForAnyNumberOfThreads) {

@@ -23,8 +23,10 @@ std::vector<std::size_t> probable_proposals(const SceneProposals& proposals,
                                             const SelectionOptions& options,
                                             std::vector<Rejection>& rejected);
 
-/// A proposal as the object whose symmetries are searched.
-SearchedObject searched_object(const ObjectProposal& proposal);
+/// Proposal `k` as the object whose symmetries are searched, with the planes that the scene proposes
+/// for its points.
+SearchedObject searched_object(const SceneProposals& proposals, std::size_t k,
+                               const ObjectSymmetryOptions& options);
 
 /// The object that a proposal becomes, with those of its symmetry candidates that are probable.
 SceneObject probable_object(const ObjectProposal& proposal, const SymmetryCandidates& candidates,

@@ -33,7 +33,7 @@ struct SearchedObject {
   PointIndices points;                       ///< into the scene's cloud, ascending
   double score = 0.0;                        ///< probability of being one whole object
   std::vector<RotationAxis> axes = {};       ///< under which it was segmented
-  std::vector<ReflectionPlane> planes = {};  ///< under which it was segmented
+  std::vector<ReflectionPlane> planes = {};  ///< the same, and proposed for its points
 };
 
 struct SymmetryCandidates {

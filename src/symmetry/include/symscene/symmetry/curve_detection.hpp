@@ -7,20 +7,20 @@ namespace symscene {
 
 /// When two points of curves reflect onto each other, and two curves (section 3.4.2).
 struct CurveMatchingOptions {
-  double max_angle = radians(7.0);
+  double max_angle = radians(10.0);
   double min_distance = 0.02;
   double max_distance = 0.4;
   double angle_bandwidth = radians(5.0);
   double offset_bandwidth = 0.008;
   int max_samples = 400;
   int min_correspondences = 4;
-  double min_inlier_ratio = 0.3;
+  double min_inlier_ratio = 0.2;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(
-        "max_angle", self.max_angle, "rad", between(0.0, std::numbers::pi / 2.0),
-        "greatest angle between a tangent and the other's reflected one, M_S (Eq. 3.3, table 4.1)");
+    visit("max_angle", self.max_angle, "rad", between(0.0, std::numbers::pi / 2.0),
+          "greatest angle between a tangent and the other's reflected one, M_S (Eq. 3.3; table "
+          "4.1: 7°)");
     visit("min_distance", self.min_distance, "m", above(0.0),
           "least distance between two points that reflect onto each other");
     visit("max_distance", self.max_distance, "m", above(0.0),
@@ -37,7 +37,7 @@ struct CurveMatchingOptions {
           "least number of one-to-one correspondences of a pair of curves");
     visit("min_inlier_ratio", self.min_inlier_ratio, "", between(0.0, 0.5),
           "least number of one-to-one correspondences divided by the number of points of both "
-          "curves, n_inlier (section 3.4.2, table 4.1)");
+          "curves, n_inlier (section 3.4.2; table 4.1: 0.3)");
   }
   /// Throws InputError if a field is out of its range or max_distance is not above min_distance.
   void validate() const;
@@ -94,10 +94,9 @@ ReflectionalDetection detect_reflectional_by_curves(const PointCloud& cloud,
                                                     const DistanceField& field,
                                                     const CurveDetectionOptions& options = {});
 
-/// The planes of `candidates`, then those of `others` that none of them repeats.
-std::vector<ReflectionalCandidate> united_candidates(std::vector<ReflectionalCandidate> candidates,
-                                                     std::vector<ReflectionalCandidate> others,
-                                                     const PointCloud& cloud,
-                                                     const CurveDetectionOptions& options = {});
+/// The candidates of curves whose planes repeat none of `known`.
+std::vector<ReflectionalCandidate> further_candidates(
+    std::vector<ReflectionalCandidate> of_curves, const std::vector<ReflectionalCandidate>& known,
+    const PointCloud& cloud, const CurveDetectionOptions& options = {});
 
 }  // namespace symscene

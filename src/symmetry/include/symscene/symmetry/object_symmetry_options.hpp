@@ -113,6 +113,7 @@ struct ObjectSymmetryOptions {
   double min_plane_symmetry = 0.5;
   double min_plane_inlier = 0.05;
   double max_plane_occlusion = 0.15;
+  double min_support_share = 0.8;
   double min_plane_matched = 0.05;
   double max_plane_contradicted = 0.3;
   double min_plane_probability = 0.4;
@@ -140,6 +141,9 @@ struct ObjectSymmetryOptions {
           "lower bound of the inlier score of a plane candidate (Eq. 3.10)");
     visit("max_plane_occlusion", self.max_plane_occlusion, "", between(0.0, 1.0),
           "upper bound of the mean occlusion residual of a plane candidate (Eq. 4.7)");
+    visit("min_support_share", self.min_support_share, "", between(0.0, 1.0),
+          "a plane that the scene proposes is a candidate for an object that holds at least this "
+          "share of its support");
     visit("min_plane_matched", self.min_plane_matched, "", between(0.0, 1.0),
           "lower bound of the share of images on the surface of a plane candidate");
     visit(
