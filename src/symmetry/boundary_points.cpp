@@ -120,7 +120,7 @@ BoundaryNodes boundary_nodes(const PointCloud& cloud, const PointIndices& bounda
   for (int round = 0; round < contractions; ++round)
     line = contracted(line, static_cast<float>(options.radius));
   const auto spacing = static_cast<float>(options.spacing);
-  const CellList cells(line, spacing);
+  const CellList cells(line, static_cast<float>(options.radius));
   std::vector<bool> covered(boundary.size(), false);
   BoundaryNodes nodes;
   for (Index i = 0; i < boundary.size(); ++i) {

@@ -89,11 +89,6 @@ double point_count(const EdgeCurve& a, const EdgeCurve& b) {
   return static_cast<double>(&a == &b ? a.points.size() : a.points.size() + b.points.size());
 }
 
-/// The greatest angle between two lines that deviate by `spread` in all from lines at `angle`.
-bool lines_may_agree(double angle, double other, double spread) {
-  return std::abs(angle - other) <= spread;
-}
-
 }  // namespace
 
 void CurveMatchingOptions::validate() const {
@@ -122,7 +117,7 @@ bool may_match(const BoundedCurve& a, const BoundedCurve& b, const CurveMatching
   if (distance <= reach) return true;
   const double spread =
       options.max_angle + a.tangent_spread + b.tangent_spread + 2.0 * std::asin(reach / distance);
-  return lines_may_agree(line_angle(a.tangent, between), line_angle(b.tangent, between), spread);
+  return std::abs(line_angle(a.tangent, between) - line_angle(b.tangent, between)) <= spread;
 }
 
 std::optional<CurveMatch> match_curves(const EdgeCurve& a, const EdgeCurve& b,

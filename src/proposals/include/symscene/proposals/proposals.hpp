@@ -37,12 +37,12 @@ struct SceneProposals {
   PointCloud cloud;            ///< the cloud that all indices refer to
   std::optional<Plane> table;  ///< of the scene, where it is known
   DistanceField field;
-  std::vector<RotationalCandidate> axes;              ///< detections of the rotational stream
-  std::vector<ReflectionalCandidate> planes;          ///< detections of the reflectional stream
-  std::vector<Hypothesis> rotational;                 ///< of the rotational stream
-  std::vector<Hypothesis> reflectional;  ///< of the reflectional stream, with their support
-  std::vector<Rejection> rejected;       ///< hypotheses that lost their support
-  std::vector<ObjectProposal> objects;   ///< by falling score
+  std::vector<RotationalCandidate> axes;      ///< detections of the rotational stream
+  std::vector<ReflectionalCandidate> planes;  ///< detections of the reflectional stream
+  std::vector<Hypothesis> rotational;         ///< of the rotational stream
+  std::vector<Hypothesis> reflectional;       ///< of the reflectional stream, with their support
+  std::vector<Rejection> rejected;            ///< hypotheses that lost their support
+  std::vector<ObjectProposal> objects;        ///< by falling score
   std::vector<FunnelStep> funnel;
   std::vector<StageTime> timings;
   std::vector<std::string> warnings;  ///< the scene's and those of the pipeline, one sentence each
