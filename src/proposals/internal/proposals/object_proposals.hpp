@@ -23,8 +23,8 @@ std::vector<std::size_t> probable_proposals(const SceneProposals& proposals,
                                             const SelectionOptions& options,
                                             std::vector<Rejection>& rejected);
 
-/// Proposal `k` as the object whose symmetries are searched, with the planes that the scene proposes
-/// for its points.
+/// Proposal `k` as the object whose symmetries are searched, with the planes that the scene
+/// proposes for its points.
 SearchedObject searched_object(const SceneProposals& proposals, std::size_t k,
                                const ObjectSymmetryOptions& options);
 
