@@ -13,7 +13,7 @@ namespace {
 /// A pair of points within the bounds, and the plane that reflects one to the other.
 struct PointPair {
   CurveCorrespondence points;
-  PlaneSample plane;
+  MirrorSample plane;
 };
 
 Eigen::Vector3d reflected(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal) {
@@ -62,7 +62,7 @@ std::vector<PointPair> point_pairs(const EdgeCurve& a, const EdgeCurve& b,
 
 /// The pairs whose plane is `mode`, nearest first, each point in at most one.
 std::vector<CurveCorrespondence> one_to_one_pairs(const std::vector<PointPair>& pairs,
-                                                  const PlaneSample& mode,
+                                                  const MirrorSample& mode,
                                                   const PlaneKernel& kernel, const EdgeCurve& a,
                                                   const EdgeCurve& b) {
   std::vector<std::tuple<double, std::size_t>> near;
@@ -125,10 +125,10 @@ std::optional<CurveMatch> match_curves(const EdgeCurve& a, const EdgeCurve& b,
   const Eigen::Vector3d centre = common_centroid(a, b);
   const std::vector<PointPair> pairs = point_pairs(a, b, centre, options);
   if (pairs.size() < static_cast<std::size_t>(options.min_correspondences)) return std::nullopt;
-  std::vector<PlaneSample> samples;
+  std::vector<MirrorSample> samples;
   for (const PointPair& pair : pairs) samples.push_back(pair.plane);
   const PlaneKernel kernel{options.angle_bandwidth, options.offset_bandwidth};
-  const std::optional<PlaneSample> mode = dominant_plane(samples, kernel, options.max_samples);
+  const std::optional<MirrorSample> mode = dominant_plane(samples, kernel, options.max_samples);
   if (!mode) return std::nullopt;
   CurveMatch match;
   match.plane = {centre + mode->offset * mode->normal, mode->normal};

@@ -9,7 +9,7 @@ namespace symscene {
 
 /// A plane about a reference point: its unit normal and signed distance from that point [m].
 /// (n, d) and (−n, −d) are one plane.
-struct PlaneSample {
+struct MirrorSample {
   Eigen::Vector3d normal;
   double offset;
 };
@@ -22,12 +22,12 @@ struct PlaneKernel {
   double offset;  ///< [m]
 
   /// In units of the bandwidths; 1 is the kernel's edge.
-  double squared_distance(const PlaneSample& a, const PlaneSample& b) const;
+  double squared_distance(const MirrorSample& a, const MirrorSample& b) const;
 };
 
 /// The dominant mode of the density of samples by mean shift with a flat kernel (section 3.4.2),
 /// from the densest of `max_starts` samples, evenly spread; none without samples.
-std::optional<PlaneSample> dominant_plane(const std::vector<PlaneSample>& samples,
-                                          const PlaneKernel& kernel, int max_starts);
+std::optional<MirrorSample> dominant_plane(const std::vector<MirrorSample>& samples,
+                                           const PlaneKernel& kernel, int max_starts);
 
 }  // namespace symscene

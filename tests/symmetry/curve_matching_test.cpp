@@ -126,7 +126,7 @@ TEST(MayMatch, NeverRefusesAPairThatMatches) {
 TEST(DominantPlane, IsTheModeOfTheSamplesAndNotTheirMean) {
   std::mt19937 generator(2);
   std::normal_distribution<double> noise(0.0, 1.0);
-  std::vector<PlaneSample> samples;
+  std::vector<MirrorSample> samples;
   for (int k = 0; k < 60; ++k) {
     const Eigen::Vector3d normal =
         Eigen::Vector3d(1.0, 0.02 * noise(generator), 0.02 * noise(generator)).normalized();
@@ -138,7 +138,7 @@ TEST(DominantPlane, IsTheModeOfTheSamplesAndNotTheirMean) {
     const Eigen::Vector3d any(noise(generator), noise(generator), noise(generator));
     samples.push_back({any.normalized(), 0.1 * noise(generator)});
   }
-  const std::optional<PlaneSample> mode = dominant_plane(samples, {radians(4.0), 0.006}, 400);
+  const std::optional<MirrorSample> mode = dominant_plane(samples, {radians(4.0), 0.006}, 400);
   ASSERT_TRUE(mode);
   EXPECT_LT(line_angle(mode->normal, Eigen::Vector3d::UnitX()), radians(1.0));
   EXPECT_NEAR(mode->offset, 0.0, 0.001);
@@ -148,9 +148,9 @@ TEST(DominantPlane, HasNoHoleAtTheReferencePoint) {
   // n / d is infinite for these planes and of opposite signs beside them.
   const PlaneKernel kernel{radians(4.0), 0.006};
   for (const double offset : {-0.001, 0.0, 0.001, 0.1}) {
-    const std::vector<PlaneSample> samples{{Eigen::Vector3d::UnitZ(), offset + 0.0005},
-                                           {-Eigen::Vector3d::UnitZ(), -offset + 0.0005}};
-    const std::optional<PlaneSample> mode = dominant_plane(samples, kernel, 10);
+    const std::vector<MirrorSample> samples{{Eigen::Vector3d::UnitZ(), offset + 0.0005},
+                                            {-Eigen::Vector3d::UnitZ(), -offset + 0.0005}};
+    const std::optional<MirrorSample> mode = dominant_plane(samples, kernel, 10);
     ASSERT_TRUE(mode);
     const double sign = mode->normal.z() > 0.0 ? 1.0 : -1.0;
     EXPECT_NEAR(sign * mode->offset, offset, 1e-9);
