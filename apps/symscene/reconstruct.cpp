@@ -211,8 +211,8 @@ struct Reconstruct {
   }
 
   void choose_sensor(const DepthSequence& sequence, Session& session) {
-    sensor_arguments.tracks = sequence.size() > 1;
-    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames),
+    const bool tracked = sequence.size() > 1;
+    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames), tracked,
                                      sequence.camera(), options.sensor, session);
     double& tracking_noise = options.reconstruction.measurement.noise;
     tracking_noise = sensor.tracking_noise.value_or(tracking_noise);

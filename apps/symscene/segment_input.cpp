@@ -74,7 +74,8 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
   }
   DepthFrame frame = timer.time("read", [&] { return sequence->read(0); });
   const SensorChoice chosen = timer.time("estimate sensor", [&] {
-    return sensor.choose({&frame, 1}, sequence->camera(), options.sensor, session);
+    constexpr bool tracked = false;
+    return sensor.choose({&frame, 1}, tracked, sequence->camera(), options.sensor, session);
   });
   frame = chosen.prepared(std::move(frame), sequence->camera());
   ViewSceneOptions view_options = options.view;

@@ -77,7 +77,7 @@ void SensorArguments::add_to(Arguments& arguments) {
       "what the frames show and keeps the noise of the options");
 }
 
-SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames,
+SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames, bool tracked,
                                      const CameraIntrinsics& camera,
                                      const SensorEstimationOptions& options,
                                      Session& session) const {
@@ -91,7 +91,7 @@ SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames,
   choice.tracking_noise = choice.noise;
   const bool is_noisy_stereo =
       estimate.sensor == Sensor::stereo && estimate.deviation_at_1m > structured_light_noise;
-  if (tracks && !is_named && is_noisy_stereo)
+  if (tracked && !is_named && is_noisy_stereo)
     choice.tracking_noise = depth_noise(Sensor::stereo, camera, depth, options);
   choice.json = json_of(estimate, choice, is_named);
   session.print_line(fmt::format("sensor {}: {}; used: {}",

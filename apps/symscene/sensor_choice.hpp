@@ -32,11 +32,11 @@ struct SensorArguments {
 
   void add_to(Arguments& arguments);
 
-  bool tracks = false;  ///< frames are tracked
-
-  /// Looks at the frames, says what it finds, and warns if no sensor explains it.
-  SensorChoice choose(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
-                      const SensorEstimationOptions& options, Session& session) const;
+  /// Looks at frames, which are to be tracked or not, says what it finds, and warns if no sensor
+  /// explains it.
+  SensorChoice choose(std::span<const DepthFrame> frames, bool tracked,
+                      const CameraIntrinsics& camera, const SensorEstimationOptions& options,
+                      Session& session) const;
 };
 
 }  // namespace symscene::app

@@ -151,7 +151,8 @@ struct Stitch {
   }
 
   void choose_sensor(const DepthSequence& sequence, ReadFrames& read, Session& session) {
-    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames),
+    constexpr bool tracked = false;
+    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames), tracked,
                                      sequence.camera(), options.sensor, session);
     double& noise = options.stitching.measurement.noise;
     noise = sensor.noise.value_or(noise);

@@ -1,11 +1,11 @@
 #include "reconstruction/measurement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/parallel.hpp"
 #include "depth_level.hpp"
+#include "edge_surface.hpp"
 #include "planar_normals.hpp"
 #include "surface_normals.hpp"
 #include "symscene/core/error.hpp"
@@ -15,64 +15,6 @@ namespace {
 
 constexpr std::size_t max_levels = 3;
 constexpr Index min_side = 8;  // of a level [px]
-
-/// Gives depths beside depth edges and on the edges of boxes a surface: there normals are missing,
-/// as they need pixels on both sides.
-class EdgeSurface {
- public:
-  EdgeSurface(const SurfaceImage& surface, const MeasurementOptions& options)
-      : surface_(surface),
-        ray_x_(surface.camera.column_rays()),
-        ray_y_(surface.camera.row_rays()),
-        noise_(static_cast<float>(options.noise)),
-        max_deviation_(static_cast<float>(options.max_edge_deviation)) {}
-
-  /// The surface of the pixel around (column, row) on whose tangent plane a depth lies best, at
-  /// this depth; none if it lies on none of them within its noise, as between two surfaces, or if
-  /// its noise hides the shape of an edge.
-  SurfacePixel at(float z, const Eigen::Vector3f& ray, std::size_t column, std::size_t row) const {
-    const float deviation = noise_ * z * z;
-    SurfacePixel best;
-    if (deviation > max_deviation_) return best;
-    float least = deviations * deviation;
-    for (const auto& [right, down] : around) {
-      const std::size_t u = column + static_cast<std::size_t>(right);  // wraps below 0
-      const std::size_t v = row + static_cast<std::size_t>(down);
-      if (u >= surface_.camera.width || v >= surface_.camera.height) continue;
-      const SurfacePixel& pixel = surface_.pixels[v * surface_.camera.width + u];
-      if (!pixel.shows_surface()) continue;
-      const Eigen::Vector3f normal(pixel.nx, pixel.ny, pixel.nz);
-      const Eigen::Vector3f point = pixel.depth * Eigen::Vector3f(ray_x_[u], ray_y_[v], 1.0F);
-      const float residual = std::abs(normal.dot(point) / normal.dot(ray) - z);
-      if (!(residual < least)) continue;
-      least = residual;
-      best = pixel;
-    }
-    best.depth = z;
-    return best;
-  }
-
- private:
-  static constexpr float deviations = 2.0F;  ///< up to which a depth lies on a plane
-  /// To the nearest pixels and those as far away as normals reach. [px]
-  static constexpr std::array<std::array<int, 2>, 12> around = {{{0, -1},
-                                                                 {-1, 0},
-                                                                 {1, 0},
-                                                                 {0, 1},
-                                                                 {0, -2},
-                                                                 {-2, 0},
-                                                                 {2, 0},
-                                                                 {0, 2},
-                                                                 {-2, -2},
-                                                                 {2, -2},
-                                                                 {-2, 2},
-                                                                 {2, 2}}};
-
-  const SurfaceImage& surface_;
-  std::vector<float> ray_x_, ray_y_;
-  float noise_;          ///< [1/m]
-  float max_deviation_;  ///< [m]
-};
 
 /// Packs the rows of Measurement::packed.
 class RowPacker {
