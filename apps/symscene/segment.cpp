@@ -150,9 +150,10 @@ void add_segment(CommandLine& line) {
                    "also write the label image of a depth image, and an overlay");
   arguments.count("--repeat", state->repeat,
                   "run N more times and report the median time of each stage");
-  arguments.choice("--reflectional", state->reflectional, {"curve", "surface", "both"},
-                   "what proposes reflection planes: pairs of edge curves, smooth segments "
-                   "(default), or both");
+  arguments.choice(
+      "--reflectional", state->reflectional, {"curve", "surface", "both"},
+      "what proposes reflection planes: pairs of edge curves, smooth segments, or both "
+      "(default)");
   arguments.sequence_options(state->source.sequence);
   state->source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
   state->source.sensor.add_to(arguments);

@@ -212,6 +212,8 @@ void evaluate_variant(const Job& job, const char* method, const PipelineOptions&
 void evaluate_reflectional_variants(const Job& job, SceneEvaluation& evaluation) {
   PipelineOptions pipeline = job.options.pipeline;
   pipeline.rotational_stream = false;
+  pipeline.planes_of_surfaces = true;
+  pipeline.planes_of_curves = false;
   evaluate_variant(job, reflectional_method, pipeline, 2, evaluation);
   pipeline.planes_of_surfaces = false;
   pipeline.planes_of_curves = true;

@@ -233,7 +233,7 @@ TEST_F(Command, FlagsOverrideTheConfigurationFile) {
 TEST_F(Command, ChoosesWhatProposesReflectionPlanes) {
   write(file("curves.json"), R"({"planes_of_surfaces": false, "planes_of_curves": true})");
   const std::vector<std::tuple<std::string, bool, bool>> expected{
-      {"", true, false},
+      {"", true, true},
       {"--config curves.json", false, true},
       {"--reflectional curve", false, true},
       {"--reflectional surface --config curves.json", true, false},

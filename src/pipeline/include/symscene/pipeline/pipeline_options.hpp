@@ -28,7 +28,7 @@ struct PipelineOptions {
   double min_removal_confidence = 0.6;
   bool rotational_stream = true;
   bool planes_of_surfaces = true;
-  bool planes_of_curves = false;
+  bool planes_of_curves = true;
   NormalEstimationOptions normals;
   OutwardVoteOptions outward_vote;
   DistanceFieldOptions distance_field;

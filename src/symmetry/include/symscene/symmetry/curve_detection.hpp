@@ -53,7 +53,7 @@ struct CurveDetectionOptions {
   double same_angle = radians(7.0);
   double same_distance = 0.01;
   double max_support_distance = 0.3;
-  int max_candidates = 300;
+  int max_candidates = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -76,7 +76,8 @@ struct CurveDetectionOptions {
     visit("max_support_distance", self.max_support_distance, "m", at_least(0.0),
           "equal planes of curves whose centroids are farther apart are two: objects in a row");
     visit("max_candidates", self.max_candidates, "", at_least(1.0),
-          "greatest number of planes, those of the highest inlier ratio");
+          "greatest number of planes, those of the highest inlier ratio; a room has more, and each "
+          "costs a graph cut");
   }
   /// Throws InputError if a field is out of its range or a score range is empty.
   void validate() const;
