@@ -33,12 +33,22 @@ class Propagation {
               NearestPoints& nearest)
       : grid_(grid), points_(points), exact_(exact), nearest_(nearest) {}
 
+  /// Repeats sweeps until nothing changes: a path of active nodes may turn many times.
   void run() {
-    for (int z = 0; z < grid_.size.z(); ++z) sweep_slice(z, -1);
-    for (int z = grid_.size.z() - 1; z >= 0; --z) sweep_slice(z, 1);
+    for (int round = 0; round < grid_.size.sum(); ++round) {
+      if (!sweep()) return;
+    }
   }
 
  private:
+  /// Up, then down; whether a node changed.
+  bool sweep() {
+    has_changed_ = false;
+    for (int z = 0; z < grid_.size.z(); ++z) sweep_slice(z, -1);
+    for (int z = grid_.size.z() - 1; z >= 0; --z) sweep_slice(z, 1);
+    return has_changed_;
+  }
+
   /// Takes over the candidates of the neighbours on one side, in the order in which they are known.
   void sweep_slice(int z, int side) {
     const Eigen::Vector3i& size = grid_.size;
@@ -66,6 +76,7 @@ class Propagation {
       if (squared >= nearest_.squared_distance[node]) continue;
       nearest_.squared_distance[node] = squared;
       nearest_.point[node] = candidate;
+      has_changed_ = true;
     }
   }
 
@@ -73,6 +84,7 @@ class Propagation {
   const SurfacePoints& points_;
   float exact_;
   NearestPoints& nearest_;
+  bool has_changed_ = false;
 };
 
 std::vector<NodeSums> sums_near(const NodeGrid& grid, const SurfacePoints& points,

@@ -6,7 +6,8 @@
 
 namespace symscene {
 
-/// For every active node the nearest point.
+/// For every active node the nearest point; `none` for inactive nodes and for those that no path of
+/// active nodes connects with a point.
 struct NearestPoints {
   static constexpr Index none = ~Index{0};
 
@@ -15,8 +16,8 @@ struct NearestPoints {
 };
 
 /// Exact within `reach` of the points; farther away the nearest of the candidates of neighbouring
-/// nodes (Danielsson 1980). Only nodes whose distance outside the object's convex bound is below
-/// `margin` are active.
+/// nodes (Danielsson 1980), in sweeps that repeat until nothing changes. Only nodes whose distance
+/// outside the object's convex bound is below `margin` are active.
 NearestPoints nearest_points(const NodeGrid& grid, const SurfacePoints& points, float reach,
                              const std::vector<float>& in_bound, float margin);
 

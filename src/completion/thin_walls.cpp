@@ -80,8 +80,10 @@ void hollow_out(const NodeGrid& grid, const Vessel& vessel, const NearestPoints&
   const float thickness = std::max(vessel.thickness, wall_in_cells * grid.spacing);
   std::vector<std::size_t> before_inner;
   for (std::size_t node = 0; node < field.size(); ++node) {
-    const bool is_before = distances.surface[node] > 0.0F && distances.bound[node] < 0.0F;
-    if (is_before && vessel.inner[nearest.point[node]] != 0) before_inner.push_back(node);
+    const Index point = nearest.point[node];
+    if (point == NearestPoints::none || vessel.inner[point] == 0) continue;
+    if (distances.surface[node] > 0.0F && distances.bound[node] < 0.0F)
+      before_inner.push_back(node);
   }
   const std::vector<std::uint8_t> cavity = cavity_nodes(
       grid, std::move(before_inner),
