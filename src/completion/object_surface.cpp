@@ -113,6 +113,7 @@ ObjectSurface object_surface(const CompletedObject& object, const SurroundingSpa
                              const ObjectSurfaceOptions& options,
                              const CompletionOptions& completion) {
   options.validate();
+  completion.validate();
   SurfacePoints points_world = surface_points(object.observed, object.added);
   if (points_world.size() == 0) return {};
   const Eigen::Matrix3d R_world_object = object_frame(points_world, space.table);

@@ -312,6 +312,10 @@ TEST(ObjectSurface, RefusesInvalidOptions) {
   const DistanceField field = nothing_seen(whole, std::nullopt);
   const std::optional<Plane> no_table;
   EXPECT_THROW(object_surface({whole, nothing, {}, {}}, {field, no_table}, options), InputError);
+  CompletionOptions completion;
+  completion.square_tolerance = 2.0;
+  EXPECT_THROW(object_surface({whole, nothing, {}, {}}, {field, no_table}, {}, completion),
+               InputError);
 }
 
 }  // namespace
