@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/vertex_normals.hpp"
-#include "enclosed_nodes.hpp"
 #include "object_frame.hpp"
 #include "object_lattice.hpp"
 #include "perpendicular_planes.hpp"
 #include "seen_empty_space.hpp"
+#include "sign_components.hpp"
 #include "slivers.hpp"
 #include "symscene/core/oriented_box.hpp"
 #include "thin_walls.hpp"
@@ -127,7 +127,8 @@ ObjectSurface object_surface(const CompletedObject& object, const SurroundingSpa
   std::vector<float> field =
       object_field(lattice, points, {space, seen_empty, R_world_object, options.image_tolerance},
                    {max_wall, static_cast<float>(options.min_cavity), lattice.base + max_wall});
-  keep_one_body(lattice.grid, options.min_piece, field);
+  remove_small_pieces(lattice.grid, options.min_piece, field);
+  fill_pockets(lattice.grid, field);
   ZeroSurface surface = zero_surface(lattice.grid, field);
   std::vector<std::uint8_t> observed =
       observed_triangles(surface, points, lattice.nearest, options.observed_reach);

@@ -55,8 +55,9 @@ struct SurroundingSpace {
 /// The closed surface of an object: zero of a signed field on a lattice. Near points, observed or
 /// images under the symmetries, the field is their signed distance; elsewhere the object ends at
 /// its visible hull, which is the convex hull of its points and their projections onto its base
-/// without what was seen empty and without the images of that under the symmetries. The object
-/// stands on the table or ends at its lowest points. No vertex lies more than a voxel of `space`
+/// without what was seen empty and without the images of that under the symmetries. Pockets that
+/// nothing connects with the outside are filled, also if they were seen empty. The object stands
+/// on the table or ends at its lowest points. No vertex lies more than a voxel of `space`
 /// inside space that was seen empty. Each edge has exactly two triangles. Without oriented points
 /// the surface is empty. `completion.square_tolerance` is that of complete_object(). Throws
 /// InputError on invalid options.

@@ -1,4 +1,4 @@
-#include "enclosed_nodes.hpp"
+#include "sign_components.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -52,29 +52,41 @@ class SignComponents {
   std::vector<std::size_t> firsts_, sizes_;
 };
 
+/// Reverses the sign at the nodes of the components that are to flip.
+template <class IsToFlip>
+void flip(const SignComponents& components, const IsToFlip& is_to_flip, std::vector<float>& field) {
+  std::vector<std::uint8_t> flips(components.count(), 0);
+  for (Index label = 0; label < components.count(); ++label)
+    flips[label] = is_to_flip(label) ? 1 : 0;
+  for (std::size_t node = 0; node < field.size(); ++node) {
+    if (flips[components.label(node)] == 0) continue;
+    const float distance = std::max(std::abs(field[node]), 1e-6F);
+    field[node] = field[node] < 0.0F ? distance : -distance;
+  }
+}
+
 }  // namespace
 
-void keep_one_body(const NodeGrid& grid, double min_share, std::vector<float>& field) {
+void remove_small_pieces(const NodeGrid& grid, double min_share, std::vector<float>& field) {
   const SignComponents components(grid, field);
   std::size_t largest = 0;
   for (Index label = 0; label < components.count(); ++label) {
     if (components.is_inside(label)) largest = std::max(largest, components.size(label));
   }
+  const double fewest = min_share * static_cast<double>(largest);
+  const auto is_small_piece = [&](Index label) {
+    return components.is_inside(label) && static_cast<double>(components.size(label)) < fewest;
+  };
+  flip(components, is_small_piece, field);
+}
+
+void fill_pockets(const NodeGrid& grid, std::vector<float>& field) {
+  const SignComponents components(grid, field);
   const Index outside = components.label(0);
-  std::vector<std::uint8_t> flips(components.count(), 0);
-  for (Index label = 0; label < components.count(); ++label) {
-    const bool is_small =
-        static_cast<double>(components.size(label)) < min_share * static_cast<double>(largest);
-    flips[label] = (components.is_inside(label) ? is_small : label != outside) ? 1 : 0;
-  }
-  std::vector<std::size_t> flipped;
-  for (std::size_t node = 0; node < field.size(); ++node) {
-    if (flips[components.label(node)] != 0) flipped.push_back(node);
-  }
-  for (const std::size_t node : flipped) {
-    const float distance = std::max(std::abs(field[node]), 1e-6F);
-    field[node] = field[node] < 0.0F ? distance : -distance;
-  }
+  const auto is_pocket = [&](Index label) {
+    return !components.is_inside(label) && label != outside;
+  };
+  flip(components, is_pocket, field);
 }
 
 }  // namespace symscene
