@@ -128,8 +128,8 @@ struct Stitch {
                                  stitched.frames.size(), plain));
   }
 
-  void report_poses(const DepthSequence& sequence, const PlacedFrames& placed,
-                    Session& session) const {
+  static void report_poses(const DepthSequence& sequence, const PlacedFrames& placed,
+                           Session& session) {
     const PosesAndTruth known = poses_and_truth(sequence, placed);
     if (known.truth.size() < 3) return;
     const TrajectoryError error = trajectory_error(known.poses, known.truth, 1);

@@ -21,8 +21,8 @@ struct HandOverOptions {
     visit("max_frames", self.max_frames, "", at_least(0.0),
           "longer sequences are only tracked, as stitching compares all pairs of frames");
     visit("max_doubtful", self.max_doubtful, "", between(0.0, 1.0),
-          "share of frames that show enough but are lost or degenerate from which on all are "
-          "stitched");
+          "the sequence is stitched if more than this share of its usable frames is lost or "
+          "degenerate");
     visit("max_rotation", self.max_rotation, "rad", at_least(0.0),
           "median rotation between consecutive frames above which they are placed by stitching");
     visit("min_placed", self.min_placed, "", at_least(0.0),

@@ -1,5 +1,5 @@
 #include <fcntl.h>
-#include <stdio.h>
+#include <cstdio>
 
 #include <cerrno>
 #include <fstream>
@@ -77,7 +77,7 @@ void swap_folders(const fs::path& staging, const fs::path& target) {
 
 }  // namespace
 
-AtomicDirectory::AtomicDirectory(fs::path target, DirectoryLayout layout)
+AtomicDirectory::AtomicDirectory(const fs::path& target, DirectoryLayout layout)
     : target_(resolved(target)), staging_(temporary_beside(target_)), layout_(std::move(layout)) {
   try {
     require_replaceable(target_, layout_);

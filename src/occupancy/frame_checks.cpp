@@ -5,7 +5,7 @@
 namespace symscene {
 namespace {
 
-constexpr float noise = 0.02F;  ///< points of the surface may be this far off it [m]
+constexpr float max_surface_offset = 0.02F;  ///< points of the surface may be this far off it [m]
 
 }  // namespace
 
@@ -20,9 +20,9 @@ std::vector<std::string> frame_warnings(const Points& points, const DistanceFiel
   Eigen::Index in_free_space = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Eigen::Vector3f p = points.row(i);
-    if (table && table->signed_distance(p.cast<double>()) < -double{noise}) {
+    if (table && table->signed_distance(p.cast<double>()) < -double{max_surface_offset}) {
       ++below;
-    } else if (field.at(p) > noise) {
+    } else if (field.at(p) > max_surface_offset) {
       ++in_free_space;
     }
   }

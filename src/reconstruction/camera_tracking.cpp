@@ -100,7 +100,7 @@ const char* to_string(TrackingStatus status) {
 }
 
 bool measures_enough(const Measurement& measurement, const TrackingOptions& options) {
-  const double pixels = static_cast<double>(measurement.pyramid.front().pixels.size());
+  const auto pixels = static_cast<double>(measurement.pyramid.front().pixels.size());
   return static_cast<double>(measurement.measured) >= options.min_measured * pixels;
 }
 

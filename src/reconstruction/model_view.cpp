@@ -68,8 +68,7 @@ class RayCaster {
                            const Eigen::Vector3i& voxel) {
     float step = 64.0F;
     for (int axis = 0; axis < 3; ++axis) {
-      const float wall =
-          static_cast<float>((voxel[axis] & ~7) + (inverse_ray[axis] > 0.0F ? 8 : 0));
+      const auto wall = static_cast<float>((voxel[axis] & ~7) + (inverse_ray[axis] > 0.0F ? 8 : 0));
       const float reached = (wall - p[axis]) * inverse_ray[axis];
       step = reached < step ? reached : step;  // NaN for a ray along the wall
     }

@@ -138,7 +138,7 @@ OccupancyView::OccupancyView(const DepthFrame& frame, const CameraIntrinsics& ca
 }
 
 OccupancyView::Bounds OccupancyView::depths(const Eigen::Vector3f& first,
-                                            const Offsets<8>& corners) const {
+                                            const Offsets<8>& corners) {
   Bounds z{infinite, -infinite};
   for (const float offset : corners.z) {
     z.low = std::min(z.low, first.z() + offset);

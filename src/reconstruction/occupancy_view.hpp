@@ -54,7 +54,7 @@ class OccupancyView {
   };
   /// Bounds of the depths and pixels of the centres of a cube's voxels. Pixels are shifted by half
   /// a pixel, so that truncation rounds.
-  Bounds depths(const Eigen::Vector3f& first, const Offsets<8>& corners) const;
+  static Bounds depths(const Eigen::Vector3f& first, const Offsets<8>& corners);
   ImageBounds project(const Eigen::Vector3f& first, const Offsets<8>& corners) const;
 
   Eigen::Isometry3d T_camera_world_;

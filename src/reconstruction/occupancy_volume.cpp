@@ -82,8 +82,9 @@ struct OccupancyVolume::Implementation {
   }
 
   /// The bricks that a frame looks into or hits, ascending.
-  std::vector<BrickKey> bricks_to_update(const OccupancyView& view, const OccupancyHits& hits,
-                                         const BrickRange& range) const {
+  static std::vector<BrickKey> bricks_to_update(const OccupancyView& view,
+                                                const OccupancyHits& hits,
+                                                const BrickRange& range) {
     std::vector<BrickKey> keys;
     for (int z = range.low.z(); z <= range.high.z(); ++z) {
       for (int y = range.low.y(); y <= range.high.y(); ++y) {

@@ -15,7 +15,7 @@ std::vector<Eigen::Vector3d> search_grid(int steps, double step) {
   std::vector<Eigen::Vector3d> grid;
   for (int a = -steps; a <= steps; ++a) {
     for (int b = -steps; b <= steps; ++b) {
-      for (int c = -steps; c <= steps; ++c) grid.push_back(step * Eigen::Vector3d(a, b, c));
+      for (int c = -steps; c <= steps; ++c) grid.emplace_back(step * Eigen::Vector3d(a, b, c));
     }
   }
   return grid;

@@ -86,7 +86,8 @@ class ReflectionalCutter {
   /// halves of an object.
   std::vector<WeightedEdge> edges_with_pairs(const std::vector<Correspondence>& matches) const {
     std::vector<std::pair<Index, Index>> pairs;
-    for (const Correspondence& match : matches) pairs.push_back(std::minmax(match.from, match.to));
+    for (const Correspondence& match : matches)
+      pairs.emplace_back(std::minmax(match.from, match.to));
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     std::vector<WeightedEdge> joined = scaled_edges_;

@@ -67,6 +67,12 @@ double tangent_agreement(const CurveMatch& match, double max_angle) {
   return sum / static_cast<double>(match.correspondences.size());
 }
 
+/// What becomes of a pair of curves.
+struct PairOutcome {
+  bool matched = false;                                       ///< enough points match
+  std::optional<ReflectionalCandidate> clear = std::nullopt;  ///< if clear of free space
+};
+
 /// Matches curves of one cloud.
 class CurveMatcher {
  public:
@@ -77,14 +83,15 @@ class CurveMatcher {
         field_(field),
         options_(options) {}
 
-  std::optional<ReflectionalCandidate> candidate(const EdgeCurve& a, const EdgeCurve& b) const {
+  PairOutcome match(const EdgeCurve& a, const EdgeCurve& b) const {
     const std::optional<CurveMatch> match = match_curves(a, b, options_.matching);
-    if (!match) return std::nullopt;
+    if (!match) return {};
     PointIndices support = surface_beside(cloud_, cells_, a, b, *match, options_.support_radius);
     const double occlusion = occlusion_of(cloud_, support, match->plane, field_, options_);
     const PlaneQuality quality{tangent_agreement(*match, options_.matching.max_angle),
                                match->inlier_ratio, occlusion};
-    return ReflectionalCandidate{match->plane, quality, std::move(support)};
+    if (occlusion > options_.max_occlusion_residual) return {true, std::nullopt};
+    return {true, ReflectionalCandidate{match->plane, quality, std::move(support)}};
   }
 
  private:
@@ -121,19 +128,17 @@ ReflectionalDetection detect_reflectional_by_curves(const PointCloud& cloud,
   if (curves.empty()) return {};
   const CurveMatcher matcher(cloud, field, options);
   const std::vector<CurvePair> pairs = pairs_to_match(curves, options.matching);
-  std::vector<std::optional<ReflectionalCandidate>> matches(pairs.size());
+  std::vector<PairOutcome> outcomes(pairs.size());
   parallel_for_blocks(pairs.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      matches[k] = matcher.candidate(curves[pairs[k].first], curves[pairs[k].second]);
+      outcomes[k] = matcher.match(curves[pairs[k].first], curves[pairs[k].second]);
     }
   });
   std::size_t matched = 0;
   std::vector<ReflectionalCandidate> clear;
-  for (std::optional<ReflectionalCandidate>& match : matches) {
-    if (!match) continue;
-    ++matched;
-    if (match->quality.occlusion_residual <= options.max_occlusion_residual)
-      clear.push_back(std::move(*match));
+  for (PairOutcome& outcome : outcomes) {
+    matched += outcome.matched ? 1 : 0;
+    if (outcome.clear) clear.push_back(std::move(*outcome.clear));
   }
   ReflectionalDetection detection;
   detection.funnel = {{"curves", curves.size()},

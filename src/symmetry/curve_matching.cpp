@@ -98,7 +98,7 @@ void CurveMatchingOptions::validate() const {
 }
 
 BoundedCurve::BoundedCurve(const EdgeCurve& bounded)
-    : curve(&bounded), centre(common_centroid(bounded, bounded)), radius(0.0), tangent_spread(0.0) {
+    : curve(&bounded), centre(common_centroid(bounded, bounded)) {
   tangent = bounded.points[bounded.points.size() / 2].tangent;
   for (const EdgeCurve::Point& point : bounded.points) {
     radius = std::max(radius, (point.position - centre).norm());
@@ -128,7 +128,7 @@ std::optional<CurveMatch> match_curves(const EdgeCurve& a, const EdgeCurve& b,
   std::vector<MirrorSample> samples;
   for (const PointPair& pair : pairs) samples.push_back(pair.plane);
   const PlaneKernel kernel{options.angle_bandwidth, options.offset_bandwidth};
-  const std::optional<MirrorSample> mode = dominant_plane(samples, kernel, options.max_samples);
+  const std::optional<MirrorSample> mode = dominant_plane(samples, kernel, options.max_starts);
   if (!mode) return std::nullopt;
   CurveMatch match;
   match.plane = {centre + mode->offset * mode->normal, mode->normal};

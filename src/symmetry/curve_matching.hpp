@@ -13,10 +13,10 @@ struct BoundedCurve {
   explicit BoundedCurve(const EdgeCurve& curve);
 
   const EdgeCurve* curve;
-  Eigen::Vector3d centre;   ///< of a ball that holds all points [m]
-  double radius;            ///< [m]
-  Eigen::Vector3d tangent;  ///< axis of a double cone that holds all tangents
-  double tangent_spread;    ///< its half angle [rad]
+  Eigen::Vector3d centre;       ///< of a ball that holds all points [m]
+  double radius = 0.0;          ///< [m]
+  Eigen::Vector3d tangent;      ///< axis of a double cone that holds all tangents
+  double tangent_spread = 0.0;  ///< its half angle [rad]
 };
 
 /// Whether two curves may have as many correspondences as the options ask for: false only if they

@@ -70,7 +70,7 @@ TablePrior prior_of(const Trajectory& cameras) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const StampedPose& camera : cameras) {
     sum -= camera.T_world_camera.linear().col(1);
-    prior.viewpoints.push_back(camera.T_world_camera.translation());
+    prior.viewpoints.emplace_back(camera.T_world_camera.translation());
   }
   if (!cameras.empty() && sum.norm() >= 0.5 * static_cast<double>(cameras.size()))
     prior.up = sum.normalized();

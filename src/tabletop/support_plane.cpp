@@ -15,7 +15,7 @@ constexpr int fit_refinements = 2;
 constexpr Index points_for_fit = 50000;
 
 PointIndices usable_points(const PointCloud& cloud) {
-  if (cloud.size() > 0 && !cloud.has_normals()) {
+  if (!cloud.empty() && !cloud.has_normals()) {
     throw InputError("point cloud", "points with normals", "none");
   }
   PointIndices usable;

@@ -176,15 +176,6 @@ TEST(Proposals, ScoreObjectsHighAndFragmentsAndUnionsLow) {
   EXPECT_GT(others, 0U);
 }
 
-TEST(Proposals, HaveOneFieldPerScore) {
-  for (const ObjectProposal& proposal : propose_objects(box_and_vase()).objects) {
-    EXPECT_GT(proposal.score, 0.0);
-    EXPECT_LT(proposal.score, 1.0);
-    EXPECT_GT(proposal.estimate, 0.0);
-    EXPECT_LT(proposal.estimate, 1.0);
-  }
-}
-
 TEST(Proposals, UseTheModelsThatAreGiven) {
   PipelineOptions options;
   const auto constant = [](const TreeModel& model) {

@@ -30,7 +30,7 @@ class AtomicDirectory {
  public:
   /// Begins to write `target`, whose parents are created if necessary.
   /// Throws InputError if `target` is a file, or a folder that is neither empty nor of this layout.
-  AtomicDirectory(std::filesystem::path target, DirectoryLayout layout);
+  AtomicDirectory(const std::filesystem::path& target, DirectoryLayout layout);
   ~AtomicDirectory();
   AtomicDirectory(const AtomicDirectory&) = delete;
   AtomicDirectory& operator=(const AtomicDirectory&) = delete;

@@ -30,9 +30,10 @@ struct LabelImageOptions {
     visit("spacings", self.spacings, "", above(0.0),
           "distance of a pixel from a point, in spacings of the cloud, up to which it shows it");
     visit("max_slope", self.max_slope, "", above(0.0),
-          "depth step between neighbouring pixels, in widths of a pixel, that is no edge");
+          "largest depth step between neighbouring pixels of one surface, in widths of a pixel");
     visit("max_growth", self.max_growth, "m", at_least(0.0),
-          "way along the surface over which a pixel without a point takes that of another pixel");
+          "greatest distance along the surface over which labels are propagated to pixels without "
+          "a point");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }

@@ -45,7 +45,7 @@ struct ObjectFeatureOptions {
         "two points are convex if neither lies farther in front of the other's tangent plane than "
         "this and convex_slope times their distance");
     visit("convex_slope", self.convex_slope, "", at_least(0.0),
-          "the part of that bound which grows with the distance of the points");
+          "slope of that bound over the distance between the points");
     visit("empty_distance", self.empty_distance, "m", at_least(0.0),
           "a place farther from occupied and unseen space counts as empty");
     visit("pair_points", self.pair_points, "points", between(2, 1000),

@@ -51,7 +51,7 @@ struct TrackingResult {
   double residual = 0.0;   ///< root mean square residual of the inliers [m]
   std::vector<std::string> unconstrained;  ///< motions of the camera that are free, if degenerate
   const char* reason = "";                 ///< why the camera is lost
-  bool searchable = true;  ///< the image shows enough for relocalisation to be worth its time
+  bool searchable = true;  ///< the image shows enough for relocalization to be worth its time
 };
 
 /// How a pose that is given with a frame is used.

@@ -25,9 +25,9 @@ struct TsdfOptions {
     visit("voxel_size", self.voxel_size, "m", between(0.0005, 0.1),
           "least edge of a voxel (section 2.1.1)");
     visit("voxel_sigmas", self.voxel_sigmas, "", between(0.0, 10.0),
-          "edge of a voxel, where that is more, in standard deviations of the depth that a tenth "
-          "of the first frame is nearer than; truncation distances and the margin of free space "
-          "grow with it. 0 for voxel_size at any distance");
+          "lower bound of the voxel's edge, in standard deviations of depth at the tenth "
+          "percentile of the first frame's depths; truncation distances and the margin of free "
+          "space grow with it. 0 for voxel_size at any distance");
     visit("truncation", self.truncation, "m", above_up_to(0.0, 1.0),
           "smallest truncation distance, at least two voxels");
     visit("max_truncation", self.max_truncation, "m", above_up_to(0.0, 1.0),
@@ -41,10 +41,10 @@ struct TsdfOptions {
           "depth behind the surface, as a share of the truncation distance, at which the weight "
           "has fallen to zero (Bylow et al. 2013)");
     visit("full_weight_sigmas", self.full_weight_sigmas, "", between(0.0, 100.0),
-          "the depth of full weight in standard deviations of a depth, where that is more: less "
-          "would leave out the near half of the noise and move far surfaces back");
+          "lower bound of that depth, in standard deviations of a depth; smaller values move far "
+          "surfaces back");
     visit("zero_weight_sigmas", self.zero_weight_sigmas, "", above_up_to(0.0, 100.0),
-          "the depth of zero weight in standard deviations of a depth, where that is more");
+          "lower bound of the depth of zero weight, in standard deviations of a depth");
     visit("max_weight", self.max_weight, "", between(1.0, 250.0),
           "largest weight of a voxel, in frontal views at 1 m");
     visit("max_color_weight", self.max_color_weight, "frames", between(1, 255),
@@ -73,8 +73,8 @@ struct SurfaceExtractionOptions {
           "from "
           "which the cell was seen");
     visit("full_frames", self.full_frames, "", at_least(1.0),
-          "number of frames that could have seen a cell from which it needs min_looks; of fewer it "
-          "needs a share");
+          "a cell that this many frames could have seen needs min_looks; with fewer frames the "
+          "bound shrinks in proportion");
     visit("min_triangles", self.min_triangles, "", at_least(1.0),
           "smaller connected pieces of the surface are dropped");
   }

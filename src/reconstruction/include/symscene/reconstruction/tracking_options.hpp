@@ -4,7 +4,7 @@
 
 namespace symscene {
 
-/// Camera tracking against the model and relocalisation of a lost camera.
+/// Camera tracking against the model and relocalization of a lost camera.
 struct TrackingOptions {
   int iterations_coarse = 8;
   int iterations_middle = 5;

@@ -62,11 +62,10 @@ struct PairOptions {
     visit("min_agreement", self.min_agreement, "", between(0.0, 1.0),
           "share of these points among those on the other's surface or in its free space");
     visit("sweep_spreads", self.sweep_spreads, "", between(0.0, 1e6),
-          "of a sweep: how much more pixels than usual among consecutive frames may contradict a "
-          "pose, in median deviations of their share");
-    visit(
-        "sweep_slack", self.sweep_slack, "", between(0.0, 1.0),
-        "slack on that share; poses that features give have tracking.max_disagreement in addition");
+          "for sweeps: greatest share of pixels that contradict a pose, in median absolute "
+          "deviations above the median of consecutive frames");
+    visit("sweep_slack", self.sweep_slack, "", between(0.0, 1.0),
+          "constant added to that bound; poses from features also get tracking.max_disagreement");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }

@@ -12,7 +12,7 @@ struct CurveMatchingOptions {
   double max_distance = 0.4;
   double angle_bandwidth = radians(5.0);
   double offset_bandwidth = 0.008;
-  int max_samples = 400;
+  int max_starts = 400;
   int min_correspondences = 4;
   double min_inlier_ratio = 0.2;
 
@@ -30,9 +30,9 @@ struct CurveMatchingOptions {
     visit("offset_bandwidth", self.offset_bandwidth, "m", above(0.0),
           "bandwidth of mean shift in the distance between planes at the centroid of both curves "
           "(section 3.4.2)");
-    visit("max_samples", self.max_samples, "", at_least(1.0),
-          "of more planes of a pair of curves, this many, evenly spread, are where mean shift may "
-          "start");
+    visit("max_starts", self.max_starts, "", at_least(1.0),
+          "greatest number of planes of a pair of curves that are tried as starts of mean shift, "
+          "evenly spread");
     visit("min_correspondences", self.min_correspondences, "", at_least(1.0),
           "least number of one-to-one correspondences of a pair of curves");
     visit("min_inlier_ratio", self.min_inlier_ratio, "", between(0.0, 0.5),

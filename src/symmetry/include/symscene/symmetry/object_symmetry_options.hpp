@@ -72,7 +72,7 @@ struct PlaneFeatureOptions {
     visit("max_image_angle", self.max_image_angle, "rad", between(0.0, std::numbers::pi),
           "greatest angle between the normals of an image and the surface that it matches");
     visit("disagree_distance", self.disagree_distance, "m", at_least(0.0),
-          "an image nearer to a point that matches none is off the surface");
+          "an unmatched image within this distance of an observed point counts as off the surface");
     visit("min_empty_distance", self.min_empty_distance, "m", at_least(0.0),
           "an image farther inside observed free space is in empty space");
     visit("max_exact_offset", self.max_exact_offset, "m", at_least(0.0),

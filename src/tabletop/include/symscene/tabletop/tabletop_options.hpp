@@ -57,7 +57,7 @@ struct SupportPlaneOptions {
           "edge of the cells that areas are counted in");
     visit("min_area", self.min_area, "m^2", at_least(0.0), "least area of a supporting plane");
     visit("wall_area", self.wall_area, "m^2", at_least(0.0),
-          "area from which the points of another plane are not points of objects");
+          "planes of at least this area are walls; their points are not points of objects");
     visit("max_tilt", self.max_tilt, "rad", above(0.0),
           "largest angle between a supporting plane's normal and up, where up is known; large, as "
           "a camera that looks down on a table is tilted itself");
@@ -71,14 +71,14 @@ struct SupportPlaneOptions {
         "gap between patches of one table, which the shadows of objects cut; a patch farther from "
         "the others is of another table");
     visit("max_beneath", self.max_beneath, "", at_least(0.0),
-          "points of surfaces at an angle below a supporting plane, over its inliers: "
+          "greatest number of steep points just below a supporting plane, divided by its inliers: "
           "the sides of a box are below its lid, while a table hides what is below it");
     visit("beneath_depth", self.beneath_depth, "m", above(0.0),
-          "depth down to which these points are counted");
+          "depth below the plane in which steep points are counted");
     visit("beneath_margin", self.beneath_margin, "m", at_least(0.0),
-          "distance from the plane's outline up to which they are counted");
+          "distance from the plane's outline up to which steep points are counted");
     visit("beneath_cosine", self.beneath_cosine, "", between(-1.0, 1.0),
-          "they are at an angle if the cosine of their normal and the plane's is below this");
+          "a point is steep if the cosine between its normal and the plane's is below this");
     visit("max_height", self.max_height, "m", above(0.0),
           "height above a supporting plane up to which points belong to objects on it");
     visit("ambiguity", self.ambiguity, "", above_up_to(0.0, 1.0),
@@ -111,10 +111,10 @@ struct TableCropOptions {
     visit("min_clearance", self.min_clearance, "m", at_least(0.0),
           "least height from which points belong to objects");
     visit("max_clearance", self.max_clearance, "m", at_least(0.0),
-          "the same where the table's points are rough");
-    visit(
-        "max_rough_clearance", self.max_rough_clearance, "m", at_least(0.0),
-        "the same at places where the table is measured more roughly than elsewhere, as far away");
+          "upper bound of this height on rough tables");
+    visit("max_rough_clearance", self.max_rough_clearance, "m", at_least(0.0),
+          "upper bound of this height at places where the table is measured more roughly than "
+          "elsewhere, as far away");
     visit("rough_clearance_sigmas", self.rough_clearance_sigmas, "", at_least(0.0),
           "the height at a place in standard deviations of the points below the table there");
     visit("roughness_cells", self.roughness_cells, "", between(1, 1000),
