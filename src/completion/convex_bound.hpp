@@ -10,7 +10,7 @@
 
 namespace symscene {
 
-/// Half spaces that together hold a set of points: nearly its convex hull.
+/// Intersection of half spaces that holds a set of points; approximates their convex hull.
 class ConvexBound {
  public:
   /// `directions` are outward unit normals; others, evenly spread, are added to them.

@@ -38,9 +38,10 @@ class EmptySpace {
       : space_(space),
         seen_empty_(seen_empty),
         R_world_object_(R_world_object.cast<float>()),
-        image_tolerance_(static_cast<float>(image_tolerance)) {}
+        image_tolerance_(
+            std::max(static_cast<float>(image_tolerance), 1.5F * space.field.frame.resolution)) {}
 
-  /// Negative where nothing speaks against the object. Near observed points a voxel of seen empty
+  /// Negative where the object may be. Near observed points a voxel of seen empty
   /// space is allowed, as their positions are more exact, and its images do not count. [m]
   float depth(const Eigen::Vector3f& point_object, bool near_observed) const {
     const Eigen::Vector3f point = R_world_object_ * point_object;
@@ -58,7 +59,7 @@ class EmptySpace {
   const SurroundingSpace& space_;
   const SeenEmptySpace& seen_empty_;
   Eigen::Matrix3f R_world_object_;
-  float image_tolerance_;
+  float image_tolerance_;  ///< [m]
 };
 
 /// The field of an object, negative inside. [m]
@@ -85,17 +86,21 @@ std::vector<float> object_field(const ObjectLattice& lattice, const SurfacePoint
   return field;
 }
 
+/// At least a cell and a half, as coarser cells cut deeper into curved surfaces. [m]
+float observed_reach(const ObjectSurfaceOptions& options, const NodeGrid& grid) {
+  return std::max(static_cast<float>(options.observed_reach), 1.5F * grid.spacing);
+}
+
 /// Whether each triangle was observed: at least two of its corners are near observed points.
 std::vector<std::uint8_t> observed_triangles(const ZeroSurface& surface,
                                              const SurfacePoints& points,
-                                             const NearestPoints& nearest, double reach) {
+                                             const NearestPoints& nearest, float reach) {
   std::vector<std::uint8_t> near(surface.nodes.size());
   for (std::size_t v = 0; v < near.size(); ++v) {
     const Index i = nearest.point[surface.nodes[v]];
     const Eigen::Vector3f vertex =
         surface.mesh.vertices.row(static_cast<Eigen::Index>(v)).transpose();
-    const bool is_near =
-        points.is_observed(i) && (vertex - points.positions[i]).norm() <= static_cast<float>(reach);
+    const bool is_near = points.is_observed(i) && (vertex - points.positions[i]).norm() <= reach;
     near[v] = is_near ? 1 : 0;
   }
   std::vector<std::uint8_t> observed;
@@ -131,7 +136,7 @@ ObjectSurface object_surface(const CompletedObject& object, const SurroundingSpa
   fill_pockets(lattice.grid, field);
   ZeroSurface surface = zero_surface(lattice.grid, field);
   std::vector<std::uint8_t> observed =
-      observed_triangles(surface, points, lattice.nearest, options.observed_reach);
+      observed_triangles(surface, points, lattice.nearest, observed_reach(options, lattice.grid));
   surface.mesh.vertices *= R_world_object.transpose().cast<float>();
   surface.mesh.normals = vertex_normals(surface.mesh);
   return {std::move(surface.mesh), std::move(observed)};

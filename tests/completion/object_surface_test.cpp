@@ -303,6 +303,8 @@ TEST(ObjectSurface, OfALargeObjectTakesNoMoreNodesThanAllowed) {
   expect_watertight(surface.mesh);
   EXPECT_LT(surface.mesh.vertices.rows(), 20000);
   EXPECT_NEAR(solid_properties(surface.mesh).volume / 0.027, 1.0, 0.12);  // of cells of 12 mm
+  const auto observed = std::count(surface.observed.begin(), surface.observed.end(), 1);
+  EXPECT_EQ(observed, surface.mesh.triangles.rows());
 }
 
 TEST(ObjectSurface, RefusesInvalidOptions) {

@@ -28,7 +28,7 @@ struct ObjectSurfaceOptions {
           "radius of the mean over points; somewhat more than their spacing");
     visit("image_tolerance", self.image_tolerance, "m", at_least(0.0),
           "the surface reaches no farther into space whose image under a symmetry was seen empty, "
-          "except near observed points");
+          "except near observed points; at least 1.5 voxels of the occupancy");
     visit("max_base_gap", self.max_base_gap, "m", at_least(0.0),
           "an object whose lowest points are at most this far above the table stands on it; others "
           "end at their lowest points");
@@ -36,11 +36,12 @@ struct ObjectSurfaceOptions {
           "thickest wall of a vessel: the hidden side of an object with thinner walls around a "
           "cavity is as thin");
     visit("min_cavity", self.min_cavity, "m", above_up_to(0.0, 10.0),
-          "least depth of a cavity; a large one switches thin walls off");
+          "least depth of a cavity; a large value disables thin walls");
     visit("min_piece", self.min_piece, "", between(0.0, 1.0),
-          "smaller pieces are left out, as a share of the largest one's volume");
+          "least volume of a piece relative to the largest; smaller ones are removed");
     visit("observed_reach", self.observed_reach, "m", above_up_to(0.0, 0.1),
-          "a face is observed if its corners are within this distance of observed points");
+          "a triangle is observed if at least two of its corners are within this distance of "
+          "observed points; at least 1.5 cells");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
@@ -57,10 +58,11 @@ struct SurroundingSpace {
 /// its visible hull, which is the convex hull of its points and their projections onto its base
 /// without what was seen empty and without the images of that under the symmetries. Pockets that
 /// nothing connects with the outside are filled, also if they were seen empty. The object stands
-/// on the table or ends at its lowest points. No vertex lies more than a voxel of `space`
-/// inside space that was seen empty. Each edge has exactly two triangles. Without oriented points
-/// the surface is empty. `completion.square_tolerance` is that of complete_object(). Throws
-/// InputError on invalid options.
+/// on the table or ends at its lowest points. If cells are not larger than the voxels of
+/// `space`, no vertex lies more than a voxel inside space that was seen empty, pockets aside. Each
+/// edge has exactly two triangles. Without oriented points the surface is empty.
+/// `completion.square_tolerance` is that of complete_object(). Throws InputError on invalid
+/// options.
 ObjectSurface object_surface(const CompletedObject& object, const SurroundingSpace& space,
                              const ObjectSurfaceOptions& options = {},
                              const CompletionOptions& completion = {});
