@@ -232,27 +232,47 @@ TEST(ObjectSurface, HasNoVertexMoreThanAVoxelInsideSeenEmptySpace) {
   }
 }
 
-/// A point far behind the hidden half of a ball spans a cone in its convex hull. The image of the
-/// space that was seen empty before the ball cuts most of the cone off.
-TEST(ObjectSurface, EndsWhereAnImageOfItWasSeenEmpty) {
-  const PointCloud whole = ball(0.04);
+PointCloud behind_the_ball() {
   PointCloud spike;
   spike.positions.resize(1, 3);
   spike.positions << -0.12F, 0.0F, 0.04F;
   spike.normals.resize(1, 3);
   spike.normals << -1.0F, 0.0F, 0.0F;
-  const PointCloud observed = testing::joined(front_half(whole), spike);
-  const PointCloud nothing;
-  const DistanceField field = half_seen(testing::joined(whole, spike), 0.04);
-  const std::optional<Plane> no_table;
-  const auto farthest_back = [&](const std::vector<ObjectPlane>& planes) {
+  return spike;
+}
+
+/// A point far behind the hidden half of a ball spans a cone in its convex hull. The image of the
+/// space that was seen empty before the ball cuts most of the cone off.
+class BallWithASpike {
+ public:
+  /// How far the surface reaches behind x = 0. [m]
+  float length(const std::vector<ObjectPlane>& planes, double image_tolerance) const {
+    ObjectSurfaceOptions options;
+    options.image_tolerance = image_tolerance;
+    const PointCloud nothing;
+    const std::optional<Plane> no_table;
     const ObjectSurface surface =
-        object_surface({observed, nothing, {}, planes}, {field, no_table});
+        object_surface({observed_, nothing, {}, planes}, {field_, no_table}, options);
     expect_watertight(surface.mesh);
-    return surface.mesh.vertices.col(0).minCoeff();
-  };
-  EXPECT_LT(farthest_back({}), -0.1F);
-  EXPECT_GT(farthest_back({across_x}), -0.06F);  // the radius, the tolerance and two voxels
+    return -surface.mesh.vertices.col(0).minCoeff();
+  }
+
+ private:
+  PointCloud whole_ = ball(0.04);
+  PointCloud observed_ = testing::joined(front_half(whole_), behind_the_ball());
+  DistanceField field_ = half_seen(testing::joined(whole_, behind_the_ball()), 0.04);
+};
+
+TEST(ObjectSurface, EndsWhereAnImageOfItWasSeenEmpty) {
+  const BallWithASpike object;
+  EXPECT_GT(object.length({}, 0.0075), 0.1F);
+  EXPECT_LT(object.length({across_x}, 0.0075), 0.06F);  // the radius, the tolerance, two voxels
+}
+
+TEST(ObjectSurface, ImagesOfEmptySpaceAreNoMoreExactThanItsVoxels) {
+  const BallWithASpike object;
+  EXPECT_EQ(object.length({across_x}, 0.0), object.length({across_x}, 1.5 * double{voxel}));
+  EXPECT_LT(object.length({across_x}, 0.0), object.length({across_x}, 0.02));
 }
 
 TEST(ObjectSurface, TellsObservedFromInferredTriangles) {
