@@ -1,3 +1,5 @@
+#include "objects_json.hpp"
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,9 +14,6 @@ namespace {
 constexpr const char* result_to_write = "result to write";
 constexpr std::size_t version = 2;
 
-std::string mesh_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
-std::string surface_name(std::size_t id) { return fmt::format("objects/{}.obj", id); }
-
 Json format_solid(const SolidProperties& solid) {
   Json axes = Json::array();
   for (int k = 0; k < 3; ++k)
@@ -25,7 +24,8 @@ Json format_solid(const SolidProperties& solid) {
           {"principal_moments", to_json(solid.principal_moments, result_to_write)}};
 }
 
-Json format_object(const SceneObject& object, std::size_t id) {
+Json format_object(const SegmentationResult& result, std::size_t id) {
+  const SceneObject& object = result.objects[id];
   Json json = {{"id", id}, {"points", object.points}};
   if (object.score) json["score"] = to_json(*object.score, result_to_write);
   json["confidence"] = to_json(object.confidence, result_to_write);
@@ -43,10 +43,8 @@ Json format_object(const SceneObject& object, std::size_t id) {
   }
   if (object.centroid) json["centroid"] = to_json(*object.centroid, result_to_write);
   json["mesh"] = mesh_name(id);
-  if (object.solid) {
-    json["surface"] = surface_name(id);
-    json["solid"] = format_solid(*object.solid);
-  }
+  if (has_surface(result, id)) json["surface"] = surface_name(id);
+  if (object.solid) json["solid"] = format_solid(*object.solid);
   return json;
 }
 
@@ -154,13 +152,19 @@ void parse_records(const JsonCursor& root, SegmentationResult& result) {
 
 }  // namespace
 
+std::string mesh_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
+std::string surface_name(std::size_t id) { return fmt::format("objects/{}.obj", id); }
+
+bool has_surface(const SegmentationResult& result, std::size_t id) {
+  return id < result.surfaces.size() && result.surfaces[id].mesh.triangles.rows() != 0;
+}
+
 std::string format_objects_json(const SegmentationResult& result, bool with_timings) {
   Json document = {{"version", version}, {"cloud", "cloud.ply"}};
   if (result.table) document["table"] = to_json(*result.table, result_to_write);
   document["objects"] = Json::array();
-  for (const SceneObject& object : result.objects) {
-    document["objects"].push_back(format_object(object, document["objects"].size()));
-  }
+  for (std::size_t id = 0; id < result.objects.size(); ++id)
+    document["objects"].push_back(format_object(result, id));
   document["rejected"] = Json::array();
   for (const Rejection& rejection : result.rejected) {
     document["rejected"].push_back(format_rejection(rejection));
@@ -174,21 +178,27 @@ std::string format_objects_json(const SegmentationResult& result, bool with_timi
   return format_json(document);
 }
 
-SegmentationResult parse_objects_json(std::string_view text, const std::string& name,
-                                      Index cloud_size) {
+ParsedObjects parse_objects(std::string_view text, const std::string& name, Index cloud_size) {
   const Json document = parse_json(text, name);
   const JsonCursor root(document, name);
   const std::size_t file_version = root.at("version").count();
   if (file_version < 1 || file_version > version)
     root.at("version").fail(fmt::format("at most {}", version));
   if (root.at("cloud").string() != "cloud.ply") root.at("cloud").fail("\"cloud.ply\"");
-  SegmentationResult result;
+  ParsedObjects parsed;
+  SegmentationResult& result = parsed.result;
   if (const auto table = root.find("table")) result.table = table->plane();
   for (const JsonCursor& object : root.at("objects").items()) {
     result.objects.push_back(parse_object(object, result.objects.size(), cloud_size, file_version));
+    parsed.names_surface.push_back(object.find("surface") ? 1 : 0);
   }
   parse_records(root, result);
-  return result;
+  return parsed;
+}
+
+SegmentationResult parse_objects_json(std::string_view text, const std::string& name,
+                                      Index cloud_size) {
+  return parse_objects(text, name, cloud_size).result;
 }
 
 }  // namespace symscene

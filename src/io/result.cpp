@@ -9,6 +9,7 @@
 #include "io/atomic_file.hpp"
 #include "io/ply.hpp"
 #include "mesh_formats.hpp"
+#include "objects_json.hpp"
 #include "ply_points.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/mesh.hpp"
@@ -35,8 +36,19 @@ bool belongs_to_result(const std::string& relative) {
   return relative.starts_with("objects/") && is_object_file(relative.substr(8));
 }
 
-std::string object_file(std::size_t id) { return fmt::format("objects/{}.ply", id); }
-std::string surface_file(std::size_t id) { return fmt::format("objects/{}.obj", id); }
+void require_surface(const ObjectSurface& surface) {
+  const TriangleMesh& mesh = surface.mesh;
+  if (static_cast<Eigen::Index>(surface.observed.size()) != mesh.triangles.rows())
+    throw InputError(folder_to_write, "a flag per triangle of a surface", "others");
+  if (mesh.triangles.rows() == 0) return;
+  const Index last = mesh.triangles.maxCoeff();
+  if (static_cast<Eigen::Index>(last) >= mesh.vertices.rows()) {
+    throw InputError(folder_to_write,
+                     fmt::format("corners of a surface below {}, the number of its vertices",
+                                 mesh.vertices.rows()),
+                     std::to_string(last));
+  }
+}
 
 void require_surfaces(const SegmentationResult& result) {
   const std::size_t count = result.surfaces.size();
@@ -45,10 +57,7 @@ void require_surfaces(const SegmentationResult& result) {
                      fmt::format("{} surfaces, one per object", result.objects.size()),
                      std::to_string(count));
   }
-  for (const ObjectSurface& surface : result.surfaces) {
-    if (static_cast<Eigen::Index>(surface.observed.size()) != surface.mesh.triangles.rows())
-      throw InputError(folder_to_write, "a flag per triangle of a surface", "others");
-  }
+  for (const ObjectSurface& surface : result.surfaces) require_surface(surface);
 }
 
 void require_writable(const SegmentationResult& result) {
@@ -117,6 +126,14 @@ PointCloud read_added(const fs::path& path, std::size_t own_size) {
   return added;
 }
 
+/// The closed surface of an object; empty if objects.json does not name it.
+ObjectSurface read_surface(const fs::path& path, bool is_named) {
+  if (is_named) return parse_obj_surface(read_file(path), path.string());
+  if (fs::exists(path))
+    throw InputError(path.string(), "no file, as objects.json does not name it", "one");
+  return {};
+}
+
 }  // namespace
 
 void write_result(const fs::path& dir, const SegmentationResult& result,
@@ -128,9 +145,8 @@ void write_result(const fs::path& dir, const SegmentationResult& result,
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
     const PointCloud own = select(result.cloud, result.objects[id].points);
     const PointCloud& added = result.completed.empty() ? PointCloud{} : result.completed[id];
-    folder.write(object_file(id), format_object_cloud(own, added));
-    if (!result.surfaces.empty() && result.surfaces[id].mesh.triangles.rows() != 0)
-      folder.write(surface_file(id), format_obj(result.surfaces[id]));
+    folder.write(mesh_name(id), format_object_cloud(own, added));
+    if (has_surface(result, id)) folder.write(surface_name(id), format_obj(result.surfaces[id]));
   }
   if (extras.surface != nullptr) folder.write("surface.ply", format_ply(*extras.surface));
   if (extras.trajectory != nullptr)
@@ -145,17 +161,14 @@ SegmentationResult read_result(const fs::path& dir) {
   }
   PointCloud cloud = parse_ply_cloud(read_file(dir / "cloud.ply"), (dir / "cloud.ply").string());
   const fs::path objects = dir / "objects.json";
-  SegmentationResult result =
-      parse_objects_json(read_file(objects), objects.string(), cloud.size());
+  ParsedObjects parsed = parse_objects(read_file(objects), objects.string(), cloud.size());
+  SegmentationResult& result = parsed.result;
   result.cloud = std::move(cloud);
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
-    result.completed.push_back(read_added(dir / object_file(id), result.objects[id].points.size()));
-    const fs::path surface = dir / surface_file(id);
-    result.surfaces.push_back(fs::exists(surface)
-                                  ? parse_obj_surface(read_file(surface), surface.string())
-                                  : ObjectSurface{});
+    result.completed.push_back(read_added(dir / mesh_name(id), result.objects[id].points.size()));
+    result.surfaces.push_back(read_surface(dir / surface_name(id), parsed.names_surface[id] != 0));
   }
-  return result;
+  return std::move(parsed.result);
 }
 
 Surroundings read_result_surroundings(const fs::path& dir) {

@@ -89,6 +89,44 @@ TEST(Result, SurfacesAndSolidsAreReadBackWithTheSameBits) {
   EXPECT_FALSE(fs::exists(folder / "out/objects/0.obj"));
 }
 
+TEST(Result, ASolidWithoutASurfaceNamesNoFile) {
+  const TemporaryFolder folder;
+  SegmentationResult result = small_result();
+  result.objects[0].solid = solid_properties(small_surface().mesh);
+  EXPECT_EQ(format_objects_json(result).find("objects/0.obj"), std::string::npos);
+  write_result(folder / "out", result);
+  const SegmentationResult again = read_result(folder / "out");
+  ASSERT_TRUE(again.objects[0].solid);
+  EXPECT_EQ(again.objects[0].solid->volume, result.objects[0].solid->volume);
+  EXPECT_EQ(again.surfaces[0].mesh.triangles.rows(), 0);
+}
+
+TEST(Result, RefusesToReadSurfacesThatAreMissingOrNotNamed) {
+  const TemporaryFolder folder;
+  SegmentationResult result = small_result();
+  result.surfaces = {small_surface(), {}};
+  write_result(folder / "out", result);
+  fs::rename(folder / "out/objects/0.obj", folder / "out/objects/1.obj");
+  EXPECT_NE(refusal([&] { read_result(folder / "out"); }).find("objects/0.obj"), std::string::npos);
+  fs::copy_file(folder / "out/objects/1.obj", folder / "out/objects/0.obj");
+  EXPECT_EQ(refusal([&] { read_result(folder / "out"); }),
+            (folder / "out/objects/1.obj").string() +
+                ": expected no file, as objects.json does not name it, found one");
+  fs::remove(folder / "out/objects/1.obj");
+  EXPECT_EQ(read_result(folder / "out").surfaces[0].mesh.triangles.rows(), 4);
+}
+
+TEST(Result, RefusesSurfacesWithCornersThatAreNotThere) {
+  const TemporaryFolder folder;
+  SegmentationResult result = small_result();
+  result.surfaces = {small_surface(), {}};
+  result.surfaces[0].mesh.triangles(3, 1) = 4;
+  EXPECT_EQ(refusal([&] { write_result(folder / "out", result); }),
+            "result to write: expected corners of a surface below 4, the number of its vertices, "
+            "found 4");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST(Result, RefusesSurfacesThatAreNotOnePerObjectOrLackFlags) {
   const TemporaryFolder folder;
   SegmentationResult result = small_result();
