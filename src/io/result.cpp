@@ -139,12 +139,13 @@ ObjectSurface read_surface(const fs::path& path, bool is_named) {
 void write_result(const fs::path& dir, const SegmentationResult& result,
                   const ResultExtras& extras) {
   require_writable(result);
+  static const PointCloud no_points;
   AtomicDirectory folder(dir, {"a result folder", "objects.json", belongs_to_result});
   folder.write("cloud.ply", format_ply(result.cloud));
   folder.write("objects.json", format_objects_json(result));
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
     const PointCloud own = select(result.cloud, result.objects[id].points);
-    const PointCloud& added = result.completed.empty() ? PointCloud{} : result.completed[id];
+    const PointCloud& added = result.completed.empty() ? no_points : result.completed[id];
     folder.write(mesh_name(id), format_object_cloud(own, added));
     if (has_surface(result, id)) folder.write(surface_name(id), format_obj(result.surfaces[id]));
   }

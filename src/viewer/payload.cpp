@@ -94,10 +94,12 @@ json objects(const SegmentationResult& result) {
   require_one_each("completed points", result.completed.size(), count);
   require_one_each("surfaces", result.surfaces.size(), count);
   const Index max_triangles = count == 0 ? 0 : closed_triangles / static_cast<Index>(count);
+  static const PointCloud no_points;
+  static const ObjectSurface no_surface;
   json list = json::array();
   for (std::size_t id = 0; id < count; ++id) {
-    const PointCloud completed = result.completed.empty() ? PointCloud{} : result.completed[id];
-    const ObjectSurface surface = result.surfaces.empty() ? ObjectSurface{} : result.surfaces[id];
+    const PointCloud& completed = result.completed.empty() ? no_points : result.completed[id];
+    const ObjectSurface& surface = result.surfaces.empty() ? no_surface : result.surfaces[id];
     list.push_back(
         to_json({result.objects[id], completed, surface}, id, result.cloud.size(), max_triangles));
   }

@@ -17,12 +17,17 @@ function why(object) {
   return `Symmetries of these points: ${parts.join(', and ')}. Their images lie on the surface or in space that the camera could not see.`;
 }
 
+function completion(object) {
+  if (!object.hasCompletion) return 'none';
+  return object.completed.count > 0 ? `+ ${format.count(object.completed.count)}` : 'closed surface';
+}
+
 function facts(object, scene, extent) {
   const share = object.points.length / Math.max(1, scene.cloud.count);
   return [
     ['Score', format.fixed(object.score, 3)],
     ['Points seen', `${format.count(object.points.length)} (${format.percent(share)})`],
-    ['Completed', object.completed.count ? `+ ${format.count(object.completed.count)}` : 'none'],
+    ['Completed', completion(object)],
     ...(object.volume ? [['Volume', `${format.fixed(1e6 * object.volume, 0)} cm³`]] : []),
     ['Size', `${extent.map(format.centimetres).join(' × ')} cm`],
     ...(object.centroid ? [['Centroid', `${vector(object.centroid, 3)} m`]] : []),
