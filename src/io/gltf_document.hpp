@@ -30,7 +30,7 @@ class GltfDocument {
   /// geometry.
   GltfDocument(std::string_view bytes, std::string name, const ReadBeside& read_beside);
 
-  JsonCursor root() const { return JsonCursor(json_, name_); }
+  JsonCursor root() const { return {json_, name_}; }
 
   /// The accessor with this index. Throws InputError if it exceeds its buffer.
   GltfAccessor accessor(const JsonCursor& index) const;

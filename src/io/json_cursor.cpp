@@ -80,7 +80,7 @@ std::size_t JsonCursor::size() const {
 }
 
 JsonCursor JsonCursor::item(std::size_t i) const {
-  return JsonCursor((*value_)[i], *name_, fmt::format("{}[{}]", path_, i));
+  return {(*value_)[i], *name_, fmt::format("{}[{}]", path_, i)};
 }
 
 std::vector<JsonCursor> JsonCursor::items(std::optional<std::size_t> count) const {

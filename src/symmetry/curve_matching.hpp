@@ -10,7 +10,7 @@ namespace symscene {
 /// A curve with bounds on its positions and tangents, against which pairs are tested before their
 /// points are.
 struct BoundedCurve {
-  explicit BoundedCurve(const EdgeCurve& curve);
+  explicit BoundedCurve(const EdgeCurve& bounded);
 
   const EdgeCurve* curve;
   Eigen::Vector3d centre;       ///< of a ball that holds all points [m]
