@@ -32,7 +32,7 @@ class DatasetCommand : public ::testing::Test {
     return workspace.run("dataset " + name + " --scenes 2 --config small.json " + more);
   }
 
-  void expect_refusal(const Outcome& outcome, const std::string& sentence) const {
+  static void expect_refusal(const Outcome& outcome, const std::string& sentence) {
     EXPECT_EQ(outcome.code, 1) << outcome.err;
     EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

@@ -1,9 +1,9 @@
 #include "core/process_pool.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <map>
 #include <numeric>
 #include <stdexcept>

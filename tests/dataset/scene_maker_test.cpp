@@ -1,7 +1,5 @@
 #include "symscene/dataset/scene_maker.hpp"
 
-#include <set>
-
 #include <gtest/gtest.h>
 
 #include <set>

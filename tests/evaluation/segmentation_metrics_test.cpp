@@ -23,7 +23,7 @@ PointIndices range(Index begin, Index end) {
 
 OverlapMatrix matrix(Eigen::Index rows, Eigen::Index columns, std::initializer_list<double> v) {
   OverlapMatrix gains(rows, columns);
-  auto next = v.begin();
+  const double* next = v.begin();
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (Eigen::Index j = 0; j < columns; ++j) gains(i, j) = *next++;
   }

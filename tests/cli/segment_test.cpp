@@ -1,0 +1,111 @@
+// `symscene segment` and the page of its result, run as processes.
+#include "cli/small_scene.hpp"
+
+namespace symscene::testing {
+namespace {
+
+TEST_F(Command, ChoosesWhatProposesReflectionPlanes) {
+  write(file("curves.json"), R"({"planes_of_surfaces": false, "planes_of_curves": true})");
+  const std::vector<std::tuple<std::string, bool, bool>> expected{
+      {"", true, true},
+      {"--config curves.json", false, true},
+      {"--reflectional curve", false, true},
+      {"--reflectional surface --config curves.json", true, false},
+      {"--reflectional both", true, true}};
+  for (const auto& [flags, surfaces, curves] : expected) {
+    const Outcome printed = run("segment --dump-config " + flags);
+    ASSERT_EQ(printed.code, 0) << printed.err;
+    const auto values = nlohmann::json::parse(printed.out, nullptr, true, true);
+    EXPECT_EQ(values.at("planes_of_surfaces"), surfaces) << flags;
+    EXPECT_EQ(values.at("planes_of_curves"), curves) << flags;
+  }
+  EXPECT_NE(run("segment scene -o planes --reflectional edges").code, 0);
+}
+
+TEST_F(Command, SegmentsToTheSameBytesForAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2", "8"}) {
+    const std::string result = std::string("result") + threads;
+    ASSERT_EQ(run("segment scene -o " + result + " --threads " + threads).code, 0);
+    EXPECT_EQ(objects_without_times(result), objects_without_times("result"));
+    EXPECT_EQ(contents(file(result) / "cloud.ply"), contents(file("result") / "cloud.ply"));
+  }
+}
+
+TEST_F(Command, ReplacesAnEarlierResult) {
+  ASSERT_EQ(run("segment scene -o replaced").code, 0);
+  ASSERT_EQ(run("segment scene -o replaced").code, 0);
+  EXPECT_EQ(objects_without_times("replaced"), objects_without_times("result"));
+}
+
+TEST_F(Command, WritesASelfContainedPage) {
+  ASSERT_EQ(run("view result -o page.html --title 'Mugs & bowls'").code, 0);
+  const std::string page = contents(file("page.html"));
+  EXPECT_NE(page.find("Mugs &amp; bowls"), std::string::npos);
+  EXPECT_EQ(page.find("<script src="), std::string::npos);
+  ASSERT_EQ(run("segment scene -o paged --page beside.html").code, 0);
+  EXPECT_GT(fs::file_size(file("beside.html")), 1000U);
+}
+
+/// A mesh of the points of a binary cloud.ply, with a triangle for every three consecutive points.
+std::string mesh_of_cloud(std::string ply) {
+  const std::size_t count = std::stoul(ply.substr(ply.find("vertex ") + 7));
+  const std::string faces =
+      "element face " + std::to_string(count - 2) + "\nproperty list uchar uint vertex_indices\n";
+  ply.insert(ply.find("end_header\n"), faces);
+  for (std::size_t i = 0; i + 2 < count; ++i) {
+    ply += '\3';
+    for (std::size_t corner = i; corner < i + 3; ++corner) {
+      for (int shift = 0; shift < 32; shift += 8) ply += static_cast<char>(corner >> shift & 0xFF);
+    }
+  }
+  return ply;
+}
+
+TEST_F(Command, ShowsTheSurfaceOfAReconstructionWithItsResult) {
+  fs::copy(file("scene"), file("scanned"));
+  write(file("scanned") / "mesh.ply", mesh_of_cloud(contents(file("scanned") / "cloud.ply")));
+  write(file("scanned") / "poses.txt", "0 0.1 0.2 0.3 0 0 0 1\n1 0.2 0.2 0.3 0 0 0 1\n");
+  const Outcome segmented = run("segment scanned -o shown --page shown.html");
+  EXPECT_EQ(segmented.code, 0);
+  EXPECT_EQ(segmented.err, "");
+  EXPECT_EQ(objects_without_times("shown"), objects_without_times("result"));
+  EXPECT_TRUE(fs::exists(file("shown") / "surface.ply"));
+  EXPECT_TRUE(fs::exists(file("shown") / "poses.txt"));
+  ASSERT_EQ(run("view shown -o viewed.html").code, 0);
+  for (const char* page : {"shown.html", "viewed.html"}) {
+    EXPECT_NE(contents(file(page)).find(R"("surface":{"colors")"), std::string::npos) << page;
+    EXPECT_NE(contents(file(page)).find(R"("frames":2)"), std::string::npos) << page;
+  }
+  // A result does not keep a surface that the scene no longer has.
+  ASSERT_EQ(run("segment scene -o shown").code, 0);
+  EXPECT_FALSE(fs::exists(file("shown") / "surface.ply"));
+}
+
+TEST_F(Command, WarnsAboutASurfaceThatItCannotShow) {
+  fs::copy(file("scene"), file("odd"));
+  const std::string elsewhere =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar uint vertex_indices\nend_header\n"
+      "50 0 0\n51 0 0\n50 1 0\n3 0 1 2\n";
+  const std::map<std::string, std::string> meshes = {
+      {elsewhere, "the cloud lies on"}, {"no mesh", "PLY"}, {elsewhere.substr(0, 170), "mesh.ply"}};
+  write(file("odd") / "poses.txt", "no pose\n");
+  for (const auto& [mesh, sentence] : meshes) {
+    write(file("odd") / "mesh.ply", mesh);
+    const Outcome segmented = run("segment odd -o odd_result --page odd.html");
+    EXPECT_EQ(segmented.code, 0);
+    EXPECT_NE(segmented.err.find(sentence), std::string::npos) << segmented.err;
+    EXPECT_NE(segmented.err.find("poses.txt"), std::string::npos) << segmented.err;
+    EXPECT_EQ(std::count(segmented.err.begin(), segmented.err.end(), '\n'), 2) << segmented.err;
+    EXPECT_FALSE(fs::exists(file("odd_result") / "surface.ply"));
+  }
+}
+
+TEST_F(Command, RefusesAResultWithAnInvalidSurface) {
+  fs::copy(file("result"), file("broken"), fs::copy_options::recursive);
+  write(file("broken") / "surface.ply", "no mesh");
+  expect_refusal("view broken -o broken.html", 1, "surface.ply");
+}
+
+}  // namespace
+}  // namespace symscene::testing
