@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/surface_sampling.hpp"
+#include "program.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/mesh.hpp"
 #include "symscene/symmetry/symmetry_group.hpp"
@@ -170,10 +171,8 @@ int main(int argc, char** argv) {
   app.add_option("MESHES", meshes, "folder of meshes")->required();
   app.add_option("SEARCHED", searched, "JSON: by name diag, centroid, rot and refl")->required();
   CLI11_PARSE(app, argc, argv);
-  try {
+  return symscene::bench::exit_code_of("symscene_bench_model_symmetries", [&] {
     symscene::run(meshes, searched);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "symscene_bench_model_symmetries: {}\n", error.what());
-    return 1;
-  }
+    return 0;
+  });
 }

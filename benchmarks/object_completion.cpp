@@ -5,9 +5,12 @@
 #include <cstdio>
 #include <map>
 
+#include "core/median.hpp"
 #include "core/rigid_motion.hpp"
 #include "core/surface_sampling.hpp"
 #include "core/voxel_sampling.hpp"
+#include "program.hpp"
+#include "simulated_sweeps.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/dataset/swept_scene.hpp"
@@ -16,7 +19,6 @@
 #include "symscene/io/mesh.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
-#include "symscene/simulation/scanned_models.hpp"
 
 namespace symscene::bench {
 namespace {
@@ -29,16 +31,9 @@ constexpr double min_overlap = 0.75;         // of a mask whose object is compar
 constexpr double max_path_error = 0.01;  // of a sweep that is used [m]
 
 struct Arguments {
-  int sweeps = 8;
-  std::uint64_t seed = 2000;
-  int frames = 60;
-  int min_objects = 2;
-  int max_objects = 10;
+  SweepArguments sweeps{.sweeps = 8, .frames = 60, .min_objects = 2, .max_objects = 10};
   bool exact = false;
-  std::filesystem::path meshes;
-  std::filesystem::path symmetries;
   std::filesystem::path cache;
-  std::size_t threads = 0;
   bool list = false;
 };
 
@@ -49,25 +44,14 @@ struct MeshedScene {
   std::vector<TriangleMesh> meshes;
 };
 
-SweepOptions sweep_of(const Arguments& arguments, int i) {
-  SweepOptions options;
-  options.tabletop.seed = arguments.seed + static_cast<std::uint64_t>(i);
-  options.tabletop.objects =
-      arguments.min_objects + i % (arguments.max_objects - arguments.min_objects + 1);
-  options.tabletop.random_frame = true;
-  options.camera.frames = arguments.frames;
-  return options;
-}
-
 void place_meshes(MeshedScene& meshed) {
   for (std::size_t k = 0; k < meshed.meshes.size(); ++k)
     meshed.meshes[k] = transformed(meshed.meshes[k], *meshed.truth.objects[k].T_world_mesh);
 }
 
 MeshedScene make_scene(const Arguments& arguments, const std::vector<ObjectModel>& models, int i) {
-  const SweepOptions options = sweep_of(arguments, i);
-  const Tabletop tabletop = models.empty() ? arrange_tabletop(options.tabletop)
-                                           : drop_tabletop(models, options.tabletop, options.drop);
+  const SweepOptions options = arguments.sweeps.options(i);
+  const Tabletop tabletop = table_of(options, models);
   SweptSceneOptions making;
   making.poses = arguments.exact ? "exact" : "tracked";
   SweptScene swept = reconstruct_sweep(tabletop, options, making);
@@ -84,8 +68,8 @@ MeshedScene make_scene(const Arguments& arguments, const std::vector<ObjectModel
 /// A sweep's scene, made or read from the cache. The meshes are placed.
 MeshedScene scene_of(const Arguments& arguments, const std::vector<ObjectModel>& models, int i) {
   const std::filesystem::path folder =
-      arguments.cache / fmt::format("{}{}", models.empty() ? "seed" : "dropped",
-                                    arguments.seed + static_cast<std::uint64_t>(i));
+      arguments.cache /
+      fmt::format("{}{}", models.empty() ? "seed" : "dropped", arguments.sweeps.seed_of(i));
   MeshedScene meshed;
   if (!arguments.cache.empty() && std::filesystem::exists(folder / "scene" / "truth.json")) {
     meshed.scene = read_scene(folder / "scene");
@@ -192,17 +176,11 @@ std::vector<Comparison> compare_scene(const MeshedScene& meshed) {
   return compared;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 template <class Value>
 double median_over(const std::vector<Comparison>& compared, Value Comparison::*field) {
   std::vector<double> values;
   for (const Comparison& object : compared) values.push_back(object.*field);
-  return median_of(std::move(values));
+  return median(std::move(values)).value_or(0.0);
 }
 
 std::string summary_row(const std::string& name, const std::vector<Comparison>& compared) {
@@ -242,12 +220,10 @@ void print_tables(const std::vector<Comparison>& compared) {
 }
 
 void run(const Arguments& arguments) {
-  const ThreadLimit limit(arguments.threads);
-  const ModelFolder folder = arguments.meshes.empty()
-                                 ? ModelFolder{}
-                                 : read_models(arguments.meshes, arguments.symmetries);
+  const ThreadLimit limit(arguments.sweeps.threads);
+  const ModelFolder folder = arguments.sweeps.models();
   std::vector<Comparison> all;
-  for (int i = 0; i < arguments.sweeps; ++i) {
+  for (int i = 0; i < arguments.sweeps.sweeps; ++i) {
     for (const Comparison& object : compare_scene(scene_of(arguments, folder.models, i))) {
       all.push_back(object);
       if (!arguments.list) continue;
@@ -267,27 +243,14 @@ void run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   symscene::bench::Arguments arguments;
   CLI::App app{"Closed surfaces of the objects of simulated sweeps against their true meshes."};
-  app.add_option("--sweeps", arguments.sweeps, "number of sweeps")->check(CLI::PositiveNumber);
-  app.add_option("--seed", arguments.seed, "seed of the first sweep");
-  app.add_option("--frames", arguments.frames, "frames per sweep; 1 for single views")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--min-objects", arguments.min_objects, "fewest objects")
-      ->check(CLI::Range(1, 15));
-  app.add_option("--max-objects", arguments.max_objects, "most objects")->check(CLI::Range(1, 15));
+  arguments.sweeps.add_to(app);
   app.add_flag("--exact", arguments.exact, "exact poses, for frames too far apart for tracking");
-  app.add_option("--meshes", arguments.meshes,
-                 "folder of meshes to drop instead of household objects");
-  app.add_option("--symmetries", arguments.symmetries, "JSON file with the meshes' symmetries");
   app.add_option("--cache", arguments.cache, "folder that keeps the scenes; one per setting");
-  app.add_option("--threads", arguments.threads, "bound on the threads, 0 for all cores");
   app.add_flag("--list", arguments.list, "print a line per object");
   CLI11_PARSE(app, argc, argv);
-  if (arguments.max_objects < arguments.min_objects) arguments.max_objects = arguments.min_objects;
-  try {
+  arguments.sweeps.complete();
+  return symscene::bench::exit_code_of("symscene_bench_completion", [&] {
     symscene::bench::run(arguments);
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "symscene_bench_completion: %s\n", error.what());
-    return 1;
-  }
+  });
 }

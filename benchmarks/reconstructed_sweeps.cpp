@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "program.hpp"
+#include "simulated_sweeps.hpp"
 #include "simulation/true_surface.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/dataset/swept_scene.hpp"
@@ -12,33 +14,15 @@
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
-#include "symscene/simulation/scanned_models.hpp"
 #include "tables.hpp"
 
 namespace symscene::bench {
 namespace {
 
 struct Arguments {
-  int sweeps = 10;
-  std::uint64_t seed = 2000;
-  int frames = 200;
-  int min_objects = 4;
-  int max_objects = 12;
-  std::size_t threads = 0;
-  std::filesystem::path meshes;
-  std::filesystem::path symmetries;
+  SweepArguments sweeps{.sweeps = 10, .frames = 200, .min_objects = 4, .max_objects = 12};
   std::filesystem::path save;
 };
-
-SweepOptions sweep_options(const Arguments& arguments, int i) {
-  SweepOptions options;
-  options.tabletop.seed = arguments.seed + static_cast<std::uint64_t>(i);
-  options.tabletop.objects =
-      arguments.min_objects + i % (arguments.max_objects - arguments.min_objects + 1);
-  options.tabletop.random_frame = true;
-  options.camera.frames = arguments.frames;
-  return options;
-}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -63,9 +47,8 @@ double seconds_of(const SweptScene& sweep) {
 
 void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& models, int i,
                SceneScore& total) {
-  const SweepOptions options = sweep_options(arguments, i);
-  const Tabletop tabletop = models.empty() ? arrange_tabletop(options.tabletop)
-                                           : drop_tabletop(models, options.tabletop, options.drop);
+  const SweepOptions options = arguments.sweeps.options(i);
+  const Tabletop tabletop = table_of(options, models);
   const SweptScene sweep = reconstruct_sweep(tabletop, options);
   const SurfaceErrors surface = errors_of(sweep, tabletop);
   const auto start = std::chrono::steady_clock::now();
@@ -91,14 +74,12 @@ void run_sweep(const Arguments& arguments, const std::vector<ObjectModel>& model
 }
 
 void run(const Arguments& arguments) {
-  const ThreadLimit limit(arguments.threads);
-  const ModelFolder folder = arguments.meshes.empty()
-                                 ? ModelFolder{}
-                                 : read_models(arguments.meshes, arguments.symmetries);
+  const ThreadLimit limit(arguments.sweeps.threads);
+  const ModelFolder folder = arguments.sweeps.models();
   for (const std::string& warning : folder.warnings) fmt::print(stderr, "{}\n", warning);
   fmt::print("{}", scene_header());
   SceneScore total;
-  for (int i = 0; i < arguments.sweeps; ++i) run_sweep(arguments, folder.models, i, total);
+  for (int i = 0; i < arguments.sweeps.sweeps; ++i) run_sweep(arguments, folder.models, i, total);
   fmt::print("{}\n{}", scene_row("all", total), kind_table(total));
 }
 
@@ -108,28 +89,12 @@ void run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   symscene::bench::Arguments arguments;
   CLI::App app{"Reconstructs simulated sweeps, segments them and compares with the ground truth."};
-  app.add_option("--sweeps", arguments.sweeps, "number of sweeps")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--seed", arguments.seed, "seed of the first sweep")->capture_default_str();
-  app.add_option("--frames", arguments.frames, "frames per sweep")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--min-objects", arguments.min_objects, "fewest objects")
-      ->check(CLI::Range(1, 15));
-  app.add_option("--max-objects", arguments.max_objects, "most objects")->check(CLI::Range(1, 15));
-  app.add_option("--meshes", arguments.meshes,
-                 "folder of meshes to drop instead of household objects");
-  app.add_option("--symmetries", arguments.symmetries, "JSON file with the meshes' symmetries");
-  app.add_option("--threads", arguments.threads, "bound on the threads, 0 for all cores");
+  arguments.sweeps.add_to(app);
   app.add_option("--save", arguments.save, "folder for every scene and its result");
   CLI11_PARSE(app, argc, argv);
-  if (arguments.max_objects < arguments.min_objects) arguments.max_objects = arguments.min_objects;
-  try {
+  arguments.sweeps.complete();
+  return symscene::bench::exit_code_of("symscene_bench_sweeps", [&] {
     symscene::bench::run(arguments);
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "symscene_bench_sweeps: %s\n", error.what());
-    return 1;
-  }
+  });
 }

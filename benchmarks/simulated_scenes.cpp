@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "program.hpp"
 #include "scene_cache.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/thread_limit.hpp"
@@ -115,10 +116,6 @@ int main(int argc, char** argv) {
   app.add_option("--save", arguments.save, "folder for every scene and its result");
   CLI11_PARSE(app, argc, argv);
   if (arguments.max_objects < arguments.min_objects) arguments.max_objects = arguments.min_objects;
-  try {
-    return symscene::bench::run(arguments) == 0 ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "symscene_bench_simulated: %s\n", error.what());
-    return 1;
-  }
+  return symscene::bench::exit_code_of(
+      "symscene_bench_simulated", [&] { return symscene::bench::run(arguments) == 0 ? 0 : 1; });
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "program.hpp"
 #include "stopwatch.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/io/sequence.hpp"
@@ -122,7 +123,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--threads", arguments.threads, "at most so many threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  try {
+  return symscene::bench::exit_code_of("symscene_bench_view", [&] {
     const View view =
         arguments.view.empty() ? simulated_view(arguments) : read_view(arguments.view);
     const ThreadLimit limit(arguments.threads);
@@ -132,8 +133,6 @@ int main(int argc, char** argv) {
     fmt::print("{} x {}, {} objects found, {} threads, {} runs\n", view.camera.width,
                view.camera.height, objects, arguments.threads, arguments.repeat);
     runs.print();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "symscene_bench_view: {}\n", error.what());
-    return 1;
-  }
+    return 0;
+  });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -53,6 +54,19 @@ void for_each_neighbour(const NodeGrid& grid, std::size_t node, Visit&& visit) {
     rest %= stride;
     if (at > 0) visit(node - stride);
     if (at + 1 < static_cast<std::size_t>(grid.size[axis])) visit(node + stride);
+  }
+}
+
+/// Goes from the nodes in `open` to neighbours. enter(node, next) marks `next` and returns true if
+/// it is to be gone to from `node` and was not before.
+template <class Enter>
+void flood(const NodeGrid& grid, std::vector<std::size_t> open, Enter&& enter) {
+  while (!open.empty()) {
+    const std::size_t node = open.back();
+    open.pop_back();
+    for_each_neighbour(grid, node, [&](std::size_t next) {
+      if (enter(node, next)) open.push_back(next);
+    });
   }
 }
 

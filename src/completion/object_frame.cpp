@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/as_rows.hpp"
+
 namespace symscene {
 namespace {
 
@@ -12,10 +14,7 @@ constexpr int rectangle_steps = 30;  // of 3 degrees
 
 Points sample_of(const SurfacePoints& points) {
   const PointIndices chosen = evenly_spread(static_cast<Index>(points.size()), sampled_points);
-  Points sample(static_cast<Eigen::Index>(chosen.size()), 3);
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    sample.row(static_cast<Eigen::Index>(k)) = points.positions[chosen[k]].transpose();
-  return sample;
+  return as_rows(chosen, [&](Index i) { return points.positions[i]; });
 }
 
 /// The area of the rectangle along two directions that holds the points. [m²]

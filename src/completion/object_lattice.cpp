@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/as_rows.hpp"
+
 namespace symscene {
 namespace {
 

@@ -30,19 +30,15 @@ class SignComponents {
   void fill_from(std::size_t first) {
     const auto label = static_cast<Index>(sizes_.size());
     firsts_.push_back(first);
-    std::vector<std::size_t> open{first};
     labels_[first] = label;
-    std::size_t size = 0;
-    while (!open.empty()) {
-      const std::size_t node = open.back();
-      open.pop_back();
+    std::size_t size = 1;
+    flood(grid_, {first}, [&](std::size_t node, std::size_t next) {
+      if (labels_[next] != unlabelled || (field_[next] < 0.0F) != (field_[node] < 0.0F))
+        return false;
+      labels_[next] = label;
       ++size;
-      for_each_neighbour(grid_, node, [&](std::size_t next) {
-        if (labels_[next] != unlabelled || (field_[next] < 0.0F) != (field_[node] < 0.0F)) return;
-        labels_[next] = label;
-        open.push_back(next);
-      });
-    }
+      return true;
+    });
     sizes_.push_back(size);
   }
 

@@ -15,13 +15,6 @@ void append_oriented(const PointCloud& cloud, SurfacePoints& points) {
 
 }  // namespace
 
-Points as_rows(const std::vector<Eigen::Vector3f>& positions) {
-  Points points(static_cast<Eigen::Index>(positions.size()), 3);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = positions[i].transpose();
-  return points;
-}
-
 SurfacePoints surface_points(const PointCloud& observed, const PointCloud& added) {
   SurfacePoints points;
   append_oriented(observed, points);

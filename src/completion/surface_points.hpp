@@ -16,9 +16,6 @@ struct SurfacePoints {
   bool is_observed(std::size_t i) const { return i < observed; }
 };
 
-/// Positions as a matrix with one row each.
-Points as_rows(const std::vector<Eigen::Vector3f>& positions);
-
 SurfacePoints surface_points(const PointCloud& observed, const PointCloud& added);
 
 }  // namespace symscene

@@ -1,7 +1,7 @@
 #include "thin_walls.hpp"
 
-#include <algorithm>
-
+#include "core/as_rows.hpp"
+#include "core/median.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
@@ -33,15 +33,11 @@ std::vector<std::uint8_t> cavity_nodes(const NodeGrid& grid, std::vector<std::si
                                        const IsOpen& is_open) {
   std::vector<std::uint8_t> reached(grid.nodes(), 0);
   for (const std::size_t seed : open) reached[seed] = 1;
-  while (!open.empty()) {
-    const std::size_t node = open.back();
-    open.pop_back();
-    for_each_neighbour(grid, node, [&](std::size_t next) {
-      if (reached[next] != 0 || !is_open(next)) return;
-      reached[next] = 1;
-      open.push_back(next);
-    });
-  }
+  flood(grid, std::move(open), [&](std::size_t, std::size_t next) {
+    if (reached[next] != 0 || !is_open(next)) return false;
+    reached[next] = 1;
+    return true;
+  });
   return reached;
 }
 
@@ -69,9 +65,7 @@ std::optional<Vessel> find_vessel(const SurfacePoints& points, const ConvexBound
   if (walls.empty() || !reaches(inner, probes.size(), min_inner) ||
       !reaches(walls.size(), inner, min_walled))
     return std::nullopt;
-  const auto middle = walls.begin() + static_cast<std::ptrdiff_t>(walls.size() / 2);
-  std::nth_element(walls.begin(), middle, walls.end());
-  vessel.thickness = *middle;
+  vessel.thickness = *median(std::move(walls));
   return vessel;
 }
 

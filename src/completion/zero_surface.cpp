@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/as_rows.hpp"
 #include "core/cell_triangles.hpp"
 
 namespace symscene {
@@ -20,9 +21,7 @@ class ZeroSurfaceExtractor {
     connect_cells();
     ZeroSurface surface;
     surface.nodes = std::move(nodes_);
-    surface.mesh.vertices.resize(static_cast<Eigen::Index>(places_.size()), 3);
-    for (std::size_t v = 0; v < places_.size(); ++v)
-      surface.mesh.vertices.row(static_cast<Eigen::Index>(v)) = places_[v].transpose();
+    surface.mesh.vertices = as_rows(places_);
     surface.mesh.triangles.resize(static_cast<Eigen::Index>(triangles_.size()), 3);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       surface.mesh.triangles.row(static_cast<Eigen::Index>(t)) << triangles_[t][0],

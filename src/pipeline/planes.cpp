@@ -1,6 +1,8 @@
 #include "planes.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace symscene {
 namespace {
@@ -36,14 +38,14 @@ ReflectionalDetection detect_planes(const PlaneInput& input, const PipelineOptio
     planes = detect_reflectional(input.cloud, input.segments, input.field, input.up,
                                  options.reflectional_detection);
   if (!options.planes_of_curves) return planes;
-  const ReflectionalDetection of_curves =
+  ReflectionalDetection of_curves =
       detect_reflectional_by_curves(input.cloud, scene_curves(input.cloud, options), input.field,
                                     detection_at(options.voxel_size, options.curve_detection));
-  const std::vector<ReflectionalCandidate> further = further_candidates(
-      of_curves.candidates, planes.candidates, input.cloud, options.curve_detection);
-  planes.candidates.insert(planes.candidates.end(), further.begin(), further.end());
+  std::vector<ReflectionalCandidate> further = further_candidates(
+      std::move(of_curves.candidates), planes.candidates, input.cloud, options.curve_detection);
   planes.funnel.insert(planes.funnel.end(), of_curves.funnel.begin(), of_curves.funnel.end());
   planes.funnel.push_back({"curves: planes that segments do not propose", further.size()});
+  std::move(further.begin(), further.end(), std::back_inserter(planes.candidates));
   return planes;
 }
 

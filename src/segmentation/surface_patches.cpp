@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "core/as_rows.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
@@ -153,9 +154,7 @@ std::vector<SurfacePatch> surface_patches(const PointCloud& cloud,
 std::vector<std::pair<Index, Index>> patches_across_gaps(const std::vector<SurfacePatch>& patches,
                                                          const SurfacePartsOptions& options) {
   const auto reach = static_cast<float>(options.max_patch_gap * options.patch_size);
-  Points centers(static_cast<Eigen::Index>(patches.size()), 3);
-  for (std::size_t k = 0; k < patches.size(); ++k)
-    centers.row(static_cast<Eigen::Index>(k)) = patches[k].center.transpose();
+  const Points centers = as_rows(patches, [](const SurfacePatch& patch) { return patch.center; });
   std::vector<std::pair<Index, Index>> pairs;
   if (patches.empty()) return pairs;
   const CellList cells(centers, reach);

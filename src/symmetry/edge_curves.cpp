@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "boundary_points.hpp"
+#include "core/as_rows.hpp"
 #include "measured_path.hpp"
 #include "ordered_paths.hpp"
 #include "path_joining.hpp"
@@ -50,12 +51,7 @@ EdgeCurve curve_along(const BoundaryNodes& nodes, const MeasuredPath& path, doub
   return curve;
 }
 
-Points node_positions(const BoundaryNodes& nodes) {
-  Points positions(static_cast<Eigen::Index>(nodes.size()), 3);
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    positions.row(static_cast<Eigen::Index>(k)) = nodes[k].position.cast<float>().transpose();
-  return positions;
-}
+Eigen::Vector3f position_of(const EdgeCurve::Point& node) { return node.position.cast<float>(); }
 
 }  // namespace
 
@@ -78,7 +74,7 @@ std::vector<EdgeCurve> edge_curves(const PointCloud& cloud, const NeighborLists&
   const BoundaryNodes nodes =
       boundary_nodes(cloud, boundary_points(cloud, neighbors, facets, options), options);
   std::vector<PointIndices> parts;
-  for (PointIndices& path : ordered_paths(node_positions(nodes), options.link_distance))
+  for (PointIndices& path : ordered_paths(as_rows(nodes, position_of), options.link_distance))
     append_parts(nodes, std::move(path), options, parts);
   std::vector<EdgeCurve> curves;
   for (PointIndices& joined : joined_paths(nodes, std::move(parts), options)) {

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "core/as_rows.hpp"
 #include "measured_path.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
@@ -41,10 +42,9 @@ bool is_continued(const BoundaryNodes& nodes, const PathEnd& a, const PathEnd& b
 std::vector<std::pair<Index, Index>> ends_to_join(const BoundaryNodes& nodes,
                                                   const std::vector<PathEnd>& ends,
                                                   const EdgeCurveOptions& options) {
-  Points positions(static_cast<Eigen::Index>(ends.size()), 3);
-  for (std::size_t e = 0; e < ends.size(); ++e)
-    positions.row(static_cast<Eigen::Index>(e)) =
-        nodes[ends[e].node].position.cast<float>().transpose();
+  const Points positions = as_rows(ends, [&](const PathEnd& end) -> Eigen::Vector3f {
+    return nodes[end.node].position.cast<float>();
+  });
   const NeighborLists near = radius_neighbors(positions, static_cast<float>(options.link_distance));
   std::vector<std::tuple<float, Index, Index>> pairs;
   for (Index a = 0; a < near.size(); ++a) {
