@@ -12,6 +12,9 @@ namespace symscene {
 namespace {
 
 constexpr double max_cells = 1 << 27;
+constexpr double free_cells = 1 << 20;  ///< as many cost next to nothing
+constexpr double max_cells_per_point = 512.0;
+constexpr float max_cell_growth = 16.0F;  ///< beyond it the units are hardly metres
 constexpr std::size_t query_block = 1024;
 constexpr float cell_rounding = 1e-3F;  ///< of a coordinate [cells]
 
@@ -19,6 +22,23 @@ constexpr float cell_rounding = 1e-3F;  ///< of a coordinate [cells]
 inline float distance_to_cell(float at, int cell) {
   const auto low = static_cast<float>(cell);
   return std::max(std::max(low - at, at - low - 1.0F) - cell_rounding, 0.0F);
+}
+
+Eigen::Array3d cells_along(const Eigen::Vector3f& extent, float cell_size) {
+  return (extent.cast<double>().array() / double{cell_size}).floor() + 1.0;
+}
+
+/// The cell size from `wanted` on of which a box of that extent holds at most `most` cells.
+float fitting_cell_size(const Eigen::Vector3f& extent, float wanted, double most) {
+  constexpr float step = 1.25F;
+  float size = wanted;
+  while (cells_along(extent, size).prod() > most && size < max_cell_growth * wanted) size *= step;
+  if (cells_along(extent, size).prod() <= max_cells) return size;
+  throw InputError(
+      "point cloud",
+      fmt::format("an extent that a grid of {:.3g} m can cover (are the units metres?)",
+                  max_cell_growth * wanted),
+      fmt::format("{:.4g} x {:.4g} x {:.4g} m", extent.x(), extent.y(), extent.z()));
 }
 
 /// nanoflann's view of a point array.
@@ -74,19 +94,12 @@ CellList::CellList(const Points& points, float cell_size) {
     throw InputError("point cloud", "finite coordinates", "a NaN or infinite one");
   const Box box = bounding_box(points);
   if (points.rows() == 0) return;
-  const Eigen::Array3d cells =
-      (box.extent().cast<double>().array() / double{cell_size}).floor() + 1.0;
-  if (cells.prod() > max_cells) {
-    throw InputError(
-        "point cloud",
-        fmt::format("an extent that a grid of {:.3g} m can cover (are the units metres?)",
-                    cell_size),
-        fmt::format("{:.4g} x {:.4g} x {:.4g} m", box.extent().x(), box.extent().y(),
-                    box.extent().z()));
-  }
+  const double most =
+      std::clamp(max_cells_per_point * static_cast<double>(points.rows()), free_cells, max_cells);
+  const float fitting = fitting_cell_size(box.extent(), cell_size, most);
   box_ = box;
-  inverse_cell_size_ = 1.0F / cell_size;
-  cells_ = cells.cast<int>().matrix();
+  inverse_cell_size_ = 1.0F / fitting;
+  cells_ = cells_along(box.extent(), fitting).cast<int>().matrix();
   sort(points);
 }
 

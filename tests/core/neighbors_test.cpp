@@ -124,6 +124,20 @@ TEST(CellList, FindsTheSameNearestPointAsBruteForce) {
   }
 }
 
+TEST(CellList, SearchesAnExtentThatCellsOfTheGivenSizeCannotCover) {
+  Points points = random_points(4, 400);
+  points.row(0) << 7.0F, -9.0F, 6.0F;  // 2^28 cells of 1 cm and more
+  const CellList cells(points, 0.01F);
+  EXPECT_EQ(cells.nearest({7.01F, -9.0F, 6.0F}, 0.02F).first, 0U);
+  for (Index i = 1; i < 400; ++i)
+    EXPECT_EQ(cells.nearest(points.row(i).transpose(), 0.01F).first, i);
+}
+
+TEST(CellList, RefusesAnExtentInMillimetres) {
+  const Points points = random_points(4, 400) * 1e4F;
+  EXPECT_THROW(CellList(points, 0.01F), InputError);
+}
+
 TEST(CellList, BreaksTiesByTheLowerIndex) {
   const Points points = random_points(4, 1).replicate(5, 1);
   const CellList cells(points, 0.01F);

@@ -23,9 +23,9 @@ struct NeighborLists {
 /// cells along x is contiguous. For clouds of even density, where it is faster than a tree.
 class CellList {
  public:
-  /// Sorts `points` into cells with an edge of `cell_size`. [m]
-  /// Throws InputError if a coordinate is not finite or the box of the points holds more than 2^27
-  /// cells.
+  /// Sorts `points` into cells with an edge of `cell_size` [m], or of up to about 16 times as much
+  /// where the box of the points is so large that most cells would be empty. Throws InputError if
+  /// a coordinate is not finite or the box holds more than 2^27 cells even then.
   CellList(const Points& points, float cell_size);
 
   /// Calls visit(index, squared distance) for every point within `radius` of `query`, in a fixed
