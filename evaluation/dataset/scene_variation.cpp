@@ -65,7 +65,8 @@ void draw_views(const SceneVariationOptions& options, ScenePlan& plan, Random& r
   const bool is_single = choice < options.single_views;
   const bool is_few = !is_single && choice < options.single_views + options.few_views;
   if (is_single || is_few) {
-    camera.frames = is_single ? 1 : log_uniform_count(2, options.max_few_frames, random);
+    camera.frames =
+        is_single ? 1 : log_uniform_count(options.min_few_frames, options.max_few_frames, random);
     plan.making.poses = "exact";
   } else {
     camera.frames =
@@ -148,6 +149,8 @@ void SceneVariationOptions::validate() const {
                  max_distance);
   require_option(max_elevation >= min_elevation, "max_elevation", "at least min_elevation",
                  max_elevation);
+  require_option(max_few_frames >= min_few_frames, "max_few_frames", "at least min_few_frames",
+                 max_few_frames);
   require_option(max_tracked_frames >= min_tracked_frames, "max_tracked_frames",
                  "at least min_tracked_frames", max_tracked_frames);
   require_option(stereo + tof <= 1.0, "tof", "at most 1 together with stereo", tof);

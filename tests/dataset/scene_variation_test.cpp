@@ -83,7 +83,7 @@ TEST(SceneVariation, MakesASceneOfFewExactViewsThatRecordsWhatWasDrawn) {
   options.variation.cameras = false;
   options.variation.few_views = 1.0;
   options.variation.single_views = 0.0;
-  options.variation.max_few_frames = 3;
+  options.variation.min_few_frames = options.variation.max_few_frames = 3;
   options.variation.min_distance = options.variation.max_distance = 0.7;
   options.variation.max_elevation = 0.8;
   options.variation.no_occupancy = 1.0;
@@ -91,7 +91,7 @@ TEST(SceneVariation, MakesASceneOfFewExactViewsThatRecordsWhatWasDrawn) {
   ASSERT_TRUE(made.facts.good) << made.facts.failed.at(0).reason;
   ASSERT_TRUE(made.facts.plan);
   EXPECT_EQ(made.facts.plan->making.poses, "exact");
-  EXPECT_EQ(made.facts.frames, static_cast<std::size_t>(made.facts.plan->sweep.camera.frames));
+  EXPECT_EQ(made.facts.frames, 3U);
   EXPECT_EQ(made.facts.fused, made.facts.frames);
   EXPECT_LT(made.facts.path_error, 1e-9);
   EXPECT_FALSE(made.scene.occupancy);

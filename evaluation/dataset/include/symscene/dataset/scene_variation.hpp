@@ -24,6 +24,7 @@ struct SceneVariationOptions {
   double max_elevation = 1.5;
   double single_views = 0.4;
   double few_views = 0.3;
+  int min_few_frames = 2;
   int max_few_frames = 15;
   int min_tracked_frames = 30;
   int max_tracked_frames = 200;
@@ -58,8 +59,10 @@ struct SceneVariationOptions {
     visit("single_views", self.single_views, "", between(0.0, 1.0), "share of scenes of one frame");
     visit("few_views", self.few_views, "", between(0.0, 1.0),
           "share of scenes of few frames with exact poses, spread over the arc");
+    visit("min_few_frames", self.min_few_frames, "", at_least(2),
+          "fewest frames of a scene of few");
     visit("max_few_frames", self.max_few_frames, "", at_least(2),
-          "most frames of a scene of few, from 2 on, drawn uniformly in its logarithm");
+          "most frames of a scene of few, drawn uniformly in its logarithm");
     visit("min_tracked_frames", self.min_tracked_frames, "", at_least(2),
           "fewest frames of a scene whose poses are tracked");
     visit("max_tracked_frames", self.max_tracked_frames, "", at_least(2),
