@@ -78,7 +78,7 @@ class Comparison {
 
  private:
   static std::string note(const SymmetryGroup& group, const char* what, double residual) {
-    return fmt::format("  {} {:.1f} %", what, 100 * residual / group.diameter);
+    return fmt::format("  {} {:.1f} %", what, 100 * residual / group.diagonal);
   }
 
   std::string count_found(const SymmetryGroup& group, const std::vector<RotationAxis>& turning,

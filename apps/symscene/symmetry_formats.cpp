@@ -19,18 +19,24 @@ Json matrix(const Eigen::Isometry3d& motion, double scale) {
   return rows;
 }
 
-Json axis_json(const GroupAxis& found, double millimetres) {
+double percent(double residual, const ModelSymmetries& model) {
+  return 100.0 * residual / model.group.diagonal;
+}
+
+Json axis_json(const GroupAxis& found, const ModelSymmetries& model) {
   const bool turns_freely = found.order == GroupAxis::continuous;
   return {{"point", coordinates(found.axis.point)},
           {"direction", coordinates(found.axis.direction)},
           {"order", turns_freely ? Json("continuous") : Json(found.order)},
-          {"residual_mm", millimetres * found.residual}};
+          {"residual_mm", model.millimetres * found.residual},
+          {"residual_percent", percent(found.residual, model)}};
 }
 
-Json plane_json(const GroupPlane& found, double millimetres) {
+Json plane_json(const GroupPlane& found, const ModelSymmetries& model) {
   return {{"point", coordinates(found.plane.point)},
           {"normal", coordinates(found.plane.normal)},
-          {"residual_mm", millimetres * found.residual}};
+          {"residual_mm", model.millimetres * found.residual},
+          {"residual_percent", percent(found.residual, model)}};
 }
 
 /// Whether JSON fits on a line: a value, or a list of values.
@@ -94,15 +100,14 @@ Json group_json(const ModelSymmetries& model) {
   const SymmetryGroup& group = model.group;
   Json json = {{"name", model.name},
                {"diameter", model.diameter},
+               {"diagonal", group.diagonal},
                {"center", coordinates(group.center)},
                {"sphere", group.sphere}};
   if (group.sphere) json["sphere_residual_mm"] = model.millimetres * group.sphere_residual;
   json["axes"] = Json::array();
-  for (const GroupAxis& found : group.axes)
-    json["axes"].push_back(axis_json(found, model.millimetres));
+  for (const GroupAxis& found : group.axes) json["axes"].push_back(axis_json(found, model));
   json["planes"] = Json::array();
-  for (const GroupPlane& found : group.planes)
-    json["planes"].push_back(plane_json(found, model.millimetres));
+  for (const GroupPlane& found : group.planes) json["planes"].push_back(plane_json(found, model));
   json["rotations"] = Json::array();
   for (const Eigen::Isometry3d& rotation : group.rotations)
     json["rotations"].push_back(matrix(rotation, 1.0));

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "group_search.hpp"
 
 namespace symscene {
 
-double greatest_distance(const Points& points) {
-  if (points.rows() == 0) return 0.0;
+PointIndices outermost_points(const Points& points) {
   constexpr int tried_directions = 1000;
-  // Only points that are outermost in some direction can be farthest apart.
-  std::vector<Index> outermost;
+  PointIndices outermost;
+  if (points.rows() == 0) return outermost;
   for (const Eigen::Vector3d& direction : hemisphere(tried_directions)) {
     const Eigen::VectorXf along = points * direction.cast<float>();
     Eigen::Index low = 0, high = 0;
@@ -22,6 +20,12 @@ double greatest_distance(const Points& points) {
   }
   std::sort(outermost.begin(), outermost.end());
   outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
+  return outermost;
+}
+
+double greatest_distance(const Points& points) {
+  // Only points that are outermost in some direction can be farthest apart.
+  const PointIndices outermost = outermost_points(points);
   float squared = 0.0F;
   for (const Index a : outermost) {
     for (const Index b : outermost)

@@ -22,7 +22,18 @@ std::vector<double> angles_of(int order) {
   return angles;
 }
 
-/// Whether a residual grows when the direction is tilted to any side by an angle.
+/// The least divisor above one.
+int least_divisor(int number) {
+  int divisor = 2;
+  while (number % divisor != 0) ++divisor;
+  return divisor;
+}
+
+constexpr double flat = 0.97;
+
+/// Whether a residual does not fall when the direction is tilted to any side by an angle. The fit
+/// minimises robust point-to-plane residuals, so that the mean distance may be a little less beside
+/// a flat minimum.
 template <class Residual>
 bool is_minimum(const Eigen::Vector3d& direction, double residual, double tilt,
                 const Residual& residual_of) {
@@ -30,7 +41,8 @@ bool is_minimum(const Eigen::Vector3d& direction, double residual, double tilt,
   for (int k = 0; k < 8; ++k) {
     const double turn = k * std::numbers::pi / 4.0;
     const Eigen::Vector3d side = basis * Eigen::Vector2d(std::cos(turn), std::sin(turn));
-    if (residual_of((direction + std::tan(tilt) * side).normalized()) < residual) return false;
+    if (residual_of((direction + std::tan(tilt) * side).normalized()) < flat * residual)
+      return false;
   }
   return true;
 }
@@ -45,7 +57,9 @@ GroupPlane fitted_plane(const SymmetryModel& model, const ReflectionPlane& start
       options.tolerance + options.step_distance)
     return {plane, never};
   plane = fit_to(model.surface, model.fitted, plane, Matching::exact);
-  return {plane, model.residual(plane)};
+  const double residual = model.residual(plane);
+  const bool holds = residual <= options.tolerance && !model.moves_part(motion_of(plane), options);
+  return {plane, holds ? residual : never};
 }
 
 GroupAxis fitted_axis(const SymmetryModel& model, const RotationAxis& start, int order,
@@ -56,7 +70,12 @@ GroupAxis fitted_axis(const SymmetryModel& model, const RotationAxis& start, int
       options.tolerance + options.step_distance)
     return {axis, order, never};
   axis = fit_to(model.surface, model.fitted, axis, angles, Matching::exact);
-  return {axis, order, model.residual(axis, angles)};
+  const double residual = model.residual(axis, angles);
+  const bool holds = residual <= options.tolerance &&
+                     std::none_of(angles.begin(), angles.end(), [&](double angle) {
+                       return model.moves_part(motion_of(axis, angle), options);
+                     });
+  return {axis, order, holds ? residual : never};
 }
 
 const Eigen::Vector3d& direction_of(const GroupPlane& found) { return found.plane.normal; }
@@ -159,11 +178,29 @@ std::vector<GroupAxis> GroupSearch::axes(int order) const {
   return found;
 }
 
+std::vector<GroupAxis> GroupSearch::multiples(const GroupAxis& axis) const {
+  std::vector<int> orders;
+  for (int order = 2 * axis.order; order <= options_.max_order; order += axis.order) {
+    if (least_divisor(order) == axis.order) orders.push_back(order);
+  }
+  std::vector<GroupAxis> found(orders.size());
+  parallel_for_each(orders.size(), [&](std::size_t k) {
+    found[k] = fitted_axis(model_, axis.axis, orders[k], options_);
+  });
+  std::erase_if(found, [&](const GroupAxis& each) { return each.residual == never; });
+  return found;
+}
+
 std::vector<GroupAxis> GroupSearch::finite_axes() const {
   std::vector<GroupAxis> all;
+  // An axis of any order is one of the primes that divide it.
   for (int order = 2; order <= options_.max_order; ++order) {
-    const std::vector<GroupAxis> found = axes(order);
-    all.insert(all.end(), found.begin(), found.end());
+    if (least_divisor(order) != order) continue;
+    for (const GroupAxis& found : axes(order)) {
+      all.push_back(found);
+      const std::vector<GroupAxis> higher = multiples(found);
+      all.insert(all.end(), higher.begin(), higher.end());
+    }
   }
   std::vector<GroupAxis> kept;
   for (const GroupAxis& best : distinct(all, options_)) {

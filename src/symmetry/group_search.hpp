@@ -26,6 +26,11 @@ struct SymmetryModel {
     return mean_distance(surface, judged, axis, angles);
   }
 
+  /// Whether a motion takes a part, such as a handle, off the surface.
+  bool moves_part(const Eigen::Affine3d& motion, const SymmetryGroupOptions& options) const {
+    return share_beyond(surface, judged, motion, options.part_distance) > options.part_share;
+  }
+
   SurfaceDistance surface;
   PointIndices coarse, fitted, judged;
 };
@@ -50,6 +55,8 @@ class GroupSearch {
   /// The minima of a distance over all directions that may be within the tolerance, best first.
   template <class Distance>
   std::vector<Eigen::Vector3d> candidates(const Distance& distance_of) const;
+  /// Fits of the orders that are multiples of an axis' prime order, and of no lower prime.
+  std::vector<GroupAxis> multiples(const GroupAxis& axis) const;
   bool is_least_around(std::size_t k, const std::vector<double>& distances) const;
 
   const SymmetryModel& model_;

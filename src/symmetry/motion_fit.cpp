@@ -114,6 +114,15 @@ double mean_distance(const SurfaceDistance& surface, std::span<const Index> samp
   return worst;
 }
 
+double share_beyond(const SurfaceDistance& surface, std::span<const Index> samples,
+                    const Eigen::Affine3d& motion, double distance) {
+  const Eigen::Affine3f by = motion.cast<float>();
+  const auto beyond = std::count_if(samples.begin(), samples.end(), [&](Index i) {
+    return surface.nearest(by * surface.samples().position(i)).distance > distance;
+  });
+  return static_cast<double>(beyond) / static_cast<double>(samples.size());
+}
+
 ReflectionPlane fit_to(const SurfaceDistance& surface, std::span<const Index> samples,
                        const ReflectionPlane& start, Matching matching) {
   ReflectionPlane plane = start;

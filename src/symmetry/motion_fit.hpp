@@ -24,6 +24,10 @@ double mean_distance(const SurfaceDistance& surface, std::span<const Index> samp
                      const RotationAxis& axis, std::span<const double> angles,
                      Matching matching = Matching::exact);
 
+/// The share of moved samples that are farther than `distance` from the surface.
+double share_beyond(const SurfaceDistance& surface, std::span<const Index> samples,
+                    const Eigen::Affine3d& motion, double distance);
+
 /// Fits a plane, or an axis for all of the angles, to a surface: moved samples are aligned with it
 /// point to plane, by Gauss-Newton steps under Cauchy weights (Eqs. 3.3, 3.7).
 ReflectionPlane fit_to(const SurfaceDistance& surface, std::span<const Index> samples,

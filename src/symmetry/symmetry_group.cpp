@@ -12,6 +12,7 @@
 #include "nearest_point.hpp"
 #include "symmetry/greatest_distance.hpp"
 #include "symscene/core/error.hpp"
+#include "tight_box.hpp"
 
 namespace symscene {
 namespace {
@@ -133,6 +134,15 @@ void search(const SymmetryModel& model, const SymmetryGroupOptions& options, Sym
   }
 }
 
+/// Options for a surface with a diameter of one.
+SymmetryGroupOptions in_diameters(const SymmetryGroupOptions& options, const SymmetryGroup& group) {
+  SymmetryGroupOptions normalised = options;
+  const double diagonal = group.diagonal / group.diameter;
+  normalised.tolerance *= diagonal;
+  normalised.part_distance *= diagonal;
+  return normalised;
+}
+
 }  // namespace
 
 SymmetryGroup find_symmetry_group(const PointCloud& surface, const SymmetryGroupOptions& options) {
@@ -140,11 +150,13 @@ SymmetryGroup find_symmetry_group(const PointCloud& surface, const SymmetryGroup
   SymmetryGroup group;
   group.diameter = greatest_distance(surface.positions);
   require_surface(surface, group.diameter);
+  group.diagonal = tight_box_diagonal(surface.positions);
   const Eigen::Vector3d origin = centroid(surface.positions);
   const PointCloud cloud = normalized(surface, origin, group.diameter);
   group.sphere_residual = radius_deviation(cloud);
   group.sphere = group.sphere_residual <= options.tolerance;
-  if (!group.sphere) search(SymmetryModel(cloud, options), options, group);
+  const SymmetryGroupOptions normalised = in_diameters(options, group);
+  if (!group.sphere) search(SymmetryModel(cloud, normalised), normalised, group);
   restore(group, origin);
   return group;
 }

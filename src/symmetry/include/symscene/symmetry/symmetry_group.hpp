@@ -13,6 +13,8 @@ namespace symscene {
 /// Options of find_symmetry_group().
 struct SymmetryGroupOptions {
   double tolerance = 0.01;
+  double part_share = 0.01;
+  double part_distance = 0.12;
   int max_order = 12;
   int directions = 2000;
   int coarse_points = 250;
@@ -30,7 +32,12 @@ struct SymmetryGroupOptions {
   static void visit_fields(Self& self, Visit&& visit) {
     visit("tolerance", self.tolerance, "", above_up_to(0.0, 0.2),
           "a motion is a symmetry if it moves the surface off itself by no more than this share of "
-          "the object's diameter, on average");
+          "the object's diagonal, on average");
+    visit("part_share", self.part_share, "", between(0.0, 1.0),
+          "a motion is no symmetry if it moves more than this share of the surface, such as a "
+          "handle, off it by more than part_distance");
+    visit("part_distance", self.part_distance, "", above(0.0),
+          "see part_share, by the object's diagonal");
     visit("max_order", self.max_order, "", between(2, 24),
           "largest order of an axis; with more, a turn counts as continuous");
     visit("directions", self.directions, "", between(100, 100000),
@@ -79,6 +86,7 @@ struct GroupPlane {
 /// The symmetry group of a whole surface within a tolerance, in the frame and unit of the surface.
 struct SymmetryGroup {
   double diameter = 0.0;                             ///< greatest distance of two points [m]
+  double diagonal = 0.0;                             ///< of the narrowest box around it [m]
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< which all symmetries leave in place [m]
   bool sphere = false;  ///< all lines and planes through the centre are symmetries; none is listed
   double sphere_residual = 0.0;  ///< mean deviation of the radii of a sphere [m]
