@@ -1,9 +1,9 @@
-# Builds the viewer's page with npm, in the build folder, and embeds it into symscene_viewer.
+# Builds the viewer's pages with npm, in the build folder, and embeds them into symscene_viewer.
 # Include after symscene_library(viewer ...).
 include(SymsceneEmbed)
-set(SYMSCENE_VIEWER_PAGE "" CACHE FILEPATH "A built viewer/dist/page.html, to build without Node and npm")
+set(SYMSCENE_VIEWER_PAGE "" CACHE FILEPATH "A built viewer/dist/page.html with review.html beside it, to build without Node and npm")
 
-# Sets `page` to the path of the built page and adds the commands that make it.
+# Sets `page` to the path of the built page, with the review page beside it, and adds the commands that make both.
 function(symscene_build_page page)
   find_program(SYMSCENE_NODE NAMES node nodejs REQUIRED)
   find_program(SYMSCENE_NPM npm REQUIRED)
@@ -20,24 +20,26 @@ function(symscene_build_page page)
       ${SYMSCENE_NPM} ci --omit=dev --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error
     COMMAND ${CMAKE_COMMAND} -E touch ${work}/packages.stamp
     DEPENDS ${packages} COMMENT "Fetching three.js and esbuild" VERBATIM)
-  add_custom_command(OUTPUT ${work}/dist/page.html
+  add_custom_command(OUTPUT ${work}/dist/page.html ${work}/dist/review.html
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${work}/src
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${source}/src ${work}/src
     COMMAND ${CMAKE_COMMAND} -E copy ${source}/template.html ${source}/build.mjs ${work}
     COMMAND ${CMAKE_COMMAND} -E chdir ${work} ${SYMSCENE_NODE} build.mjs
-    DEPENDS ${inputs} ${work}/packages.stamp COMMENT "Bundling the viewer's page" VERBATIM)
+    DEPENDS ${inputs} ${work}/packages.stamp COMMENT "Bundling the viewer's pages" VERBATIM)
   set(${page} ${work}/dist/page.html PARENT_SCOPE)
 endfunction()
 
-function(symscene_embed_page target)
+function(symscene_embed_pages target)
   if(SYMSCENE_VIEWER_PAGE)
     set(page ${SYMSCENE_VIEWER_PAGE})
   else()
     symscene_build_page(page)
   endif()
+  cmake_path(GET page PARENT_PATH dist)
   symscene_embed(${target} ${page} page_template)
+  symscene_embed(${target} ${dist}/review.html review_template)
 endfunction()
 
 if(TARGET symscene_viewer)
-  symscene_embed_page(symscene_viewer)
+  symscene_embed_pages(symscene_viewer)
 endif()

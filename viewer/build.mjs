@@ -1,4 +1,4 @@
-// Bundles the viewer into dist/page.html: one file with two placeholders, for title and payload.
+// Bundles the pages into dist/page.html and dist/review.html: files with two placeholders, for title and payload.
 import { build } from 'esbuild';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 
@@ -18,18 +18,23 @@ async function bundle(entry) {
   return result.outputFiles[0].text.trim();
 }
 
-// Replacement functions, because "$&" in a bundle must stay what it is.
 const template = await readFile(here('template.html'), 'utf8');
-const [style, script] = await Promise.all([bundle('src/style.css'), bundle('src/main.js')]);
 // The licence of what is bundled goes where the bundle goes.
 const licence = (await readFile(here('node_modules/three/LICENSE'), 'utf8')).trim();
-const page = template
-  .replace('/*@@STYLE@@*/', () => style)
-  .replace('/*@@SCRIPT@@*/', () => `/*! three.js, https://threejs.org\n\n${licence}\n*/\n${script}`);
 
-for (const placeholder of ['@@SYMSCENE_TITLE@@', '"@@SYMSCENE_PAYLOAD@@"']) {
-  if (page.split(placeholder).length !== 2) throw new Error(`${placeholder} must occur once`);
+async function makePage(name, styleEntry, scriptEntry) {
+  const [style, script] = await Promise.all([bundle(styleEntry), bundle(scriptEntry)]);
+  // Replacement functions, because "$&" in a bundle must stay what it is.
+  const page = template
+    .replace('/*@@STYLE@@*/', () => style)
+    .replace('/*@@SCRIPT@@*/', () => `/*! three.js, https://threejs.org\n\n${licence}\n*/\n${script}`);
+  for (const placeholder of ['@@SYMSCENE_TITLE@@', '"@@SYMSCENE_PAYLOAD@@"']) {
+    if (page.split(placeholder).length !== 2) throw new Error(`${placeholder} must occur once`);
+  }
+  await writeFile(here(`dist/${name}`), page);
+  console.log(`dist/${name}  ${(page.length / 1024).toFixed(0)} KiB`);
 }
+
 await mkdir(here('dist/'), { recursive: true });
-await writeFile(here('dist/page.html'), page);
-console.log(`dist/page.html  ${(page.length / 1024).toFixed(0)} KiB`);
+await makePage('page.html', 'src/style.css', 'src/main.js');
+await makePage('review.html', 'src/review/review.css', 'src/review/main.js');

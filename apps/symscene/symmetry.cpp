@@ -11,6 +11,7 @@
 #include "session.hpp"
 #include "symmetry/greatest_distance.hpp"
 #include "symmetry_formats.hpp"
+#include "symmetry_review.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
 
@@ -26,11 +27,11 @@ constexpr std::size_t sampled_points = 20000;
 struct Model {
   std::string name;
   PointCloud surface;
-  Points vertices;
+  TriangleMesh mesh;  ///< of a cloud only its points, as vertices
 };
 
 Model model_of(const NamedMesh& named) {
-  return {named.name, sample_surface(named.mesh, sampled_points), named.mesh.vertices};
+  return {named.name, sample_surface(named.mesh, sampled_points), named.mesh};
 }
 
 /// The number in a name like obj_000012; 0 in others.
@@ -48,6 +49,7 @@ struct Symmetry {
   SymmetryGroupOptions whole;
   SingleObjectOptions partial;
   std::vector<fs::path> inputs;
+  fs::path review, reviewed;
   std::string format = "json", units = "m";
   bool is_partial = false;
 
@@ -58,11 +60,7 @@ struct Symmetry {
 
   void run() {
     configure();
-    if (is_partial && format == "bop")
-      throw InputError("--format bop", "whole models", "--partial");
-    if (!shared.output.empty()) {
-      for (const fs::path& input : inputs) require_not_input(shared.output, input);
-    }
+    refuse_contradictions();
     Session session("symmetry", shared);
     StageTimer timer(session.on_begin());
     const std::vector<Model> models = timer.time("read", [&] { return read_models(session); });
@@ -76,20 +74,55 @@ struct Symmetry {
                 partial_json(model.name, detect_object_symmetries(model.surface, partial)));
           } else {
             groups.push_back(symmetries_of(model));
-            list.push_back(group_json(groups.back()));
           }
         });
       }
     });
-    write(format == "bop" ? models_info(groups, session) : Json{{"version", 2}, {"models", list}},
-          session);
-    session.finish({{"output", shared.output},
+    if (!reviewed.empty()) apply_choices(groups, session);
+    for (const ModelSymmetries& group : groups) list.push_back(group_json(group));
+    if (!review.empty()) write_review(models, groups, session);
+    if (review.empty() || !shared.output.empty())
+      write(format == "bop" ? models_info(groups, session) : Json{{"version", 2}, {"models", list}},
+            session);
+    session.finish({{"output", shared.output.empty() ? review : shared.output},
                     {"count", models.size()},
                     ReportMember::raw("models", list.dump())},
                    timer.stages());
   }
 
  private:
+  void refuse_contradictions() const {
+    if (is_partial && format == "bop")
+      throw InputError("--format bop", "whole models", "--partial");
+    if (is_partial && !(review.empty() && reviewed.empty()))
+      throw InputError(review.empty() ? "--reviewed" : "--review", "whole models", "--partial");
+    for (const fs::path& output : {shared.output, review}) {
+      if (output.empty()) continue;
+      for (const fs::path& input : inputs) require_not_input(output, input);
+      if (!reviewed.empty()) require_not_input(output, reviewed);
+    }
+  }
+
+  void apply_choices(std::vector<ModelSymmetries>& groups, Session& session) const {
+    const ReviewChoices choices(reviewed);
+    for (ModelSymmetries& group : groups) session.warn(choices.apply(group));
+  }
+
+  /// Choices are told apart by the names of the models.
+  void write_review(const std::vector<Model>& models, const std::vector<ModelSymmetries>& groups,
+                    Session& session) const {
+    std::set<std::string> names;
+    std::vector<ReviewedModel> shown;
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      if (!names.insert(models[k].name).second)
+        throw InputError("--review", "models of different names", "two of " + models[k].name);
+      shown.push_back(reviewed_model(groups[k], models[k].mesh));
+    }
+    const std::string title = fmt::format("Symmetries of {} models", models.size());
+    write_file_atomically(review, render_review_page(shown, title));
+    session.print_line(review.string());
+  }
+
   std::vector<Model> read_models(Session& session) const {
     std::vector<Model> models;
     for (const fs::path& input : inputs) {
@@ -99,7 +132,8 @@ struct Symmetry {
         for (const NamedMesh& mesh : folder.meshes) models.push_back(model_of(mesh));
       } else if (is_cloud_file(input)) {
         const PointCloud cloud = read_cloud(input);
-        models.push_back({input.stem().string(), cloud, cloud.positions});
+        models.push_back({input.stem().string(), cloud, {}});
+        models.back().mesh.vertices = cloud.positions;
       } else {
         models.push_back(model_of({input.stem().string(), read_mesh(input)}));
       }
@@ -112,8 +146,9 @@ struct Symmetry {
   }
 
   ModelSymmetries symmetries_of(const Model& model) const {
-    return {model.name, units == "mm" ? 1.0 : 1000.0, bounding_box(model.vertices),
-            greatest_distance(model.vertices), find_symmetry_group(model.surface, whole)};
+    const Points& vertices = model.mesh.vertices;
+    return {model.name, units == "mm" ? 1.0 : 1000.0, bounding_box(vertices),
+            greatest_distance(vertices), find_symmetry_group(model.surface, whole)};
   }
 
   /// models_info.json: entries by the numbers of obj_NNNNNN, or in order.
@@ -152,6 +187,9 @@ void add_symmetry(CommandLine& line) {
                       "Find the symmetry groups of whole models (PLY, OBJ, STL, GLB, PCD)",
                       "symscene symmetry mug.obj -o symmetries.json\n"
                       "  symscene symmetry models --units mm --format bop -o models_info.json\n"
+                      "  symscene symmetry models --review review.html\n"
+                      "  symscene symmetry models --reviewed choices.json --format bop -o "
+                      "models_info.json\n"
                       "  symscene symmetry scan.ply --partial");
   arguments.inputs(state->inputs, "MODEL", "files with a mesh or a point cloud, folders of meshes");
   arguments.optional_output(state->shared, "file to write (default: standard output)");
@@ -160,6 +198,11 @@ void add_symmetry(CommandLine& line) {
                        state->format + ")");
   arguments.choice("--units", state->units, {"m", "mm"},
                    "unit of the models (default " + state->units + ")");
+  arguments.file("--review", state->review,
+                 "page to write, on which a person accepts or rejects each symmetry and saves the "
+                 "choices as a file");
+  arguments.file("--reviewed", state->reviewed,
+                 "file of such choices: symmetries that were rejected are left out");
   arguments.flag("--partial", state->is_partial,
                  "the model is a partial scan: detect its probable axis and mirror planes");
   arguments.threads(state->shared);

@@ -71,10 +71,14 @@ GroupAxis fitted_axis(const SymmetryModel& model, const RotationAxis& start, int
     return {axis, order, never};
   axis = fit_to(model.surface, model.fitted, axis, angles, Matching::exact);
   const double residual = model.residual(axis, angles);
-  const bool holds = residual <= options.tolerance &&
-                     std::none_of(angles.begin(), angles.end(), [&](double angle) {
-                       return model.moves_part(motion_of(axis, angle), options);
-                     });
+  // Half turns of a slender shape are also products of its planes, which have no such bound.
+  const double bound =
+      order == 2 ? options.tolerance
+                 : std::min(options.tolerance, options.radius_share * model.mean_radius(axis));
+  const bool holds =
+      residual <= bound && std::none_of(angles.begin(), angles.end(), [&](double angle) {
+        return model.moves_part(motion_of(axis, angle), options);
+      });
   return {axis, order, holds ? residual : never};
 }
 

@@ -31,6 +31,13 @@ struct SymmetryModel {
     return share_beyond(surface, judged, motion, options.part_distance) > options.part_share;
   }
 
+  /// The mean distance of the surface from an axis.
+  double mean_radius(const RotationAxis& axis) const {
+    double sum = 0.0;
+    for (const Index i : judged) sum += axis.distance(surface.samples().position(i).cast<double>());
+    return sum / static_cast<double>(judged.size());
+  }
+
   SurfaceDistance surface;
   PointIndices coarse, fitted, judged;
 };

@@ -7,4 +7,7 @@ namespace symscene {
 /// viewer/dist/page.html, embedded when the library is built (cmake/SymsceneViewer.cmake).
 std::string_view page_template();
 
+/// viewer/dist/review.html, the same.
+std::string_view review_template();
+
 }  // namespace symscene

@@ -92,6 +92,52 @@ TEST_F(SymmetryCommand, SearchesPartialScansByScores) {
   EXPECT_EQ(run("models/obj_000003.obj --partial --format bop").code, 1);
 }
 
+TEST_F(SymmetryCommand, WritesAPageForReview) {
+  const Outcome outcome = run("models --units mm --review review.html");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "review.html\n");
+  const std::string page = contents(workspace_ / "review.html");
+  EXPECT_NE(page.find("\"name\":\"obj_000007\""), std::string::npos);
+  EXPECT_EQ(page.find("@@SYMSCENE"), std::string::npos);
+}
+
+TEST_F(SymmetryCommand, LeavesOutWhatAReviewRejects) {
+  const Outcome before = run("models/obj_000003.obj --units mm");
+  ASSERT_EQ(before.code, 0) << before.err;
+  const auto model = nlohmann::json::parse(before.out).at("models").at(0);
+  auto symmetries = nlohmann::json::array();
+  for (const auto& axis : model.at("axes"))
+    symmetries.push_back({{"kind", "axis"},
+                          {"point", axis.at("point")},
+                          {"direction", axis.at("direction")},
+                          {"choice", "accepted"}});
+  symmetries[0]["choice"] = "rejected";
+  const nlohmann::json choices = {
+      {"version", 1}, {"models", {{{"name", "obj_000003"}, {"symmetries", symmetries}}}}};
+  write(workspace_ / "choices.json", choices.dump());
+  const Outcome after = run("models --units mm --reviewed choices.json --format bop");
+  ASSERT_EQ(after.code, 0) << after.err;
+  EXPECT_NE(after.err.find("obj_000007 was not reviewed"), std::string::npos) << after.err;
+  EXPECT_NE(after.err.find("3 of 6 symmetries were not reviewed"), std::string::npos) << after.err;
+  EXPECT_NE(after.err.find("is left out too"), std::string::npos) << after.err;
+  const auto info = nlohmann::json::parse(after.out);
+  EXPECT_EQ(info.at("3").at("symmetries_discrete").size(), 1U);
+  EXPECT_EQ(info.at("7").at("symmetries_discrete").size(), 3U);
+}
+
+TEST_F(SymmetryCommand, RefusesWhatIsNoReview) {
+  write(workspace_ / "old.json", R"({"version": 0, "models": []})");
+  write(workspace_ / "word.json", R"({"version": 1, "models": [{"name": "a", "symmetries": [
+      {"kind": "axis", "point": [0, 0, 0], "direction": [0, 0, 1], "choice": "maybe"}]}]})");
+  for (const char* options : {"--reviewed old.json", "--reviewed word.json", "--reviewed no.json",
+                              "--reviewed old.json --partial", "--review page.html --partial",
+                              "--review models/obj_000003.obj"}) {
+    const Outcome outcome = run(std::string("models/obj_000003.obj ") + options);
+    EXPECT_EQ(outcome.code, 1) << options;
+    EXPECT_NE(outcome.err.find("symscene symmetry: "), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(SymmetryCommand, RefusesWhatIsNoModel) {
   write(workspace_ / "no.obj", "v 0 0 0\n");
   for (const char* line : {"no.obj", "nowhere", "models/obj_000003.obj -o models/obj_000003.obj"}) {

@@ -169,6 +169,19 @@ TEST(SymmetryGroup, DoesNotTurnASmallHandleOffTheSurface) {
   EXPECT_LT(line_angle(found.planes.front().plane.normal, Eigen::Vector3d::UnitY()), max_angle);
 }
 
+TEST(SymmetryGroup, ASlenderBarDoesNotTurnFreely) {
+  const PointCloud cloud = surface_of(box({0.01, 0.02, 0.6}));
+  SymmetryGroupOptions by_diagonal_alone = options();
+  by_diagonal_alone.radius_share = 1.0;
+  const std::vector<int> by_diagonal = orders_of(find_symmetry_group(cloud, by_diagonal_alone));
+  ASSERT_FALSE(by_diagonal.empty());
+  EXPECT_EQ(by_diagonal.front(), GroupAxis::continuous);
+  const SymmetryGroup found = find_symmetry_group(cloud, options());
+  EXPECT_EQ(found.planes.size(), 3U);
+  EXPECT_EQ(found.rotations.size(), 3U);
+  for (const GroupAxis& axis : found.axes) EXPECT_EQ(axis.order, 2);
+}
+
 TEST(SymmetryGroup, DiagonalIsThatOfABoxInAnyPose) {
   const Eigen::Vector3d size(0.1, 0.16, 0.23);
   const PointCloud cloud = surface_of(box(size));

@@ -65,8 +65,8 @@ export function encodeScene({ title = '', note = '', up = [0, 0, 1], table = nul
 
 const escapeHtml = (text) => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
 
-export async function writePage(path, payload) {
-  const template = await readFile(new URL('../../viewer/dist/page.html', import.meta.url), 'utf8');
+export async function writePage(path, payload, page = 'page.html') {
+  const template = await readFile(new URL(`../../viewer/dist/${page}`, import.meta.url), 'utf8');
   const json = JSON.stringify(payload).replace(/</g, '\\u003c');
   await writeFile(path, template
     .replace('@@SYMSCENE_TITLE@@', () => escapeHtml(payload.title))

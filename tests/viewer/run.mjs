@@ -1,5 +1,6 @@
 // The page in a browser: node --test run.mjs, after `npm ci && npm run build` in viewer/.
-// CHROMIUM names the browser; SYMSCENE_PAGE is a page made by C++ (make_page) to test too.
+// CHROMIUM names the browser; SYMSCENE_PAGE is a page made by C++ (make_page) to test too, SYMSCENE_COMMAND the command
+// whose review page is tested.
 import assert from 'node:assert/strict';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -9,6 +10,7 @@ import { openPage, withBrowser } from './browser.mjs';
 import { emptyResult, noPoints, tabletop } from './fixture.mjs';
 import { writePage } from './payload.mjs';
 import './modules.mjs';
+import './review.mjs';
 
 // Tests run without a graphics card, so that those not about layout use a small window.
 const WINDOW = { viewport: { width: 960, height: 600 } };

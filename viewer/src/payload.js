@@ -12,7 +12,7 @@ function decodeAs(Type, base64) {
   return base64 ? new Type(decodeBytes(base64).buffer) : new Type(0);
 }
 
-function decodePositions({ encoding, data, min, step }) {
+export function decodePositions({ encoding, data, min, step }) {
   if (encoding === 'f32') return decodeAs(Float32Array, data);
   const steps = decodeAs(Uint16Array, data);
   const positions = new Float32Array(steps.length);
@@ -54,7 +54,7 @@ function decodeTriangles({ count, data }) {
   return triangles;
 }
 
-function decodeSurface({ positions, colors, triangles }) {
+export function decodeSurface({ positions, colors, triangles }) {
   return {
     positions: decodePositions(positions),
     colors: decodeAs(Uint8Array, colors),

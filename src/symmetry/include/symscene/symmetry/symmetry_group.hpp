@@ -15,6 +15,7 @@ struct SymmetryGroupOptions {
   double tolerance = 0.01;
   double part_share = 0.01;
   double part_distance = 0.12;
+  double radius_share = 0.1;
   int max_order = 12;
   int directions = 2000;
   int coarse_points = 250;
@@ -38,6 +39,10 @@ struct SymmetryGroupOptions {
           "handle, off it by more than part_distance");
     visit("part_distance", self.part_distance, "", above(0.0),
           "see part_share, by the object's diagonal");
+    visit("radius_share", self.radius_share, "", above(0.0),
+          "a turn by less than a half is no symmetry if it moves the surface off itself by more "
+          "than this share of its "
+          "mean distance from the axis: whatever is slender moves little by its diagonal");
     visit("max_order", self.max_order, "", between(2, 24),
           "largest order of an axis; with more, a turn counts as continuous");
     visit("directions", self.directions, "", between(100, 100000),

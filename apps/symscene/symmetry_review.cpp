@@ -1,0 +1,139 @@
+#include "symmetry_review.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+#include "io/json_cursor.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/symmetry/group_review.hpp"
+
+namespace symscene::app {
+namespace {
+
+using Kind = ReviewedSymmetry::Kind;
+
+const double same_angle = radians(1.0);
+constexpr double same_distance = 0.01;  ///< by the diagonal
+
+const char* const accepted_choice = "accepted";
+const char* const rejected_choice = "rejected";
+const char* const open_choice = "open";
+
+/// The sphere, then axes and planes in the order of the group.
+std::vector<ReviewedSymmetry> listed(const SymmetryGroup& group) {
+  std::vector<ReviewedSymmetry> symmetries;
+  if (group.sphere)
+    symmetries.push_back(
+        {Kind::sphere, 0, group.center, Eigen::Vector3d::UnitZ(), group.sphere_residual});
+  for (const GroupAxis& found : group.axes)
+    symmetries.push_back(
+        {Kind::axis, found.order, found.axis.point, found.axis.direction, found.residual});
+  for (const GroupPlane& found : group.planes)
+    symmetries.push_back({Kind::plane, 0, found.plane.point, found.plane.normal, found.residual});
+  return symmetries;
+}
+
+const char* name_of(Kind kind) {
+  switch (kind) {
+    case Kind::sphere:
+      return "sphere";
+    case Kind::axis:
+      return "axis";
+    case Kind::plane:
+      return "plane";
+  }
+  return "";
+}
+
+bool is_same(const ReviewedSymmetry& symmetry, const Eigen::Vector3d& point,
+             const Eigen::Vector3d& direction, double max_distance) {
+  if (symmetry.kind == Kind::sphere) return true;
+  if (line_angle(symmetry.direction, direction) > same_angle) return false;
+  const Eigen::Vector3d apart = point - symmetry.point;
+  const double along = symmetry.direction.dot(apart);
+  const double distance =
+      symmetry.kind == Kind::plane ? std::abs(along) : (apart - along * symmetry.direction).norm();
+  return distance <= max_distance;
+}
+
+std::string describe(const GroupAxis& found) {
+  const Eigen::Vector3d& d = found.axis.direction;
+  const std::string order =
+      found.order == GroupAxis::continuous ? "continuous" : fmt::format("{}-fold", found.order);
+  return fmt::format("the {} axis along ({:.2f}, {:.2f}, {:.2f})", order, d.x(), d.y(), d.z());
+}
+
+std::string describe(const GroupPlane& found) {
+  const Eigen::Vector3d& n = found.plane.normal;
+  return fmt::format("the plane with normal ({:.2f}, {:.2f}, {:.2f})", n.x(), n.y(), n.z());
+}
+
+template <class Symmetry>
+void append_implied(const std::string& name, const std::vector<Symmetry>& all,
+                    const std::vector<std::size_t>& implied, std::vector<std::string>& sentences) {
+  for (const std::size_t k : implied)
+    sentences.push_back(fmt::format(
+        "{}: {} is left out too, as with the others it would make a symmetry that was rejected",
+        name, describe(all[k])));
+}
+
+}  // namespace
+
+ReviewedModel reviewed_model(const ModelSymmetries& symmetries, TriangleMesh mesh) {
+  return {symmetries.name,     std::move(mesh),           symmetries.millimetres,
+          symmetries.diameter, symmetries.group.diagonal, listed(symmetries.group)};
+}
+
+ReviewChoices::ReviewChoices(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const Json document = parse_json(read_file(file), name);
+  const JsonCursor root(document, name);
+  if (root.at("version").count() != 1) root.at("version").fail("1");
+  for (const JsonCursor& model : root.at("models").items()) {
+    std::vector<Choice>& choices = models_[model.at("name").string()];
+    for (const JsonCursor& each : model.at("symmetries").items()) {
+      const JsonCursor choice = each.at("choice");
+      choices.push_back({each.at("kind").string(), each.at("point").vector3(),
+                         each.at("direction").direction(), choice.string()});
+      const std::string& said = choices.back().choice;
+      if (said != accepted_choice && said != rejected_choice && said != open_choice)
+        choice.fail(fmt::format("{}, {} or {}", accepted_choice, rejected_choice, open_choice));
+    }
+  }
+}
+
+std::vector<std::string> ReviewChoices::apply(ModelSymmetries& model) const {
+  const auto found = models_.find(model.name);
+  if (found == models_.end())
+    return {model.name + " was not reviewed; all its symmetries are kept"};
+  const std::vector<ReviewedSymmetry> symmetries = listed(model.group);
+  RejectedSymmetries out;
+  int undecided = 0;
+  for (const ReviewedSymmetry& symmetry : symmetries) {
+    const auto choice =
+        std::find_if(found->second.begin(), found->second.end(), [&](const Choice& each) {
+          return each.kind == name_of(symmetry.kind) &&
+                 is_same(symmetry, each.point, each.direction,
+                         same_distance * model.group.diagonal);
+        });
+    const bool is_known = choice != found->second.end() && choice->choice != open_choice;
+    const bool is_rejected = is_known && choice->choice == rejected_choice;
+    if (!is_known) ++undecided;
+    if (symmetry.kind == Kind::sphere) out.sphere = is_rejected;
+    if (symmetry.kind == Kind::axis) out.axes.push_back(is_rejected);
+    if (symmetry.kind == Kind::plane) out.planes.push_back(is_rejected);
+  }
+  std::vector<std::string> sentences;
+  if (undecided > 0)
+    sentences.push_back(fmt::format("{}: {} of {} symmetries were not reviewed and are kept",
+                                    model.name, undecided, symmetries.size()));
+  RemainingGroup remaining = without(model.group, out);
+  append_implied(model.name, model.group.axes, remaining.implied_axes, sentences);
+  append_implied(model.name, model.group.planes, remaining.implied_planes, sentences);
+  model.group = std::move(remaining.group);
+  return sentences;
+}
+
+}  // namespace symscene::app
