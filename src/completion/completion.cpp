@@ -8,8 +8,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/perpendicular_planes.hpp"
 #include "core/voxel_sampling.hpp"
-#include "perpendicular_planes.hpp"
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/neighbors.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "core/perpendicular_planes.hpp"
 #include "core/vertex_normals.hpp"
 #include "object_frame.hpp"
 #include "object_lattice.hpp"
-#include "perpendicular_planes.hpp"
 #include "seen_empty_space.hpp"
 #include "sign_components.hpp"
 #include "slivers.hpp"

@@ -1,4 +1,4 @@
-#include "perpendicular_planes.hpp"
+#include "core/perpendicular_planes.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "completion/perpendicular_planes.hpp"
+#include "core/perpendicular_planes.hpp"
 
 #include <gtest/gtest.h>
 

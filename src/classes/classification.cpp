@@ -1,0 +1,63 @@
+#include "symscene/classes/classification.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "initial_surfaces.hpp"
+#include "listed_class.hpp"
+#include "surface_class.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr Index least_points = 40;
+constexpr double least_scale = 0.03;  // of residuals, in spacings
+
+FitBounds fit_bounds(const FitSamples& samples, const ClassifiedObject& object,
+                     const ClassOptions& options) {
+  const double patch = options.correlation * options.correlation;
+  return {.tolerance = std::max(options.tolerance_spacing * object.spacing,
+                                options.tolerance_size * samples.diagonal),
+          .face_cosine = std::cos(options.face_angle),
+          .min_face_share = options.min_face_share,
+          .min_scale = least_scale * object.spacing,
+          .correlated = std::max(1.0, patch / samples.thinning)};
+}
+
+std::vector<Eigen::Vector3d> known_directions(const ClassifiedObject& object) {
+  std::vector<Eigen::Vector3d> directions;
+  for (const ObjectAxis& axis : object.axes) directions.push_back(axis.axis.direction);
+  if (object.table) directions.push_back(object.table->normal);
+  return directions;
+}
+
+/// Fits that explain the points, the best first.
+std::vector<SurfaceFit> explaining_fits(const ClassifiedObject& object, const FitSamples& samples,
+                                        const FitBounds& bounds, const ClassOptions& options) {
+  std::vector<SurfaceFit> fits;
+  for (const SurfaceModel& initial : initial_surfaces(samples, known_directions(object), bounds)) {
+    const std::optional<SurfaceFit> fit = fit_surface(initial, samples, bounds);
+    if (fit && fit->explained >= options.min_explained) fits.push_back(*fit);
+  }
+  std::stable_sort(fits.begin(), fits.end(), [](const SurfaceFit& a, const SurfaceFit& b) {
+    return a.criterion < b.criterion;
+  });
+  return fits;
+}
+
+}  // namespace
+
+ObjectClass classify(const ClassifiedObject& object, const ClassOptions& options) {
+  options.validate();
+  if (object.points.size() >= least_points && object.points.has_normals()) {
+    const FitSamples samples = fit_samples(object.points, options.fit_points);
+    const FitBounds bounds = fit_bounds(samples, object, options);
+    for (const SurfaceFit& fit : explaining_fits(object, samples, bounds, options)) {
+      const std::optional<ObjectClass> found = surface_class(fit, object, bounds, options);
+      if (found) return *found;
+    }
+  }
+  return class_of_symmetries(object, options);
+}
+
+}  // namespace symscene

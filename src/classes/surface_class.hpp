@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "surface_fit.hpp"
+#include "symscene/classes/classification.hpp"
+
+namespace symscene {
+
+/// The class of an object whose points a surface explains, with its dimensions; none if much of
+/// the surface lies in space that was seen empty.
+std::optional<ObjectClass> surface_class(const SurfaceFit& fit, const ClassifiedObject& object,
+                                         const FitBounds& bounds, const ClassOptions& options);
+
+}  // namespace symscene
