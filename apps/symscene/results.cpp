@@ -19,6 +19,28 @@ std::string format_symmetries(const SceneObject& object) {
   return text + plural(object.reflectional.size(), "plane", "planes");
 }
 
+/// "length 21.3 +- 0.1 cm", or "length >= 8.0 cm".
+std::string format_dimension(const Dimension& dimension) {
+  if (!dimension.sigma)
+    return fmt::format("{} >= {:.1f} cm", dimension.name, 100.0 * dimension.value);
+  return fmt::format("{} {:.1f} +- {:.1f} cm", dimension.name, 100.0 * dimension.value,
+                     100.0 * *dimension.sigma);
+}
+
+/// "", or "box: length 21.3 +- 0.1 cm, ...".
+std::string format_class(const SceneObject& object) {
+  if (!object.symmetry_class || object.symmetry_class->kind == SymmetryClass::none) return "";
+  const ObjectClass& found = *object.symmetry_class;
+  std::string text = found.kind == SymmetryClass::n_fold ? fmt::format("{}-fold", found.order)
+                                                         : std::string(to_string(found.kind));
+  const char* separator = ": ";
+  for (const Dimension& dimension : found.dimensions) {
+    text += separator + format_dimension(dimension);
+    separator = ", ";
+  }
+  return text;
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
@@ -29,12 +51,14 @@ double median(std::vector<double> values) {
 
 std::string format_objects(const SegmentationResult& result) {
   const bool scored = result.objects.empty() || result.objects.front().score;
-  std::string table = fmt::format("{:>3}  {:>6}  {:>5}  {}", "id", "points",
-                                  scored ? "score" : "confidence", "symmetries");
+  std::string table = fmt::format("{:>3}  {:>6}  {:>5}  {:18}  {}", "id", "points",
+                                  scored ? "score" : "confidence", "symmetries", "class");
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
     const SceneObject& object = result.objects[id];
-    table += fmt::format("\n{:>3}  {:>6}  {:>5.2f}  {}", id, object.points.size(), object.rank(),
-                         format_symmetries(object));
+    std::string row = fmt::format("\n{:>3}  {:>6}  {:>5.2f}  {:18}  {}", id, object.points.size(),
+                                  object.rank(), format_symmetries(object), format_class(object));
+    row.erase(row.find_last_not_of(' ') + 1);
+    table += row;
   }
   return table;
 }

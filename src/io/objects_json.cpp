@@ -1,5 +1,6 @@
 #include "objects_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,15 +14,41 @@ namespace {
 
 constexpr const char* result_to_write = "result to write";
 constexpr std::size_t version = 2;
+constexpr std::size_t most_order = 1000;  // of an axis that is read
 
-Json format_solid(const SolidProperties& solid) {
+Json format_axes(const Eigen::Matrix3d& columns) {
   Json axes = Json::array();
   for (int k = 0; k < 3; ++k)
-    axes.push_back(to_json(Eigen::Vector3d(solid.principal_axes.col(k)), result_to_write));
+    axes.push_back(to_json(Eigen::Vector3d(columns.col(k)), result_to_write));
+  return axes;
+}
+
+Json format_solid(const SolidProperties& solid) {
   return {{"volume", to_json(solid.volume, result_to_write)},
           {"centre_of_mass", to_json(solid.centre_of_mass, result_to_write)},
-          {"principal_axes", axes},
+          {"principal_axes", format_axes(solid.principal_axes)},
           {"principal_moments", to_json(solid.principal_moments, result_to_write)}};
+}
+
+Json format_dimension(const Dimension& dimension) {
+  Json json = {{"name", dimension.name}};
+  json[dimension.sigma ? "value" : "at_least"] = to_json(dimension.value, result_to_write);
+  if (dimension.sigma) json["sigma"] = to_json(*dimension.sigma, result_to_write);
+  if (!dimension.reason.empty()) json["reason"] = dimension.reason;
+  return json;
+}
+
+Json format_class(const ObjectClass& symmetry_class) {
+  Json json = {{"name", to_string(symmetry_class.kind)},
+               {"center", to_json(symmetry_class.center, result_to_write)},
+               {"axes", format_axes(symmetry_class.axes)},
+               {"residual", to_json(symmetry_class.residual, result_to_write)},
+               {"explained", to_json(symmetry_class.explained, result_to_write)}};
+  if (symmetry_class.kind == SymmetryClass::n_fold) json["order"] = symmetry_class.order;
+  json["dimensions"] = Json::array();
+  for (const Dimension& dimension : symmetry_class.dimensions)
+    json["dimensions"].push_back(format_dimension(dimension));
+  return json;
 }
 
 Json format_object(const SegmentationResult& result, std::size_t id) {
@@ -41,6 +68,7 @@ Json format_object(const SegmentationResult& result, std::size_t id) {
                                     {"normal", to_json(plane.plane.normal, result_to_write)},
                                     {"residual", to_json(plane.residual, result_to_write)}});
   }
+  if (object.symmetry_class) json["class"] = format_class(*object.symmetry_class);
   if (object.centroid) json["centroid"] = to_json(*object.centroid, result_to_write);
   json["mesh"] = mesh_name(id);
   if (has_surface(result, id)) json["surface"] = surface_name(id);
@@ -88,13 +116,44 @@ double share(const JsonCursor& value, const char* expected) {
   return number;
 }
 
+Eigen::Matrix3d parse_axes(const JsonCursor& json) {
+  Eigen::Matrix3d columns;
+  const std::vector<JsonCursor> axes = json.items(3);
+  for (int k = 0; k < 3; ++k) columns.col(k) = axes[static_cast<std::size_t>(k)].vector3();
+  return columns;
+}
+
+Dimension parse_dimension(const JsonCursor& json) {
+  Dimension dimension;
+  dimension.name = json.at("name").string();
+  const auto sigma = json.find("sigma");
+  if (sigma) dimension.sigma = sigma->number();
+  dimension.value = json.at(sigma ? "value" : "at_least").number();
+  if (const auto reason = json.find("reason")) dimension.reason = reason->string();
+  return dimension;
+}
+
+ObjectClass parse_class(const JsonCursor& json) {
+  const std::optional<SymmetryClass> kind = symmetry_class_of(json.at("name").string());
+  if (!kind) json.at("name").fail("the name of a symmetry class");
+  ObjectClass symmetry_class;
+  symmetry_class.kind = *kind;
+  symmetry_class.center = json.at("center").vector3();
+  symmetry_class.axes = parse_axes(json.at("axes"));
+  symmetry_class.residual = json.at("residual").number();
+  symmetry_class.explained = share(json.at("explained"), "a share in [0, 1]");
+  if (const auto order = json.find("order"))
+    symmetry_class.order = static_cast<int>(std::min<std::size_t>(order->count(), most_order));
+  for (const JsonCursor& dimension : json.at("dimensions").items())
+    symmetry_class.dimensions.push_back(parse_dimension(dimension));
+  return symmetry_class;
+}
+
 SolidProperties parse_solid(const JsonCursor& json) {
   SolidProperties solid;
   solid.volume = json.at("volume").number();
   solid.centre_of_mass = json.at("centre_of_mass").vector3();
-  const std::vector<JsonCursor> axes = json.at("principal_axes").items(3);
-  for (int k = 0; k < 3; ++k)
-    solid.principal_axes.col(k) = axes[static_cast<std::size_t>(k)].vector3();
+  solid.principal_axes = parse_axes(json.at("principal_axes"));
   solid.principal_moments = json.at("principal_moments").vector3();
   return solid;
 }
@@ -111,6 +170,7 @@ SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_s
     result.rotational.push_back(parse_axis(axis, file_version));
   for (const JsonCursor& plane : object.at("reflectional").items())
     result.reflectional.push_back(parse_plane(plane, file_version));
+  if (const auto found = object.find("class")) result.symmetry_class = parse_class(*found);
   if (const auto centroid = object.find("centroid")) result.centroid = centroid->vector3();
   if (const auto mesh = object.find("mesh"); mesh && mesh->string() != mesh_name(id)) {
     mesh->fail(mesh_name(id));

@@ -3,6 +3,7 @@
 #include "proposals/object_proposals.hpp"
 #include "proposals/selection.hpp"
 #include "symmetry/object_symmetry.hpp"
+#include "symscene/classes/class_symmetries.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 namespace symscene {
@@ -58,6 +59,22 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
     result.objects.push_back(object_within_bounds(distinct[k]));
 }
 
+/// Determines the symmetry class of an object (section 4.7), and adds its symmetries to the list.
+void classify_object(const SceneProposals& proposals, const PipelineOptions& options,
+                     SceneObject& object) {
+  if (!options.classes.enabled) return;
+  const PointCloud points = select(proposals.cloud, object.points);
+  object.symmetry_class = classify({points, options.voxel_size, object.rotational,
+                                    object.reflectional, proposals.field, proposals.table},
+                                   options.classes);
+  if (!options.classes.complete_symmetries) return;
+  SymmetryLists lists =
+      with_symmetries_of_class({std::move(object.rotational), std::move(object.reflectional)},
+                               *object.symmetry_class, options.object_symmetry.same_plane_angle);
+  object.rotational = std::move(lists.rotational);
+  object.reflectional = std::move(lists.reflectional);
+}
+
 /// Proposals by probability, with the symmetries estimated anew on all points of each object.
 void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
                      SegmentationResult& result) {
@@ -73,6 +90,7 @@ void choose_probable(const SceneProposals& proposals, const PipelineOptions& opt
         symmetry_candidates(proposals.observed(),
                             searched_object(proposals, chosen[k], options.object_symmetry), search),
         options.object_symmetry);
+    classify_object(proposals, options, result.objects[k]);
   });
 }
 

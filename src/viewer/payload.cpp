@@ -44,6 +44,14 @@ json to_json(const ObjectPlane& scored) {
           {"residual", scored.residual}};
 }
 
+json to_json(const Dimension& dimension) {
+  json result = {{"name", dimension.name}};
+  result[dimension.sigma ? "value" : "at_least"] = dimension.value;
+  if (dimension.sigma) result["sigma"] = *dimension.sigma;
+  if (!dimension.reason.empty()) result["reason"] = dimension.reason;
+  return result;
+}
+
 json to_json(const FunnelStep& step) { return {{"step", step.step}, {"count", step.count}}; }
 
 json to_json(const StageTime& time) { return {{"stage", time.stage}, {"seconds", time.seconds}}; }
@@ -63,6 +71,17 @@ json list(const std::vector<Item>& items) {
   return result;
 }
 
+json class_payload(const std::optional<ObjectClass>& found) {
+  if (!found) return nullptr;
+  json axes = json::array();
+  for (int k = 0; k < 3; ++k) axes.push_back(encode(found->axes.col(k)));
+  return {{"name", to_string(found->kind)},
+          {"center", encode(found->center)},
+          {"axes", axes},
+          {"order", found->order},
+          {"dimensions", list(found->dimensions)}};
+}
+
 /// What an object is shown with.
 struct ShownObject {
   const SceneObject& object;
@@ -77,6 +96,7 @@ json to_json(const ShownObject& shown, std::size_t id, Index count, Index max_tr
           {"points", indices(object.points, count)},
           {"rotational", list(object.rotational)},
           {"reflectional", list(object.reflectional)},
+          {"class", class_payload(object.symmetry_class)},
           {"centroid", object.centroid ? json(encode(*object.centroid)) : json(nullptr)},
           {"volume", object.solid ? json(object.solid->volume) : json(nullptr)},
           {"closed", closed_payload(shown.surface, max_triangles)},

@@ -89,6 +89,37 @@ TEST(Result, SurfacesAndSolidsAreReadBackWithTheSameBits) {
   EXPECT_FALSE(fs::exists(folder / "out/objects/0.obj"));
 }
 
+TEST(Result, ClassesAreReadBackWithTheSameBits) {
+  SegmentationResult result = small_result();
+  ObjectClass prism{.kind = SymmetryClass::n_fold, .center = {0.1, 0.2, 1.0 / 3.0}, .order = 6};
+  prism.axes << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  prism.residual = 0.0007;
+  prism.explained = 0.97;
+  prism.dimensions = {{"apothem", 0.04, 0.0003}, {"height", 0.12, {}, "an end is hidden"}};
+  result.objects[0].symmetry_class = prism;
+  const std::string text = format_objects_json(result);
+  const SegmentationResult again = parse_objects_json(text, "objects.json", result.cloud.size());
+  EXPECT_EQ(format_objects_json(again), text);
+  ASSERT_TRUE(again.objects[0].symmetry_class);
+  EXPECT_FALSE(again.objects[1].symmetry_class);
+  const ObjectClass& found = *again.objects[0].symmetry_class;
+  EXPECT_EQ(found.kind, SymmetryClass::n_fold);
+  EXPECT_EQ(found.order, 6);
+  EXPECT_EQ(found.axes, prism.axes);
+  ASSERT_EQ(found.dimensions.size(), 2U);
+  EXPECT_EQ(found.dimensions[0].sigma, 0.0003);
+  EXPECT_FALSE(found.dimensions[1].sigma);
+  EXPECT_EQ(found.dimensions[1].value, 0.12);
+}
+
+TEST(Result, RefusesAClassOfAnUnknownName) {
+  SegmentationResult result = small_result();
+  result.objects[0].symmetry_class = ObjectClass{};
+  std::string text = format_objects_json(result);
+  text.replace(text.find("\"none\""), 6, "\"cone\"");
+  EXPECT_THROW(parse_objects_json(text, "objects.json", result.cloud.size()), InputError);
+}
+
 TEST(Result, ASolidWithoutASurfaceNamesNoFile) {
   const TemporaryFolder folder;
   SegmentationResult result = small_result();

@@ -109,6 +109,21 @@ function symmetries({ kind, at, turn = 0, size }) {
   return { rotational: [], reflectional: [{ point, normal: [c, s, 0], residual: 0.021 }, { point, normal: [-s, c, 0], residual: 0.034 }] };
 }
 
+// The class of a solid, its end hidden if it is the lowest box.
+function classOf({ kind, at, turn = 0, size, profile }) {
+  const name = kind === revolve ? 'cylinder' : 'box';
+  const [c, s] = [Math.cos(turn), Math.sin(turn)];
+  const height = size ? size[2] : Math.max(...profile.map(([, z]) => z));
+  const known = (dimension, value) => ({ name: dimension, value, sigma: 0.0012 });
+  const dimensions = size
+    ? [known('length', size[0]), size[2] < 0.1 ? { name: 'width', at_least: size[1] / 2, reason: 'an end is hidden' } : known('width', size[1])]
+    : [known('radius', Math.max(...profile.map(([r]) => r)))];
+  return {
+    name, center: [...at, height / 2], axes: [[c, s, 0], [-s, c, 0], [0, 0, 1]], residual: 0.0006, explained: 0.98,
+    dimensions: [...dimensions, known('height', height)],
+  };
+}
+
 const REPORT = {
   timings: [
     { stage: 'downsample', seconds: 0.0042 }, { stage: 'occupancy', seconds: 0.021 },
@@ -152,7 +167,7 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
       add(cloud, sample);
     });
     offset += samples.length;
-    if (closed) Object.assign(object, { closed: closedSurface(SOLIDS[id]), volume: 0.000412 });
+    if (closed) Object.assign(object, { class: classOf(SOLIDS[id]), closed: closedSurface(SOLIDS[id]), volume: 0.000412 });
     const { point } = (object.rotational[0] ?? object.reflectional[0]);
     return { ...object, centroid: point };
   });

@@ -20,6 +20,7 @@ export function encodeObject(object, id) {
     points: base64(Uint32Array.from(object.points)),
     rotational: object.rotational ?? [],
     reflectional: object.reflectional ?? [],
+    class: object.class ?? null,
     centroid: object.centroid,
     volume: object.volume ?? null,
     closed: object.closed ? encodeSurface(object.closed) : null,

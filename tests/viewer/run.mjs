@@ -287,6 +287,18 @@ describe('a result with closed surfaces', () => {
     assert.match(await page.textContent('.object.selected .details'), /Volume412 cm³/);
     assert.deepEqual(await layoutProblems(page), []);
   });
+
+  pageTest('draws the fitted surface of the selected object, and tells its dimensions', path, WINDOW, async (page) => {
+    assert.deepEqual(await hook(page, 'shapes'), []);
+    await page.evaluate('symscene.select(4)');
+    assert.deepEqual(await hook(page, 'shapes'), [4]);
+    assert.match(await page.textContent('.object.selected .details'), /Classbox.*Length20.00 ± 0.12 cm.*Height24.00 ± 0.12 cm/);
+    await page.evaluate('symscene.select(0)');
+    assert.match(await page.textContent('.object.selected .details'), /Classcylinder.*Radius3.70 ± 0.12 cm/);
+    await page.evaluate('symscene.select(7)');
+    assert.match(await page.textContent('.object.selected .details'), /Widthat least 7.0 cm \(an end is hidden\)/);
+    assert.deepEqual(await layoutProblems(page), []);
+  });
 });
 
 describe('other results', () => {

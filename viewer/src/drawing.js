@@ -1,6 +1,7 @@
 // Draws the layers according to the state: cloud, completed objects, surface, symmetries, camera
 // path, table.
 import { coverage } from './coverage.js';
+import { Shape } from './gl/shape.js';
 import { Splats, sampleSpacing } from './gl/splats.js';
 import { Surface } from './gl/surface.js';
 import { Symmetries } from './gl/symmetries.js';
@@ -35,6 +36,15 @@ function createSymmetries(scene, outlines, stage) {
   });
 }
 
+// The fitted surface of every object, drawn where it is selected.
+function createShapes(scene, stage) {
+  return scene.objects.map((object) => {
+    const shape = new Shape(object, objectColor(object.index));
+    stage.overlay.add(shape.object);
+    return shape;
+  });
+}
+
 // The mesh, and which points it shows.
 function createSurface(scene, spacing, stage) {
   if (!scene.surface) return null;
@@ -62,6 +72,7 @@ export class Drawing {
     stage.cloud.add(this.cloud.object);
     this.completed = createCompleted(scene, this.radius, stage);
     this.symmetries = createSymmetries(scene, outlines, stage);
+    this.shapes = createShapes(scene, stage);
     this.surface = createSurface(scene, spacing, stage);
     this.trajectory = createTrajectory(scene, stage);
     this.table = createTable(scene.cloud.positions);
@@ -79,6 +90,7 @@ export class Drawing {
     this.stage.setOutline(outline);
     this.trajectory?.setColor(path);
     for (const symmetries of this.symmetries) symmetries.setScheme(scheme, paper);
+    for (const shape of this.shapes) shape.setScheme(scheme);
     if (this.state) this.update(this.state, new Set(['mode', 'selected']));
   }
 
@@ -118,6 +130,7 @@ export class Drawing {
     const strong = selected === index || state.hovered === index;
     const emphasis = strong ? 'strong' : selected === null ? 'normal' : 'faint';
     this.completed[index].object.visible = visible && state.completed.has(index);
+    this.shapes[index].object.visible = visible && selected === index;
     this.symmetries[index].show(visible && state.planes, visible && state.axes, emphasis);
   }
 

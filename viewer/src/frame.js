@@ -54,6 +54,11 @@ function moveCloud(cloud, frame) {
 function moveObject(object, frame) {
   moveCloud(object.completed, frame);
   if (object.closed) mapTriples(object.closed.positions, frame.point);
+  object.shape = object.class && {
+    ...object.class,
+    center: frame.point(object.class.center),
+    axes: object.class.axes.map(frame.direction),
+  };
   object.axes = object.rotational.map((s) => ({
     point: frame.point(s.point),
     direction: frame.direction(s.direction),

@@ -46,6 +46,10 @@ export function createHook(app) {
     get selected() { return objects[store.get().selected]?.id ?? null; },
     get visible() { return ids(store.get().visible); },
     get completed() { return ids(store.get().completed); },
+    get shapes() {
+      const { shapes } = app.drawing;
+      return objects.filter(({ index }) => shapes[index].object.visible && !shapes[index].isEmpty).map(({ id }) => id);
+    },
     get mode() { return store.get().mode; },
     get mesh() { return app.drawing.surface !== null && store.get().mesh; },
     get path() { return app.drawing.trajectory !== null && store.get().path; },

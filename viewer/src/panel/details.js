@@ -22,12 +22,36 @@ function completion(object) {
   return object.completed.count > 0 ? `+ ${format.count(object.completed.count)}` : 'closed surface';
 }
 
+const CLASSES = {
+  mirror: 'one mirror plane', prism: 'two perpendicular planes', box: 'three perpendicular planes',
+  revolution: 'solid of revolution', cylinder: 'axis and a plane across it', sphere: 'centre',
+};
+const SURFACES = { box: 'box', cylinder: 'cylinder', sphere: 'sphere' };
+
+function className({ name, order, dimensions }) {
+  if (name === 'n_fold') return `${order}-fold axis`;
+  return (dimensions.length ? SURFACES[name] : CLASSES[name]) ?? name;
+}
+
+const hundredths = (value) => format.fixed(100 * value, 2);
+
+// The class and its fitted lengths, with their standard deviations.
+function classFacts(shape) {
+  if (!shape || shape.name === 'none') return [];
+  const lengths = shape.dimensions.map(({ name, value, sigma, at_least: least, reason }) => [
+    format.words(name),
+    sigma === undefined ? `at least ${format.centimetres(least)} cm (${reason})` : `${hundredths(value)} ± ${hundredths(sigma)} cm`,
+  ]);
+  return [['Class', className(shape)], ...lengths];
+}
+
 function facts(object, scene, extent) {
   const share = object.points.length / Math.max(1, scene.cloud.count);
   return [
     ['Score', format.fixed(object.score, 3)],
     ['Points seen', `${format.count(object.points.length)} (${format.percent(share)})`],
     ['Completed', completion(object)],
+    ...classFacts(object.shape),
     ...(object.volume ? [['Volume', `${format.fixed(1e6 * object.volume, 0)} cm³`]] : []),
     ['Size', `${extent.map(format.centimetres).join(' × ')} cm`],
     ...(object.centroid ? [['Centroid', `${vector(object.centroid, 3)} m`]] : []),

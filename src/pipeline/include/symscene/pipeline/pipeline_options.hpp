@@ -1,5 +1,6 @@
 #pragma once
 
+#include "symscene/classes/classification.hpp"
 #include "symscene/completion/object_surface.hpp"
 #include "symscene/core/normal_estimation.hpp"
 #include "symscene/core/options.hpp"
@@ -48,6 +49,7 @@ struct PipelineOptions {
   ProposalContextOptions proposal_context;
   SelectionOptions selection;
   ObjectSymmetryOptions object_symmetry;
+  ClassOptions classes;
   CompletionOptions completion;
   ObjectSurfaceOptions object_surface;
   ModelOptions models;
@@ -91,6 +93,7 @@ struct PipelineOptions {
     visit("proposal_context", self.proposal_context);
     visit("selection", self.selection);
     visit("object_symmetry", self.object_symmetry);
+    visit("classes", self.classes);
     visit("completion", self.completion);
     visit("object_surface", self.object_surface);
     visit("models", self.models);
