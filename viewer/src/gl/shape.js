@@ -63,7 +63,7 @@ export class Shape {
     const line = (linewidth, opacity, depthTest) => new LineMaterial({
       color: new THREE.Color(css(color)), linewidth, opacity, transparent: true, depthTest, depthWrite: false,
     });
-    this.materials = [line(1.4, 0.35, false), line(2.4, 1, true)];
+    this.materials = [line(1.6, 0.5, false), line(3, 1, true)];
     const lines = shapeLines(object.shape);
     this.isEmpty = lines.length === 0;
     this.object = new THREE.Group();
@@ -72,6 +72,6 @@ export class Shape {
 
   setScheme(scheme) {
     const target = scheme === 'dark' ? [255, 255, 255] : [0, 0, 0];
-    for (const material of this.materials) material.color.set(css(mix(this.color, target, 0.35)));
+    for (const material of this.materials) material.color.set(css(mix(this.color, target, 0.5)));
   }
 }
