@@ -116,7 +116,23 @@ class SymmetrySearch {
         detect_reflectional(points_, segment_, scene_.field, up_, options_.reflectional_detection);
     for (const ReflectionalCandidate& candidate : detection.candidates)
       planes.push_back(candidate.plane);
+    if (scene_.table) planes.push_back(level_plane(*scene_.table));
     return planes;
+  }
+
+  /// Half way between the object's top and the table, or its lowest points if it does not rest on
+  /// the table. No detector finds it if too few of the sides are seen to align, as the face that is
+  /// the image of the top is hidden.
+  ReflectionPlane level_plane(const Plane& table) const {
+    std::vector<double> heights;
+    for (Index i = 0; i < points_.size(); ++i)
+      heights.push_back(table.signed_distance(points_.position(i).cast<double>()));
+    std::sort(heights.begin(), heights.end());
+    const double top = heights[heights.size() * 49 / 50], low = heights[heights.size() / 50];
+    const double bottom = low < options_.object_symmetry.max_resting_gap ? 0.0 : low;
+    const Eigen::Vector3d here = centroid(points_.positions);
+    const double shift = 0.5 * (top + bottom) - table.signed_distance(here);
+    return {here + shift * table.normal, table.normal};
   }
 
   std::vector<MatchedPlane> plausible_planes(const std::vector<ReflectionPlane>& proposed,

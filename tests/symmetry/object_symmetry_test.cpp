@@ -81,6 +81,28 @@ TEST(SymmetryCandidates, OfAVaseAreItsAxisWithoutThePlanesThatItImplies) {
   EXPECT_GT(planes_alone.planes.size(), found.planes.size());
 }
 
+bool has_level_plane(const SymmetryCandidates& found, double height) {
+  return std::any_of(found.planes.begin(), found.planes.end(), [&](const PlaneCandidate& each) {
+    return line_angle(each.plane.normal, Eigen::Vector3d::UnitZ()) < radians(1.0) &&
+           std::abs(each.plane.signed_distance({0.0, 0.0, height})) < 0.003;
+  });
+}
+
+TEST(SymmetryCandidates, OfABoxOnTheTableHoldALevelPlaneHalfWayUp) {
+  // Its top and two sides are seen, from 2 cm above the table on: nothing is aligned upside down.
+  const PointCloud box = testing::box({0.1, 0.16, 0.12});
+  PointIndices seen;
+  for (Index i = 0; i < box.size(); ++i) {
+    if (box.position(i).z() > 0.02F && box.normal(i).dot(Eigen::Vector3f(1, 1, 1)) > 0.0F)
+      seen.push_back(i);
+  }
+  WholeScene scene(select(box, seen));
+  scene.field = testing::nothing_known(scene.cloud);
+  EXPECT_TRUE(has_level_plane(scene.candidates({}), 0.06));
+  scene.table.reset();
+  EXPECT_FALSE(has_level_plane(scene.candidates({}), 0.06));
+}
+
 TEST(ObjectSymmetryOptions, RefuseValuesOutOfRange) {
   for (const auto& spoil : std::vector<std::function<void(ObjectSymmetryOptions&)>>{
            [](auto& o) { o.min_plane_probability = 1.5; },

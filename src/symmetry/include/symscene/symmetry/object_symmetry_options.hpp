@@ -114,6 +114,7 @@ struct ObjectSymmetryOptions {
   double min_plane_inlier = 0.05;
   double max_plane_occlusion = 0.15;
   double min_support_share = 0.8;
+  double max_resting_gap = 0.03;
   double min_plane_matched = 0.05;
   double max_plane_contradicted = 0.3;
   double min_plane_probability = 0.4;
@@ -144,6 +145,9 @@ struct ObjectSymmetryOptions {
     visit("min_support_share", self.min_support_share, "", between(0.0, 1.0),
           "a plane that the scene proposes is a candidate for an object that holds at least this "
           "share of its support");
+    visit("max_resting_gap", self.max_resting_gap, "m", at_least(0.0),
+          "an object whose lowest points are seen up to this height rests on the table: the "
+          "candidate of a level plane is half way between the table and its top");
     visit("min_plane_matched", self.min_plane_matched, "", between(0.0, 1.0),
           "lower bound of the share of images on the surface of a plane candidate");
     visit(
