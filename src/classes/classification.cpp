@@ -12,6 +12,9 @@ namespace {
 
 constexpr Index least_points = 40;
 constexpr double least_scale = 0.03;  // of residuals, in spacings
+// Difference of the criterion against the worse of two surfaces (Kass and Raftery 1995: very
+// strong).
+constexpr double strong_evidence = 10.0;
 
 FitBounds fit_bounds(const FitSamples& samples, const ClassifiedObject& object,
                      const ClassOptions& options) {
@@ -45,6 +48,22 @@ std::vector<SurfaceFit> explaining_fits(const ClassifiedObject& object, const Fi
   return fits;
 }
 
+/// The class of the best fit that leaves space free that was seen empty. If its radius is not
+/// determined, one of a further fit that explains the points nearly as well.
+std::optional<ObjectClass> best_class(const std::vector<SurfaceFit>& fits,
+                                      const ClassifiedObject& object, const FitBounds& bounds,
+                                      const ClassOptions& options) {
+  std::optional<double> best;
+  for (const SurfaceFit& fit : fits) {
+    const std::optional<ObjectClass> found = surface_class(fit, object, bounds, options);
+    if (!found) continue;
+    if (!best) best = fit.criterion;
+    if (fit.criterion > *best + strong_evidence) break;
+    if (has_determined_size(*found, options.max_size_deviation)) return found;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 ObjectClass classify(const ClassifiedObject& object, const ClassOptions& options) {
@@ -52,10 +71,9 @@ ObjectClass classify(const ClassifiedObject& object, const ClassOptions& options
   if (object.points.size() >= least_points && object.points.has_normals()) {
     const FitSamples samples = fit_samples(object.points, options.fit_points);
     const FitBounds bounds = fit_bounds(samples, object, options);
-    for (const SurfaceFit& fit : explaining_fits(object, samples, bounds, options)) {
-      const std::optional<ObjectClass> found = surface_class(fit, object, bounds, options);
-      if (found) return *found;
-    }
+    const std::optional<ObjectClass> found =
+        best_class(explaining_fits(object, samples, bounds, options), object, bounds, options);
+    if (found) return *found;
   }
   return class_of_symmetries(object, options);
 }

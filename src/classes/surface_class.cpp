@@ -160,14 +160,13 @@ double empty_share(const SurfaceModel& model, const Ends& ends, const DistanceFi
   return static_cast<double>(empty) / static_cast<double>(grid.size());
 }
 
-/// A radius that the points hardly constrain explains nothing: the surface is as well a plane.
+}  // namespace
+
 bool has_determined_size(const ObjectClass& found, double max_deviation) {
   if (found.kind == SymmetryClass::box) return true;
   const Dimension& size = found.dimensions.front();
   return *size.sigma <= max_deviation * size.value;
 }
-
-}  // namespace
 
 std::optional<ObjectClass> surface_class(const SurfaceFit& fit, const ClassifiedObject& object,
                                          const FitBounds& bounds, const ClassOptions& options) {
@@ -188,7 +187,6 @@ std::optional<ObjectClass> surface_class(const SurfaceFit& fit, const Classified
   } else {
     describe_other(surface, found);
   }
-  if (!has_determined_size(found, options.max_size_deviation)) return std::nullopt;
   found.axes = right_handed(found.axes, object.table);
   return found;
 }

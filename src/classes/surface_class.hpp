@@ -12,4 +12,8 @@ namespace symscene {
 std::optional<ObjectClass> surface_class(const SurfaceFit& fit, const ClassifiedObject& object,
                                          const FitBounds& bounds, const ClassOptions& options);
 
+/// Whether the deviation of a radius or apothem is at most that share of it. A surface whose radius
+/// the points hardly constrain is as well a plane.
+bool has_determined_size(const ObjectClass& found, double max_deviation);
+
 }  // namespace symscene
