@@ -20,17 +20,17 @@ struct ClassOptions {
   double tolerance_size = 0.02;
   double min_explained = 0.85;
   double max_empty = 0.1;
-  double max_size_deviation = 0.1;
+  double max_size_deviation = 0.2;
   double min_face_share = 0.04;
   double max_base_gap = 4.0;
   double square_tolerance = radians(10.0);
   double correlation = 3.0;
   double error_growth = 12.0;
-  double fit_error = 0.8;
-  double face_error = 0.3;
-  double table_error = 0.15;
-  double edge_error = 1.1;
-  double least_edge_error = 0.14;
+  double fit_error = 0.7;
+  double face_error = 0.27;
+  double table_error = 0.13;
+  double edge_error = 1.0;
+  double least_edge_error = 0.12;
   double edge_offset = 0.25;
 
   template <class Self, class Visit>
