@@ -1,5 +1,6 @@
 #include "camera_tracker.hpp"
 
+#include "dominant_plane.hpp"
 #include "reconstruction/relocalization.hpp"
 
 namespace symscene {
@@ -83,6 +84,8 @@ ModelView CameraTracker::smoothed_view(const CameraIntrinsics& camera,
       if (depth[i] == 0.0F) depth[i] = otherwise[i];
     }
     view.image = find_surface(std::move(depth), camera, sensor_);
+    view.has_dominant_plane =
+        flatten_dominant_plane(view.image, sensor_.noise, sensor_.dominant_plane);
     return view;
   });
 }

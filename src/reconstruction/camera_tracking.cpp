@@ -19,6 +19,7 @@ TrackingResult lost(const Eigen::Isometry3d& guess, const char* reason) {
 struct Alignment {
   Eigen::Isometry3d T_view_measured;
   Matrix6d to_twist;
+  double degenerate_ratio;
   std::vector<std::string> free_motions = {};
   PoseFit fit = {};
   const char* failure = nullptr;
@@ -36,7 +37,7 @@ void Alignment::refine(const PointToPlaneMatcher& matcher, int iterations, bool 
   const NormalEquations constraints = matcher.match_constraints(T_view_measured);
   if (too_few(constraints)) return;
   const ConstrainedMotions constrained(constraints.H, constraints.weight, to_twist,
-                                       options.degenerate_ratio);
+                                       degenerate_ratio);
   free_motions = constrained.names_of_free();
   for (int k = 0; k < iterations; ++k) {
     const NormalEquations equations = matcher.match(T_view_measured);
@@ -61,8 +62,10 @@ Alignment align(const Measurement& measurement, const ModelView& view,
   const std::vector<SurfaceImage> models = view_pyramid(view.image, measurement);
   const int iterations[3] = {options.iterations_fine, options.iterations_middle,
                              options.iterations_coarse};
-  Alignment alignment{view.T_world_camera.inverse() * T_world_guess,
-                      comparable_motions(mean_depth(measurement.pyramid.back()))};
+  Alignment alignment{
+      view.T_world_camera.inverse() * T_world_guess,
+      comparable_motions(mean_depth(measurement.pyramid.back())),
+      view.has_dominant_plane ? options.flattened_degenerate_ratio : options.degenerate_ratio};
   for (std::size_t level = measurement.pyramid.size(); level-- > 0 && !alignment.failure;) {
     if (iterations[level] == 0) continue;
     const double distance = options.max_distance * std::pow(0.5, 2.0 - static_cast<double>(level));

@@ -6,74 +6,14 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "core/parallel.hpp"
+#include "inverse_plane.hpp"
 
 namespace symscene {
 namespace {
 
 constexpr std::size_t blocks_across = 4;  ///< of a window
 constexpr std::size_t block_rows_per_task = 4;
-
-/// Sums over pixels for a fit of inverse depth, d = a + b u + c v, which is linear on a plane.
-struct Moments {
-  double count = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0, d = 0, ud = 0, vd = 0, dd = 0;
-
-  void add(double x, double y, double inverse) {
-    count += 1;
-    u += x;
-    v += y;
-    uu += x * x;
-    uv += x * y;
-    vv += y * y;
-    d += inverse;
-    ud += x * inverse;
-    vd += y * inverse;
-    dd += inverse * inverse;
-  }
-
-  void add(const Moments& other) {
-    count += other.count;
-    u += other.u;
-    v += other.v;
-    uu += other.uu;
-    uv += other.uv;
-    vv += other.vv;
-    d += other.d;
-    ud += other.ud;
-    vd += other.vd;
-    dd += other.dd;
-  }
-};
-
-/// Inverse depth as a linear function of the pixel. [1/m]
-struct InversePlane {
-  double a = 0, b = 0, c = 0;
-  double at(double u, double v) const { return a + b * u + c * v; }
-};
-
-/// The plane through the pixels; none if they deviate from it by more than `noise` or lie on a
-/// line.
-std::optional<InversePlane> fit_plane(const Moments& m, double noise) {
-  const double n = m.count, mean_u = m.u / n, mean_v = m.v / n, mean_d = m.d / n;
-  const double uu = m.uu / n - mean_u * mean_u, uv = m.uv / n - mean_u * mean_v;
-  const double vv = m.vv / n - mean_v * mean_v;
-  const double ud = m.ud / n - mean_u * mean_d, vd = m.vd / n - mean_v * mean_d;
-  const double determinant = uu * vv - uv * uv;
-  if (!(determinant > 0.1 * uu * vv)) return std::nullopt;
-  const double b = (vv * ud - uv * vd) / determinant, c = (uu * vd - uv * ud) / determinant;
-  const double squared = m.dd / n - mean_d * mean_d - b * ud - c * vd;
-  if (squared > noise * noise) return std::nullopt;
-  return InversePlane{mean_d - b * mean_u - c * mean_v, b, c};
-}
-
-/// The normal of a plane, towards the camera. With d = e⁻¹ n · (x, y, 1) for the ray (x, y, 1), n
-/// is parallel to the coefficients of d in x, y and 1.
-Eigen::Vector3f normal_of(const InversePlane& plane, const CameraIntrinsics& camera) {
-  const Eigen::Vector3d n(plane.b * camera.fx, plane.c * camera.fy, plane.at(camera.cx, camera.cy));
-  return -n.normalized().cast<float>();
-}
 
 /// The places of a block in the windows that contain it, the most central first.
 std::array<std::array<std::size_t, 2>, blocks_across * blocks_across> central_first() {
@@ -111,7 +51,7 @@ class PlanarWindows {
 
   void smooth() {
     if (columns_ < blocks_across || rows_ < blocks_across) return;
-    std::vector<Moments> moments(columns_ * rows_);
+    std::vector<InversePlaneMoments> moments(columns_ * rows_);
     for_each_block([&](std::size_t x, std::size_t y) { moments[y * columns_ + x] = sum(x, y); });
     windows_.resize(moments.size());
     for_each_block([&](std::size_t x, std::size_t y) {
@@ -152,25 +92,25 @@ class PlanarWindows {
     }
   }
 
-  Moments sum(std::size_t x, std::size_t y) const {
-    Moments moments;
+  InversePlaneMoments sum(std::size_t x, std::size_t y) const {
+    InversePlaneMoments moments;
     for_each_pixel(x, y, [&](double u, double v, const SurfacePixel& pixel) {
       moments.add(u, v, 1.0 / static_cast<double>(pixel.depth));
     });
     return moments;
   }
 
-  std::optional<Plane> fit_window(const std::vector<Moments>& moments, std::size_t x,
+  std::optional<Plane> fit_window(const std::vector<InversePlaneMoments>& moments, std::size_t x,
                                   std::size_t y) const {
-    Moments window;
+    InversePlaneMoments window;
     for (std::size_t j = y; j < y + blocks_across; ++j) {
       for (std::size_t i = x; i < x + blocks_across; ++i) window.add(moments[j * columns_ + i]);
     }
     const auto side = static_cast<double>(blocks_across * edge_);
     if (window.count < options_.min_filled * side * side) return std::nullopt;
-    const std::optional<InversePlane> inverse = fit_plane(window, noise_);
+    const std::optional<InversePlane> inverse = fit_inverse_plane(window, noise_);
     if (!inverse) return std::nullopt;
-    const Plane plane{*inverse, normal_of(*inverse, image_.camera)};
+    const Plane plane{*inverse, inverse->normal(image_.camera)};
     return plane.normal.z() < 0.0F ? std::optional(plane) : std::nullopt;
   }
 

@@ -72,8 +72,7 @@ struct PointToPlaneMatcher::Batch {
   float weight[lanes];
   std::size_t size = 0;
 
-  void add(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float residual, float w) {
-    const Eigen::Vector3f turn = p.cross(n);
+  void add(const Eigen::Vector3f& turn, const Eigen::Vector3f& n, float residual, float w) {
     for (std::size_t a = 0; a < 3; ++a) {
       j[a][size] = turn[static_cast<Eigen::Index>(a)];
       j[a + 3][size] = n[static_cast<Eigen::Index>(a)];
@@ -164,11 +163,13 @@ bool PointToPlaneMatcher::add_match(const ProjectivePair& pair,
   const float scale = noise_.deviation(1.0F, 1.0F) / deviation;
   const float weight = robust * scale * scale;
   if constexpr (constraints) {
-    // ½ (n mᵀ + m nᵀ) = ¼ (n + m)(n + m)ᵀ − ¼ (n − m)(n − m)ᵀ
-    batch.add(p, 0.5F * (n + m), 0.0F, weight);
-    batch.add(p, 0.5F * (n - m), 0.0F, -weight);
+    // ½ (n mᵀ + m nᵀ) = ¼ (n + m)(n + m)ᵀ − ¼ (n − m)(n − m)ᵀ, each normal with its own point: half
+    // a pixel between them would count as a constraint, even on rotations of a ball.
+    const Eigen::Vector3f turn_n = pair.fixed_point.cross(n), turn_m = p.cross(m);
+    batch.add(0.5F * (turn_n + turn_m), 0.5F * (n + m), 0.0F, weight);
+    batch.add(0.5F * (turn_n - turn_m), 0.5F * (n - m), 0.0F, -weight);
   } else {
-    batch.add(p, n, r, weight);
+    batch.add(p.cross(n), n, r, weight);
   }
   sums.weight += static_cast<double>(weight);
   sums.fit.matches += 1.0;

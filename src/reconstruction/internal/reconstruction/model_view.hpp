@@ -8,6 +8,7 @@ namespace symscene {
 struct ModelView {
   SurfaceImage image;  ///< in the camera's frame
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  bool has_dominant_plane = false;  ///< whose pixels have one normal, see flatten_dominant_plane()
 };
 
 /// Casts a ray through every pixel to the first zero crossing from the front of a surface to its

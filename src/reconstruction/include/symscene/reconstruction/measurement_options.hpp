@@ -26,6 +26,24 @@ struct PlanarNormalOptions {
   void validate() const { check_fields(*this); }
 };
 
+/// When a plane dominates the model's view, and which pixels lie on it; they take its normal.
+struct DominantPlaneOptions {
+  double min_share = 0.5;
+  double pixel_deviations = 4.0;
+  double max_angle = 0.5;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("min_share", self.min_share, "", between(0.0, 1.0),
+          "share of the pixels with a surface that lie on a dominant plane; 1 for none");
+    visit("pixel_deviations", self.pixel_deviations, "", between(0.0, 100.0),
+          "standard deviations of depth within which a pixel lies on the plane");
+    visit("max_angle", self.max_angle, "rad", between(0.0, 1.5),
+          "largest angle between the normals of the plane and of a pixel on it");
+  }
+  void validate() const { check_fields(*this); }
+};
+
 /// How depth images are prepared for tracking and fusion.
 struct MeasurementOptions {
   double min_depth = 0.2;
@@ -37,6 +55,7 @@ struct MeasurementOptions {
   double min_cosine = 0.1;
   int tracking_width = 320;
   PlanarNormalOptions planar_normals;
+  DominantPlaneOptions dominant_plane;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -57,6 +76,7 @@ struct MeasurementOptions {
     visit("tracking_width", self.tracking_width, "px", at_least(40.0),
           "images are halved for tracking while they are at least 1.5 times as wide");
     visit("planar_normals", self.planar_normals);
+    visit("dominant_plane", self.dominant_plane);
   }
   /// Throws InputError if a value is out of its range or max_depth is not above min_depth.
   void validate() const;

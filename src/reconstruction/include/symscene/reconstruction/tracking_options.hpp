@@ -19,6 +19,7 @@ struct TrackingOptions {
   double min_inliers = 0.5;
   double min_measured = 0.02;
   double degenerate_ratio = 5e-5;
+  double flattened_degenerate_ratio = 5e-7;
   double max_translation = 0.25;
   double max_rotation = 0.5;
   double max_disagreement = 0.01;
@@ -84,6 +85,9 @@ struct TrackingOptions {
     visit("degenerate_ratio", self.degenerate_ratio, "", between(0.0, 1.0),
           "normalised eigenvalue of the normal equations below which a motion counts as "
           "unconstrained (Zhang and Singh 2016)");
+    visit("flattened_degenerate_ratio", self.flattened_degenerate_ratio, "", between(0.0, 1.0),
+          "the same where the pixels of a dominant plane have one normal, so that their noise does "
+          "not look like a constraint");
     visit("max_translation", self.max_translation, "m", above_up_to(0.0, 1e6),
           "largest translation of the camera between two frames");
     visit("max_rotation", self.max_rotation, "rad", above_up_to(0.0, 1e6),
