@@ -175,7 +175,8 @@ std::optional<ObjectClass> surface_class(const SurfaceFit& fit, const Classified
     return std::nullopt;
   const double error = systematic_error(fit, object.spacing, options);
   const double over_scale = options.fit_error * error / fit.scale;
-  const double face_error = options.face_error * error;
+  const double face_error =
+      std::hypot(options.face_error * error, options.least_face_error * object.spacing);
   const FittedSurface surface{fit, ends, bounds.correlated * over_scale * over_scale,
                               face_error * face_error};
   ObjectClass found;

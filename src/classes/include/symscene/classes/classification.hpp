@@ -26,11 +26,12 @@ struct ClassOptions {
   double square_tolerance = radians(10.0);
   double correlation = 3.0;
   double error_growth = 12.0;
-  double fit_error = 0.7;
-  double face_error = 0.27;
+  double fit_error = 0.6;
+  double face_error = 0.25;
+  double least_face_error = 0.12;
   double table_error = 0.13;
-  double edge_error = 1.0;
-  double least_edge_error = 0.12;
+  double edge_error = 0.8;
+  double least_edge_error = 0.25;
   double edge_offset = 0.25;
 
   template <class Self, class Visit>
@@ -73,6 +74,9 @@ struct ClassOptions {
           "factor of e in place of the residual's deviation in the covariance of the fit");
     visit("face_error", self.face_error, "", at_least(0.0),
           "standard deviation of the place of an observed face or the radius, over e");
+    visit("least_face_error", self.least_face_error, "", at_least(0.0),
+          "least standard deviation of the place of an observed face or the radius, over the "
+          "spacing");
     visit(
         "table_error", self.table_error, "", at_least(0.0),
         "standard deviation of the height of an object above the table, over e: a smooth error of "
