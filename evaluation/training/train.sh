@@ -66,8 +66,8 @@ fi
   -o "$work/osd_held_out.samples" --variants as-is
 "$build/symscene_fit_object_score" "$work"/single_*.samples "$work"/few_*.samples \
   "$work"/tracked_*.samples "$work/sweeps.samples" "$work/osd.samples" \
-  --held-out "$work/osd_held_out.samples" --depth 4 --rounds 250 --rate 0.06 --min-leaf 20 \
-  --sample-share 0.6 --feature-share 0.5 \
+  --held-out "$work/osd_held_out.samples" --depth 5 --rounds 300 --rate 0.05 --min-leaf 40 \
+  --sample-share 0.5 --feature-share 0.4 \
   --report "$work/reliability.md" -o "$models" \
   --data "evaluation/training/train.sh, scale $scale"
 
