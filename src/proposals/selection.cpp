@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 
 #include "core/median.hpp"
@@ -177,15 +176,12 @@ std::vector<std::size_t> select_probable(const std::vector<SelectionCandidate>& 
   Indices selected =
       best_above(options.min_score, objects, all_of(objects), options, unlikely, rejected);
   const double min_score = options.uncovered_ratio * options.min_score;
-  const double median = median_size(objects, selected);
-  const double min_size = options.uncovered_size * median;
-  const double max_size = selected.empty() ? std::numeric_limits<double>::infinity()
-                                           : options.max_uncovered_size * median;
+  const double min_size = options.uncovered_size * median_size(objects, selected);
   Indices uncovered;
   for (const std::size_t i : unlikely) {
     const SelectionCandidate& object = objects[i];
-    const auto size = static_cast<double>(object.points.size());
-    const bool is_candidate = object.score > min_score && size >= min_size && size <= max_size &&
+    const bool is_candidate = object.score > min_score &&
+                              static_cast<double>(object.points.size()) >= min_size &&
                               greatest_overlap(objects, i, selected) <= options.max_overlap;
     if (is_candidate) {
       uncovered.push_back(i);

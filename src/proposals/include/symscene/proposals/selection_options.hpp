@@ -10,7 +10,6 @@ struct SelectionOptions {
   double min_score = 0.4;
   double uncovered_ratio = 0.5;
   double uncovered_size = 0.25;
-  double max_uncovered_size = 3.0;
   double max_overlap = 0.5;
   double min_parts_cover = 0.9;
   double confidence_exponent = 1.0;
@@ -31,9 +30,6 @@ struct SelectionOptions {
     visit("uncovered_size", self.uncovered_size, "", at_least(0.0),
           "size of the smallest such object, as a share of the median size of the likelier ones: "
           "smaller ones are fragments");
-    visit("max_uncovered_size", self.max_uncovered_size, "", at_least(0.0),
-          "size of the largest such object, as a share of the same median: larger ones are rather "
-          "several objects");
     visit("max_overlap", self.max_overlap, "", between(0.0, 1.0),
           "two objects that share more of the smaller one's points exclude each other");
     visit("min_parts_cover", self.min_parts_cover, "", between(0.0, 1.0),
