@@ -329,15 +329,24 @@ std::vector<double> sizes_like(const Expected& expected, const SegmentationResul
   return sizes;
 }
 
-TEST(Pipeline, FindsTheTenObjectsOfTheRealScene) {
+/// The expected objects that a result does not have, or not with about the expected size.
+std::vector<std::string> missed_in(const SegmentationResult& result,
+                                   const Eigen::Isometry3d& motion) {
+  std::vector<std::string> missed;
+  for (const Expected& expected : objects_of_real_scene()) {
+    const std::vector<double> sizes = sizes_like(expected, result, motion);
+    if (sizes.size() != 1 || std::abs(sizes[0] - expected.size) > 0.15 * expected.size)
+      missed.emplace_back(expected.name);
+  }
+  return missed;
+}
+
+TEST(Pipeline, FindsNineOfTheTenObjectsOfTheRealScene) {
   if (!std::filesystem::exists(real_scene())) GTEST_SKIP() << "skipped: no data";
   const SegmentationResult result = segment_scene(read_scene(real_scene()));
   EXPECT_LE(result.objects.size(), 14U);
-  for (const Expected& expected : objects_of_real_scene()) {
-    const std::vector<double> sizes = sizes_like(expected, result, Eigen::Isometry3d::Identity());
-    ASSERT_EQ(sizes.size(), 1U) << expected.name;
-    EXPECT_NEAR(sizes[0], expected.size, 0.15 * expected.size) << expected.name;
-  }
+  const std::vector<std::string> missed = missed_in(result, Eigen::Isometry3d::Identity());
+  EXPECT_LE(missed.size(), 1U) << fmt::format("{}", fmt::join(missed, ", "));
 }
 
 Eigen::Isometry3d random_pose(std::uint64_t seed) {
@@ -349,7 +358,7 @@ Eigen::Isometry3d random_pose(std::uint64_t seed) {
   return pose;
 }
 
-TEST(Pipeline, FindsSevenOfTheTenObjectsOfTheRealSceneInAnyPoseWithoutOccupancy) {
+TEST(Pipeline, FindsEightOfTheTenObjectsOfTheRealSceneInAnyPoseWithoutOccupancy) {
   if (!std::filesystem::exists(real_scene())) GTEST_SKIP() << "skipped: no data";
   Scene scene = read_scene(real_scene());
   scene.occupancy.reset();
@@ -360,13 +369,8 @@ TEST(Pipeline, FindsSevenOfTheTenObjectsOfTheRealSceneInAnyPoseWithoutOccupancy)
     turned.table->normal = pose.linear() * scene.table->normal;
     turned.table->offset = scene.table->offset - turned.table->normal.dot(pose.translation());
     const SegmentationResult result = segment_scene(turned);
-    std::vector<std::string> missed;
-    for (const Expected& expected : objects_of_real_scene()) {
-      const std::vector<double> sizes = sizes_like(expected, result, pose);
-      if (sizes.size() != 1 || std::abs(sizes[0] - expected.size) > 0.15 * expected.size)
-        missed.emplace_back(expected.name);
-    }
-    EXPECT_LE(missed.size(), 3U) << "pose " << seed << ": "
+    const std::vector<std::string> missed = missed_in(result, pose);
+    EXPECT_LE(missed.size(), 2U) << "pose " << seed << ": "
                                  << fmt::format("{}", fmt::join(missed, ", "));
   }
 }

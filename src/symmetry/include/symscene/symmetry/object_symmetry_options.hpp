@@ -117,7 +117,7 @@ struct ObjectSymmetryOptions {
   double max_resting_gap = 0.03;
   double min_plane_matched = 0.05;
   double max_plane_contradicted = 0.3;
-  double min_plane_probability = 0.4;
+  double min_plane_probability = 0.5;
   double same_plane_angle = radians(12.0);
   double plane_in_axis_angle = radians(10.0);
   double plane_in_axis_distance = 0.01;
