@@ -19,11 +19,11 @@ std::string format_symmetries(const SceneObject& object) {
   return text + plural(object.reflectional.size(), "plane", "planes");
 }
 
-/// "length 21.3 +- 0.1 cm", or "length >= 8.0 cm".
+/// "length 21.32 +- 0.08 cm", or "length >= 8.0 cm".
 std::string format_dimension(const Dimension& dimension) {
   if (!dimension.sigma)
     return fmt::format("{} >= {:.1f} cm", dimension.name, 100.0 * dimension.value);
-  return fmt::format("{} {:.1f} +- {:.1f} cm", dimension.name, 100.0 * dimension.value,
+  return fmt::format("{} {:.2f} +- {:.2f} cm", dimension.name, 100.0 * dimension.value,
                      100.0 * *dimension.sigma);
 }
 

@@ -64,6 +64,9 @@ struct Symmetry {
     Session session("symmetry", shared);
     StageTimer timer(session.on_begin());
     const std::vector<Model> models = timer.time("read", [&] { return read_models(session); });
+    std::optional<ReviewChoices> choices;  // read before the search, which takes longer
+    if (!reviewed.empty()) choices.emplace(reviewed);
+    if (!(review.empty() && reviewed.empty())) require_different_names(models);
     Json list = Json::array();
     std::vector<ModelSymmetries> groups;
     timer.time("detect", [&] {
@@ -78,7 +81,7 @@ struct Symmetry {
         });
       }
     });
-    if (!reviewed.empty()) apply_choices(groups, session);
+    if (choices) apply_choices(*choices, groups, session);
     for (const ModelSymmetries& group : groups) list.push_back(group_json(group));
     if (!review.empty()) write_review(models, groups, session);
     if (review.empty() || !shared.output.empty())
@@ -96,6 +99,7 @@ struct Symmetry {
       throw InputError("--format bop", "whole models", "--partial");
     if (is_partial && !(review.empty() && reviewed.empty()))
       throw InputError(review.empty() ? "--reviewed" : "--review", "whole models", "--partial");
+    if (!review.empty() && !shared.output.empty()) require_not_input(shared.output, review);
     for (const fs::path& output : {shared.output, review}) {
       if (output.empty()) continue;
       for (const fs::path& input : inputs) require_not_input(output, input);
@@ -103,22 +107,29 @@ struct Symmetry {
     }
   }
 
-  void apply_choices(std::vector<ModelSymmetries>& groups, Session& session) const {
-    const ReviewChoices choices(reviewed);
+  static void apply_choices(const ReviewChoices& choices, std::vector<ModelSymmetries>& groups,
+                            Session& session) {
     for (ModelSymmetries& group : groups) session.warn(choices.apply(group));
   }
 
   /// Choices are told apart by the names of the models.
+  void require_different_names(const std::vector<Model>& models) const {
+    std::set<std::string> names;
+    for (const Model& model : models) {
+      if (!names.insert(model.name).second)
+        throw InputError(review.empty() ? "--reviewed" : "--review", "models of different names",
+                         "two of " + model.name);
+    }
+  }
+
   void write_review(const std::vector<Model>& models, const std::vector<ModelSymmetries>& groups,
                     Session& session) const {
-    std::set<std::string> names;
     std::vector<ReviewedModel> shown;
-    for (std::size_t k = 0; k < models.size(); ++k) {
-      if (!names.insert(models[k].name).second)
-        throw InputError("--review", "models of different names", "two of " + models[k].name);
+    for (std::size_t k = 0; k < models.size(); ++k)
       shown.push_back(reviewed_model(groups[k], models[k].mesh));
-    }
-    const std::string title = fmt::format("Symmetries of {} models", models.size());
+    const std::string title = models.size() == 1
+                                  ? "Symmetries of " + models.front().name
+                                  : fmt::format("Symmetries of {} models", models.size());
     write_file_atomically(review, render_review_page(shown, title));
     session.print_line(review.string());
   }

@@ -75,7 +75,7 @@ void append_implied(const std::string& name, const std::vector<Symmetry>& all,
                     const std::vector<std::size_t>& implied, std::vector<std::string>& sentences) {
   for (const std::size_t k : implied)
     sentences.push_back(fmt::format(
-        "{}: {} is left out too, as with the others it would make a symmetry that was rejected",
+        "{}: {} is left out too: with the remaining symmetries it would generate a rejected one",
         name, describe(all[k])));
 }
 
@@ -92,11 +92,17 @@ ReviewChoices::ReviewChoices(const std::filesystem::path& file) {
   const JsonCursor root(document, name);
   if (root.at("version").count() != 1) root.at("version").fail("1");
   for (const JsonCursor& model : root.at("models").items()) {
-    std::vector<Choice>& choices = models_[model.at("name").string()];
+    const auto [entry, is_new] = models_.try_emplace(model.at("name").string());
+    if (!is_new) model.at("name").fail("a model once");
+    std::vector<Choice>& choices = entry->second;
     for (const JsonCursor& each : model.at("symmetries").items()) {
       const JsonCursor choice = each.at("choice");
-      choices.push_back({each.at("kind").string(), each.at("point").vector3(),
-                         each.at("direction").direction(), choice.string()});
+      const std::string kind = each.at("kind").string();
+      if (kind != name_of(Kind::plane) && kind != name_of(Kind::axis) &&
+          kind != name_of(Kind::sphere))
+        each.at("kind").fail("plane, axis or sphere");
+      choices.push_back(
+          {kind, each.at("point").vector3(), each.at("direction").direction(), choice.string()});
       const std::string& said = choices.back().choice;
       if (said != accepted_choice && said != rejected_choice && said != open_choice)
         choice.fail(fmt::format("{}, {} or {}", accepted_choice, rejected_choice, open_choice));

@@ -142,8 +142,11 @@ ObjectClass parse_class(const JsonCursor& json) {
   symmetry_class.axes = parse_axes(json.at("axes"));
   symmetry_class.residual = json.at("residual").number();
   symmetry_class.explained = share(json.at("explained"), "a share in [0, 1]");
-  if (const auto order = json.find("order"))
-    symmetry_class.order = static_cast<int>(std::min<std::size_t>(order->count(), most_order));
+  if (symmetry_class.kind == SymmetryClass::n_fold) {
+    const std::size_t order = json.at("order").count();
+    if (order < 2 || order > most_order) json.at("order").fail("an order of 2 to 1000");
+    symmetry_class.order = static_cast<int>(order);
+  }
   for (const JsonCursor& dimension : json.at("dimensions").items())
     symmetry_class.dimensions.push_back(parse_dimension(dimension));
   return symmetry_class;

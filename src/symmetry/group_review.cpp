@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 #include "finite_group.hpp"
 #include "motion_fit.hpp"
@@ -14,13 +15,20 @@ struct Listed {
   bool is_axis;
   std::size_t index;
   double residual;
-  std::vector<Eigen::Matrix3d> elements;  ///< the generator first
+  std::vector<Eigen::Matrix3d> elements;  ///< that generate it
 };
 
+/// The rotation by k turns of an axis' order.
+Eigen::Matrix3d turn(const GroupAxis& found, int k) {
+  return found.axis.rotation(2.0 * std::numbers::pi * k / found.order);
+}
+
+/// The turns that make an axis one of its order: without the half turn of a 4-fold axis.
 std::vector<Eigen::Matrix3d> turns_of(const GroupAxis& found) {
   std::vector<Eigen::Matrix3d> turns;
-  for (int k = 1; k < found.order; ++k)
-    turns.push_back(found.axis.rotation(2.0 * std::numbers::pi * k / found.order));
+  for (int k = 1; k < found.order; ++k) {
+    if (std::gcd(k, found.order) == 1) turns.push_back(turn(found, k));
+  }
   return turns;
 }
 
@@ -78,8 +86,9 @@ class Remainder {
     remaining_.group.planes.clear();
     const std::vector<Listed> listed = listed_symmetries(group);
     for (const Listed& each : listed) {
-      if (is_rejected(each, rejected))
-        forbidden_.insert(forbidden_.end(), each.elements.begin(), each.elements.end());
+      if (!is_rejected(each, rejected)) continue;
+      if (each.is_axis) rejected_axes_.push_back(each.index);
+      forbidden_.insert(forbidden_.end(), each.elements.begin(), each.elements.end());
     }
     for (const Listed& each : listed) {
       if (!is_rejected(each, rejected)) add(each);
@@ -94,11 +103,22 @@ class Remainder {
     };
     keep(group_.axes, kept_axes_, remaining_.group.axes);
     keep(group_.planes, kept_planes_, remaining_.group.planes);
+    for (const std::size_t k : rejected_axes_) keep_lower_order(group_.axes[k]);
     set_rotations(remaining_.group, finite_);
     return std::move(remaining_);
   }
 
  private:
+  /// Lists a rejected axis with the order that accepted symmetries still give it.
+  void keep_lower_order(GroupAxis axis) {
+    for (int k = 2; k < axis.order; ++k) {
+      if (axis.order % k != 0 || !finite_.holds(turn(axis, k))) continue;
+      axis.order /= k;
+      remaining_.group.axes.push_back(axis);
+      return;
+    }
+  }
+
   void add(const Listed& each) {
     constexpr std::size_t most = 120;
     const FiniteGroup larger = finite_.with(each.elements.front(), most);
@@ -118,7 +138,7 @@ class Remainder {
   const SymmetryGroup& group_;
   FiniteGroup rotations_, finite_;
   std::vector<Eigen::Matrix3d> forbidden_;
-  std::vector<std::size_t> kept_axes_, kept_planes_;
+  std::vector<std::size_t> rejected_axes_, kept_axes_, kept_planes_;
   RemainingGroup remaining_;
 };
 

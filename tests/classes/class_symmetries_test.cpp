@@ -55,6 +55,11 @@ TEST(ClassSymmetries, OfASurfaceWithoutDimensionsAreThoseListed) {
   ObjectClass box = unit_box();
   box.dimensions.clear();
   EXPECT_TRUE(with_symmetries_of_class({}, box, same_angle).reflectional.empty());
+  const ObjectClass can{.kind = SymmetryClass::cylinder, .explained = 0.95};
+  const SymmetryLists listed =
+      with_symmetries_of_class({{}, {plane(1.0, 0.1, 0.0, 0.01)}}, can, same_angle);
+  EXPECT_TRUE(listed.rotational.empty());
+  EXPECT_EQ(listed.reflectional.size(), 1U);
 }
 
 }  // namespace

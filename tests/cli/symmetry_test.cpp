@@ -129,7 +129,13 @@ TEST_F(SymmetryCommand, RefusesWhatIsNoReview) {
   write(workspace_ / "old.json", R"({"version": 0, "models": []})");
   write(workspace_ / "word.json", R"({"version": 1, "models": [{"name": "a", "symmetries": [
       {"kind": "axis", "point": [0, 0, 0], "direction": [0, 0, 1], "choice": "maybe"}]}]})");
+  write(workspace_ / "kind.json", R"({"version": 1, "models": [{"name": "a", "symmetries": [
+      {"kind": "cube", "point": [0, 0, 0], "direction": [0, 0, 1], "choice": "accepted"}]}]})");
+  write(workspace_ / "twice.json", R"({"version": 1, "models": [
+      {"name": "a", "symmetries": []}, {"name": "a", "symmetries": []}]})");
   for (const char* options : {"--reviewed old.json", "--reviewed word.json", "--reviewed no.json",
+                              "--reviewed kind.json", "--reviewed twice.json",
+                              "--review page.html -o page.html",
                               "--reviewed old.json --partial", "--review page.html --partial",
                               "--review models/obj_000003.obj"}) {
     const Outcome outcome = run(std::string("models/obj_000003.obj ") + options);

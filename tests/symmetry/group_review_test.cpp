@@ -48,6 +48,28 @@ void expect_closed(const SymmetryGroup& group) {
   }
 }
 
+TEST(GroupReview, LeavesHalfTurnsAndPlanesOfASquareBarWhoseQuarterTurnIsRejected) {
+  const SymmetryGroup bar = group_of(make_box({0.1, 0.1, 0.25}, 0.02));
+  ASSERT_EQ(bar.rotations.size(), 7U);
+  ASSERT_EQ(bar.planes.size(), 5U);
+  RejectedSymmetries rejected;
+  rejected.axes.assign(bar.axes.size(), false);
+  rejected.planes.assign(bar.planes.size(), false);
+  const auto is_diagonal = [](const Eigen::Vector3d& direction) {
+    return direction.cwiseAbs().maxCoeff() < 0.9;
+  };
+  for (std::size_t k = 0; k < bar.axes.size(); ++k)
+    rejected.axes[k] = bar.axes[k].order == 4 || is_diagonal(bar.axes[k].axis.direction);
+  for (std::size_t k = 0; k < bar.planes.size(); ++k)
+    rejected.planes[k] = is_diagonal(bar.planes[k].plane.normal);
+  const RemainingGroup left = without(bar, rejected);
+  EXPECT_EQ(left.group.rotations.size(), 3U);
+  EXPECT_EQ(left.group.planes.size(), 3U);
+  ASSERT_EQ(left.group.axes.size(), 3U);
+  for (const GroupAxis& axis : left.group.axes) EXPECT_EQ(axis.order, 2);
+  expect_closed(left.group);
+}
+
 TEST(GroupReview, KeepsWhatIsAccepted) {
   for (const SymmetryGroup& group : {box(), can()}) {
     const RemainingGroup kept = without(group, {});

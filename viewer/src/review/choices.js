@@ -46,6 +46,7 @@ export function createChoices(models) {
           taken += 1;
         });
       });
+      if (taken > 0) saved = false;
       for (const listener of listeners) listener();
       return taken;
     },

@@ -70,7 +70,7 @@ function createReview({ title, models: payload }) {
   async function load(file) {
     try {
       const taken = choices.load(JSON.parse(await file.text()));
-      hint.textContent = `${taken} choices were read from ${file.name}.`;
+      hint.textContent = `${taken} choices of ${file.name} were taken.`;
     } catch (error) {
       hint.textContent = `${file.name} cannot be read: ${error.message}`;
     }
@@ -88,16 +88,18 @@ function createReview({ title, models: payload }) {
   view.attach();
 
   const keys = {
-    a: () => choose(state.selected, true), r: () => choose(state.selected, false), u: () => choose(state.selected, null), A: acceptAll,
+    a: () => choose(state.selected, true), r: () => choose(state.selected, false), u: () => choose(state.selected, null),
     ArrowUp: () => step(-1), ArrowDown: () => step(1),
     ArrowLeft: () => goTo(state.model - 1), ArrowRight: () => goTo(state.model + 1),
     m: () => { state.copied = !state.copied; hint.textContent = COPY_HINT; update(); }, s: () => save(choices),
     h: () => view.viewpoint.go('home'), f: () => view.viewpoint.go('front'), t: () => view.viewpoint.go('top'),
   };
   addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
-    keys[event.key]();
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const action = key === 'a' && event.shiftKey ? acceptAll : keys[key];
+    if (event.ctrlKey || event.metaKey || event.altKey || !action) return;
     event.preventDefault();
+    if (!(event.repeat && 'arus'.includes(key))) action();
   });
   addEventListener('beforeunload', (event) => { if (!choices.isSaved()) event.preventDefault(); });
   if (payload.length > 0) goTo(0);

@@ -40,11 +40,12 @@ struct Dimension {
 struct ObjectClass {
   SymmetryClass kind = SymmetryClass::none;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< on all planes and axes [m]
-  /// Orthonormal columns: normals of the planes, first those of a prism, the third of a box most
-  /// nearly along the table's normal; the third is the axis of the other classes.
+  /// Orthonormal columns. Normals of the planes: the first of a mirror, the first two of a prism,
+  /// all of a box, whose third is nearest to the table's normal. For other classes the third is the
+  /// axis.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   int order = 0;           ///< of n_fold
-  double residual = 0.0;   ///< root mean square distance of the explained points [m]
+  double residual = 0.0;   ///< root mean square distance of the explained points; 0 if unknown [m]
   double explained = 0.0;  ///< share of the points that the class explains
   /// Of a surface that is a box, a regular prism, a cylinder or a sphere; otherwise none.
   std::vector<Dimension> dimensions = {};

@@ -35,7 +35,7 @@ struct DominantPlaneOptions {
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("min_share", self.min_share, "", between(0.0, 1.0),
-          "share of the pixels with a surface that lie on a dominant plane; 1 for none");
+          "least share of the pixels with a surface that lie on the plane; 1 turns this off");
     visit("pixel_deviations", self.pixel_deviations, "", between(0.0, 100.0),
           "standard deviations of depth within which a pixel lies on the plane");
     visit("max_angle", self.max_angle, "rad", between(0.0, 1.5),

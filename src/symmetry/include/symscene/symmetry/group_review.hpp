@@ -24,7 +24,9 @@ struct RemainingGroup {
   std::vector<std::size_t> implied_axes, implied_planes;
 };
 
-/// The group without the rejected symmetries, closed again: a rejected axis loses all its turns.
+/// The group without the rejected symmetries, closed again. Of a rejected axis of order n only the
+/// turns of lower order stay that accepted symmetries generate; it is then listed, last, with that
+/// order.
 /// Accepted symmetries are taken by ascending residual as long as they make no rejected one. With
 /// a continuous axis the plane and the half turns across it stay or go together; without it the
 /// half turn goes too, as it stood for those about all lines across.

@@ -39,10 +39,11 @@ struct SymmetryGroupOptions {
           "handle, off it by more than part_distance");
     visit("part_distance", self.part_distance, "", above(0.0),
           "see part_share, by the object's diagonal");
-    visit("radius_share", self.radius_share, "", above(0.0),
-          "a turn by less than a half is no symmetry if it moves the surface off itself by more "
-          "than this share of its "
-          "mean distance from the axis: whatever is slender moves little by its diagonal");
+    visit(
+        "radius_share", self.radius_share, "", above(0.0),
+        "largest mean distance of the turned surface from itself, over its mean distance from the "
+        "axis, for turns by less than a half: relative to the diagonal slender objects move "
+        "little");
     visit("max_order", self.max_order, "", between(2, 24),
           "largest order of an axis; with more, a turn counts as continuous");
     visit("directions", self.directions, "", between(100, 100000),
