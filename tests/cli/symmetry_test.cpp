@@ -133,11 +133,10 @@ TEST_F(SymmetryCommand, RefusesWhatIsNoReview) {
       {"kind": "cube", "point": [0, 0, 0], "direction": [0, 0, 1], "choice": "accepted"}]}]})");
   write(workspace_ / "twice.json", R"({"version": 1, "models": [
       {"name": "a", "symmetries": []}, {"name": "a", "symmetries": []}]})");
-  for (const char* options : {"--reviewed old.json", "--reviewed word.json", "--reviewed no.json",
-                              "--reviewed kind.json", "--reviewed twice.json",
-                              "--review page.html -o page.html",
-                              "--reviewed old.json --partial", "--review page.html --partial",
-                              "--review models/obj_000003.obj"}) {
+  for (const char* options :
+       {"--reviewed old.json", "--reviewed word.json", "--reviewed no.json", "--reviewed kind.json",
+        "--reviewed twice.json", "--review page.html -o page.html", "--reviewed old.json --partial",
+        "--review page.html --partial", "--review models/obj_000003.obj"}) {
     const Outcome outcome = run(std::string("models/obj_000003.obj ") + options);
     EXPECT_EQ(outcome.code, 1) << options;
     EXPECT_NE(outcome.err.find("symscene symmetry: "), std::string::npos) << outcome.err;
