@@ -171,12 +171,14 @@ TEST(SymmetryGroup, DoesNotTurnASmallHandleOffTheSurface) {
 
 TEST(SymmetryGroup, ASlenderBarDoesNotTurnFreely) {
   const PointCloud cloud = surface_of(box({0.01, 0.02, 0.6}));
-  SymmetryGroupOptions by_diagonal_alone = options();
+  // The coarse search of sanitized tests misses a plane of so slender a bar.
+  const SymmetryGroupOptions defaults;
+  SymmetryGroupOptions by_diagonal_alone = defaults;
   by_diagonal_alone.radius_share = 1.0;
   const std::vector<int> by_diagonal = orders_of(find_symmetry_group(cloud, by_diagonal_alone));
   ASSERT_FALSE(by_diagonal.empty());
   EXPECT_EQ(by_diagonal.front(), GroupAxis::continuous);
-  const SymmetryGroup found = find_symmetry_group(cloud, options());
+  const SymmetryGroup found = find_symmetry_group(cloud, defaults);
   EXPECT_EQ(found.planes.size(), 3U);
   EXPECT_EQ(found.rotations.size(), 3U);
   for (const GroupAxis& axis : found.axes) EXPECT_EQ(axis.order, 2);
