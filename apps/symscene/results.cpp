@@ -27,7 +27,7 @@ std::string format_dimension(const Dimension& dimension) {
                      100.0 * *dimension.sigma);
 }
 
-/// "", or "box: length 21.3 +- 0.1 cm, ...".
+/// "", or "box: length 21.32 +- 0.08 cm, ...".
 std::string format_class(const SceneObject& object) {
   if (!object.symmetry_class || object.symmetry_class->kind == SymmetryClass::none) return "";
   const ObjectClass& found = *object.symmetry_class;

@@ -35,18 +35,6 @@ std::vector<ReviewedSymmetry> listed(const SymmetryGroup& group) {
   return symmetries;
 }
 
-const char* name_of(Kind kind) {
-  switch (kind) {
-    case Kind::sphere:
-      return "sphere";
-    case Kind::axis:
-      return "axis";
-    case Kind::plane:
-      return "plane";
-  }
-  return "";
-}
-
 bool is_same(const ReviewedSymmetry& symmetry, const Eigen::Vector3d& point,
              const Eigen::Vector3d& direction, double max_distance) {
   if (symmetry.kind == Kind::sphere) return true;
@@ -98,8 +86,8 @@ ReviewChoices::ReviewChoices(const std::filesystem::path& file) {
     for (const JsonCursor& each : model.at("symmetries").items()) {
       const JsonCursor choice = each.at("choice");
       const std::string kind = each.at("kind").string();
-      if (kind != name_of(Kind::plane) && kind != name_of(Kind::axis) &&
-          kind != name_of(Kind::sphere))
+      if (kind != to_string(Kind::plane) && kind != to_string(Kind::axis) &&
+          kind != to_string(Kind::sphere))
         each.at("kind").fail("plane, axis or sphere");
       choices.push_back(
           {kind, each.at("point").vector3(), each.at("direction").direction(), choice.string()});
@@ -120,7 +108,7 @@ std::vector<std::string> ReviewChoices::apply(ModelSymmetries& model) const {
   for (const ReviewedSymmetry& symmetry : symmetries) {
     const auto choice =
         std::find_if(found->second.begin(), found->second.end(), [&](const Choice& each) {
-          return each.kind == name_of(symmetry.kind) &&
+          return each.kind == to_string(symmetry.kind) &&
                  is_same(symmetry, each.point, each.direction,
                          same_distance * model.group.diagonal);
         });

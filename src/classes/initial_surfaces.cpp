@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "core/median.hpp"
+#include "symmetry_frame.hpp"
 
 namespace symscene {
 namespace {
@@ -45,14 +46,6 @@ std::optional<Eigen::Vector3d> commonest_direction(const FitSamples& samples,
       best.norm() == 0.0)
     return std::nullopt;
   return best.normalized();
-}
-
-Eigen::Matrix3d frame_about(const Eigen::Vector3d& axis) {
-  Eigen::Matrix3d frame;
-  frame.leftCols<2>() = orthonormal_complement(axis);
-  frame.col(2) = axis;
-  if (frame.determinant() < 0.0) frame.col(0) = -frame.col(0);
-  return frame;
 }
 
 void add_box(const FitSamples& samples, const Eigen::Vector3d& first, const FitBounds& bounds,

@@ -11,13 +11,6 @@
 namespace symscene {
 namespace {
 
-/// The orthonormal frame whose last column is a direction.
-Eigen::Matrix3d frame_with_axis(const Eigen::Vector3d& direction) {
-  Eigen::Matrix3d axes;
-  axes << orthonormal_complement(direction), direction;
-  return axes;
-}
-
 /// The rotation nearest to normals that are nearly at right angles; a missing third one is added.
 Eigen::Matrix3d nearest_frame(const std::vector<ReflectionPlane>& planes) {
   Eigen::Matrix3d normals;
@@ -47,7 +40,7 @@ ObjectClass class_of_axis(const ClassifiedObject& object, double max_square_erro
   const RotationAxis& axis = object.axes.front().axis;
   SymmetryFrame initial;
   initial.rotates = true;
-  initial.axes = frame_with_axis(axis.direction);
+  initial.axes = frame_about(axis.direction);
   initial.center = axis.project(centroid(object.points.positions));
   const auto across =
       std::find_if(object.planes.begin(), object.planes.end(), [&](const ObjectPlane& candidate) {
@@ -64,7 +57,7 @@ ObjectClass class_of_planes(const ClassifiedObject& object, double max_square_er
   const std::vector<ReflectionPlane> planes = perpendicular_planes(object.planes, max_square_error);
   const Eigen::Vector3d center = projected(centroid(object.points.positions), planes);
   if (planes.size() == 1) {
-    Eigen::Matrix3d axes = frame_with_axis(planes[0].normal);
+    Eigen::Matrix3d axes = frame_about(planes[0].normal);
     axes.col(0).swap(axes.col(2));
     axes.col(1) = -axes.col(1);
     return {.kind = SymmetryClass::mirror, .center = center, .axes = axes};

@@ -79,6 +79,12 @@ FrameEquations equations_of(const IndexedCloud& cloud, const PointIndices& sourc
 
 }  // namespace
 
+Eigen::Matrix3d frame_about(const Eigen::Vector3d& direction) {
+  Eigen::Matrix3d axes;
+  axes << orthonormal_complement(direction), direction;
+  return axes;
+}
+
 SymmetryFrame fit_frame(const IndexedCloud& cloud, SymmetryFrame frame, double spacing) {
   const PointIndices sources = evenly_spread(cloud.cloud.size(), fit_points);
   for (int round = 0; round < rounds; ++round) {

@@ -18,6 +18,9 @@ struct SymmetryFrame {
   ReflectionPlane plane(int axis) const { return {center, axes.col(axis)}; }
 };
 
+/// A right-handed orthonormal frame whose third column is a direction.
+Eigen::Matrix3d frame_about(const Eigen::Vector3d& direction);
+
 /// The frame near `initial` under which the images of points lie on the surface (Eq. 3.7) and
 /// normals lie in planes through the axis (Eq. 3.4), by Gauss-Newton steps in the three turns and
 /// three shifts of the frame. `spacing` is that of the points. [m]

@@ -2,32 +2,6 @@
 
 namespace symscene {
 
-void InversePlaneMoments::add(double x, double y, double inverse) {
-  count += 1;
-  u += x;
-  v += y;
-  uu += x * x;
-  uv += x * y;
-  vv += y * y;
-  d += inverse;
-  ud += x * inverse;
-  vd += y * inverse;
-  dd += inverse * inverse;
-}
-
-void InversePlaneMoments::add(const InversePlaneMoments& other) {
-  count += other.count;
-  u += other.u;
-  v += other.v;
-  uu += other.uu;
-  uv += other.uv;
-  vv += other.vv;
-  d += other.d;
-  ud += other.ud;
-  vd += other.vd;
-  dd += other.dd;
-}
-
 std::optional<InversePlane> fit_inverse_plane(const InversePlaneMoments& m, double noise) {
   const double n = m.count, mean_u = m.u / n, mean_v = m.v / n, mean_d = m.d / n;
   const double uu = m.uu / n - mean_u * mean_u, uv = m.uv / n - mean_u * mean_v;

@@ -22,8 +22,31 @@ struct InversePlane {
 struct InversePlaneMoments {
   double count = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0, d = 0, ud = 0, vd = 0, dd = 0;
 
-  void add(double x, double y, double inverse);
-  void add(const InversePlaneMoments& other);
+  void add(double x, double y, double inverse) {
+    count += 1;
+    u += x;
+    v += y;
+    uu += x * x;
+    uv += x * y;
+    vv += y * y;
+    d += inverse;
+    ud += x * inverse;
+    vd += y * inverse;
+    dd += inverse * inverse;
+  }
+
+  void add(const InversePlaneMoments& other) {
+    count += other.count;
+    u += other.u;
+    v += other.v;
+    uu += other.uu;
+    uv += other.uv;
+    vv += other.vv;
+    d += other.d;
+    ud += other.ud;
+    vd += other.vd;
+    dd += other.dd;
+  }
 };
 
 /// The plane through the pixels; none if their inverse depths deviate from it by more than `noise`

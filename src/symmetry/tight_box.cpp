@@ -1,6 +1,7 @@
 #include "tight_box.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -17,7 +18,7 @@ double width(const Points& points, const Eigen::Vector3d& direction) {
 
 Eigen::Vector3d narrowest(const Points& points, const std::vector<Eigen::Vector3d>& directions) {
   Eigen::Vector3d best = directions.front();
-  double least = width(points, best);
+  double least = std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3d& direction : directions) {
     const double each = width(points, direction);
     if (each >= least) continue;

@@ -19,25 +19,13 @@ constexpr Index fewest_triangles = 2'000;
 constexpr Index most_points = 6'000;    ///< of a model without triangles
 constexpr double smallest_cell = 1e-3;  ///< by the diagonal
 
-const char* name_of(ReviewedSymmetry::Kind kind) {
-  switch (kind) {
-    case ReviewedSymmetry::Kind::plane:
-      return "plane";
-    case ReviewedSymmetry::Kind::axis:
-      return "axis";
-    case ReviewedSymmetry::Kind::sphere:
-      return "sphere";
-  }
-  return "";
-}
-
 json order_of(const ReviewedSymmetry& symmetry) {
   if (symmetry.kind != ReviewedSymmetry::Kind::axis) return nullptr;
   return symmetry.order == 0 ? json("continuous") : json(symmetry.order);
 }
 
 json symmetry_payload(const ReviewedSymmetry& symmetry, const ReviewedModel& model) {
-  return {{"kind", name_of(symmetry.kind)},
+  return {{"kind", to_string(symmetry.kind)},
           {"order", order_of(symmetry)},
           {"point", encode(symmetry.point)},
           {"direction", encode(symmetry.direction)},
@@ -66,6 +54,18 @@ json model_payload(const ReviewedModel& model, Index max_triangles) {
 }
 
 }  // namespace
+
+const char* to_string(ReviewedSymmetry::Kind kind) {
+  switch (kind) {
+    case ReviewedSymmetry::Kind::plane:
+      return "plane";
+    case ReviewedSymmetry::Kind::axis:
+      return "axis";
+    case ReviewedSymmetry::Kind::sphere:
+      return "sphere";
+  }
+  return "";
+}
 
 std::string render_review_page(const std::vector<ReviewedModel>& models, const std::string& title) {
   const auto count = static_cast<Index>(std::max<std::size_t>(models.size(), 1));

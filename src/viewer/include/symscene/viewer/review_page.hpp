@@ -19,6 +19,9 @@ struct ReviewedSymmetry {
   double residual = 0.0;
 };
 
+/// The name of a kind on the page and in the file of choices.
+const char* to_string(ReviewedSymmetry::Kind kind);
+
 /// A model with its symmetries. One without triangles is shown as points.
 struct ReviewedModel {
   std::string name;
