@@ -7,7 +7,8 @@
 #include "core/evenly_spaced.hpp"
 #include "core/parallel.hpp"
 #include "graph_segmentation.hpp"
-#include "segments.hpp"
+#include "oriented_input.hpp"
+#include "segmentation/segments_of_labels.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/neighbors.hpp"
 

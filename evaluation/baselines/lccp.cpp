@@ -2,7 +2,8 @@
 
 #include "core/evenly_spaced.hpp"
 #include "lccp_labels.hpp"
-#include "segments.hpp"
+#include "oriented_input.hpp"
+#include "segmentation/segments_of_labels.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

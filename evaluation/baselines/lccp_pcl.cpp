@@ -1,5 +1,5 @@
 #include "lccp_labels.hpp"
-#include "segments.hpp"
+#include "segmentation/segments_of_labels.hpp"
 
 #ifdef SYMSCENE_HAS_PCL
 #include <pcl/point_types.h>

@@ -1,7 +1,7 @@
 #include "pipeline/detections.hpp"
 
+#include "pipeline/stage_options.hpp"
 #include "planes.hpp"
-#include "stage_options.hpp"
 
 namespace symscene {
 

@@ -1,9 +1,9 @@
 #include "symscene/pipeline/pipeline.hpp"
 
 #include "core/parallel.hpp"
+#include "pipeline/stage_options.hpp"
 #include "planes.hpp"
 #include "proposals/object_proposals.hpp"
-#include "stage_options.hpp"
 
 namespace symscene {
 namespace {

@@ -1,4 +1,4 @@
-#include "stage_options.hpp"
+#include "pipeline/stage_options.hpp"
 
 namespace symscene {
 

@@ -91,7 +91,8 @@ NeighborLists voxel_neighbors(const Points& points, double voxel_size) {
   return radius_neighbors(points, static_cast<float>(voxel_size * std::sqrt(3.0)));
 }
 
-Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, StageTimer& timer) {
+Workspace sampled_workspace(const Scene& scene, const WorkspaceOptions& options,
+                            StageTimer& timer) {
   Workspace space;
   space.warnings = scene.warnings;
   if (scene.table) space.up = scene.table->normal;
@@ -104,6 +105,11 @@ Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, S
   for (std::string& warning : frame_warnings(space.cloud.positions, space.field, scene.table))
     space.warnings.push_back(std::move(warning));
   timer.time("normals", [&] { complete_normals(scene, options, space); });
+  return space;
+}
+
+Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, StageTimer& timer) {
+  Workspace space = sampled_workspace(scene, options, timer);
   space.edges = timer.time("surface graph", [&] {  // section 4.3.2
     return surface_graph(space.cloud, options.surface_graph);
   });

@@ -2,7 +2,7 @@
 
 #include "baselines/graph_segmentation.hpp"
 #include "surfaces.hpp"
-#include "symscene/baselines/euclidean_clusters.hpp"
+#include "symscene/baselines/euclidean_sweep.hpp"
 #include "symscene/baselines/felzenszwalb.hpp"
 #include "symscene/baselines/lccp.hpp"
 #include "symscene/core/error.hpp"

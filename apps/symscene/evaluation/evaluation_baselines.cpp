@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "symscene/baselines/euclidean_clusters.hpp"
+#include "symscene/baselines/euclidean_sweep.hpp"
 #include "symscene/baselines/felzenszwalb.hpp"
 #include "symscene/baselines/lccp.hpp"
 #include "symscene/core/error.hpp"

@@ -47,10 +47,14 @@ struct WorkspaceOptions {
 /// For every point of a cloud of one point per voxel the others within the diagonal of a voxel.
 NeighborLists voxel_neighbors(const Points& points, double voxel_size);
 
-/// Prepares a scene for both streams: samples its cloud (section 2.1.1), drops stray points,
-/// computes the distance field (2.1.2), completes the normals, and builds the surface graph (4.3.2)
-/// and the smooth segments (3.5.1). Its warnings begin with the scene's. Throws InputError if the
-/// cloud has no finite point or spans more space than memory holds.
+/// Samples the cloud of a scene (section 2.1.1), drops stray points, computes the distance field
+/// (2.1.2) and completes the normals: the workspace without the structure of its surface. Its
+/// warnings begin with the scene's. Throws InputError if the cloud has no finite point or spans
+/// more space than memory holds.
+Workspace sampled_workspace(const Scene& scene, const WorkspaceOptions& options, StageTimer& timer);
+
+/// Prepares a scene for both streams: sampled_workspace() with the surface graph (4.3.2) and the
+/// smooth segments (3.5.1).
 Workspace build_workspace(const Scene& scene, const WorkspaceOptions& options, StageTimer& timer);
 
 }  // namespace symscene

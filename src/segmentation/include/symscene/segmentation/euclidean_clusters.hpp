@@ -1,6 +1,7 @@
 #pragma once
 
-#include "symscene/baselines/baseline_sweep.hpp"
+#include <vector>
+
 #include "symscene/core/options.hpp"
 #include "symscene/core/point_cloud.hpp"
 
@@ -25,10 +26,5 @@ struct EuclideanClusterOptions {
 /// option is out of range or a coordinate is not finite.
 std::vector<PointIndices> euclidean_clusters(const PointCloud& cloud,
                                              const EuclideanClusterOptions& options = {});
-
-/// The same for every distance [m], by default 0.5 to 3 cm in steps of 0.25 cm. The distance in the
-/// options is not used.
-BaselineSweep euclidean_sweep(const PointCloud& cloud, const EuclideanClusterOptions& options = {},
-                              std::vector<double> distances = {});
 
 }  // namespace symscene

@@ -1,9 +1,7 @@
-#include "segments.hpp"
+#include "segmentation/segments_of_labels.hpp"
 
 #include <algorithm>
 #include <utility>
-
-#include "symscene/core/error.hpp"
 
 namespace symscene {
 
@@ -25,13 +23,6 @@ std::vector<PointIndices> segments_of_labels(std::span<const Index> labels, int 
     return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
   });
   return segments;
-}
-
-void require_oriented(const PointCloud& cloud) {
-  if (cloud.normals.rows() != cloud.positions.rows())
-    throw InputError("point cloud", "a normal for every point", "none");
-  if (!cloud.positions.allFinite() || !cloud.normals.allFinite())
-    throw InputError("point cloud", "finite coordinates and normals", "a NaN or infinite one");
 }
 
 }  // namespace symscene

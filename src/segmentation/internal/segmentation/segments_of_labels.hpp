@@ -1,8 +1,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "symscene/core/point_cloud.hpp"
+#include "symscene/core/types.hpp"
 
 namespace symscene {
 
@@ -12,8 +13,5 @@ inline constexpr Index no_segment = ~Index{0};
 /// The points of each label, largest first, ties by the lowest point; labels of fewer than
 /// `min_size` points are left out.
 std::vector<PointIndices> segments_of_labels(std::span<const Index> labels, int min_size);
-
-/// Throws InputError unless every point has a finite position and a finite normal.
-void require_oriented(const PointCloud& cloud);
 
 }  // namespace symscene
