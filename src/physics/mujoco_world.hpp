@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+#include <Eigen/Geometry>
+
+#include "symscene/physics/convex_parts.hpp"
+
+// For sources that are compiled with MuJoCo.
+namespace symscene {
+
+struct DeleteModel {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+struct DeleteData {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using MujocoModel = std::unique_ptr<mjModel, DeleteModel>;
+
+/// Compiles a world in MJCF. Throws InputError if the meshes cannot be simulated.
+MujocoModel compile_model(const std::string& mjcf);
+
+/// Appends the mesh asset `name` with the hull's vertices to a text in MJCF.
+void append_hull(std::string& mjcf, const std::string& name, const Points& vertices);
+
+/// A compiled world whose first bodies move freely. Body b is MuJoCo's body b + 1, as 0 is the
+/// world itself, with 7 positions and 6 velocities.
+struct MujocoWorld {
+  double time_step = 0.0;  ///< [s]
+  MujocoModel model;
+  std::unique_ptr<mjData, DeleteData> data;
+  std::vector<bool> is_there;  ///< per free body
+  std::vector<double> radius;  ///< about the centre of mass [m]
+
+  double* position(std::size_t body) const { return data->qpos + 7 * body; }
+  double* velocity(std::size_t body) const { return data->qvel + 6 * body; }
+
+  /// Takes over the model; no body takes part.
+  void start(MujocoModel compiled, std::size_t bodies);
+  /// Places a body at rest.
+  void hold(std::size_t body, const Eigen::Isometry3d& pose) const;
+  /// Whether MuJoCo's body takes part in contacts.
+  void set_contacts(int mujoco_body, int contype, int conaffinity) const;
+  /// One time step. Throws PhysicsDiverged.
+  void step() const;
+
+  void put(std::size_t body, const Eigen::Isometry3d& pose);
+  void take_away(std::size_t body);
+  void measure_radius(std::size_t body, const ConvexParts& parts);
+  Eigen::Vector3d center_of_mass(std::size_t body) const;
+  Eigen::Isometry3d pose(std::size_t body) const;
+  /// An upper bound of the speed of any point of the body. [m/s]
+  double speed(std::size_t body) const;
+
+ private:
+  void hold_away(std::size_t body) const;
+  bool diverged() const;
+};
+
+}  // namespace symscene
