@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <limits>
+
+#include "closing_lines.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr float ray_radius = 0.004F;    // somewhat more than the spacing of samples [m]
+constexpr float least_width = 0.0015F;  // between opposite points [m]
+
+/// `count` samples that are far apart: each is the farthest from those before it (Gonzalez 1985).
+std::vector<Index> spread_samples(const GraspTarget& target, std::size_t count) {
+  const Points& points = target.samples.positions;
+  std::vector<Index> chosen;
+  if (points.rows() == 0) return chosen;
+  const Eigen::RowVector3f start = target.solid.centre_of_mass.cast<float>().transpose();
+  Eigen::ArrayXf distance = (points.rowwise() - start).rowwise().squaredNorm();
+  Eigen::Index next = 0;
+  distance.maxCoeff(&next);
+  distance.setConstant(std::numeric_limits<float>::infinity());
+  while (chosen.size() < std::min(count, static_cast<std::size_t>(points.rows()))) {
+    chosen.push_back(static_cast<Index>(next));
+    const Eigen::RowVector3f point = points.row(next);
+    distance = distance.min((points.rowwise() - point).rowwise().squaredNorm().array());
+    distance.maxCoeff(&next);
+  }
+  return chosen;
+}
+
+/// Distances from a sample, against its normal, to the first and the last exit from the object.
+struct Exits {
+  float first = std::numeric_limits<float>::infinity();
+  float last = 0.0F;
+};
+
+Exits exits_behind(const SurfaceSamples& samples, Index start) {
+  const Eigen::Vector3f origin = samples.positions.row(start).transpose();
+  const Eigen::Vector3f inwards = -samples.normals.row(start).transpose();
+  Exits exits;
+  for (Index i = 0; i < samples.size(); ++i) {
+    const Eigen::Vector3f offset = samples.positions.row(i).transpose() - origin;
+    const float along = offset.dot(inwards);
+    if (along < least_width || (offset - along * inwards).squaredNorm() > ray_radius * ray_radius)
+      continue;
+    if (samples.normals.row(i).dot(inwards) < 0.5F) continue;
+    exits.first = std::min(exits.first, along);
+    exits.last = std::max(exits.last, along);
+  }
+  return exits;
+}
+
+}  // namespace
+
+std::vector<ClosingLine> antipodal_lines(const GraspTarget& target, const GraspOptions& options) {
+  std::vector<ClosingLine> lines;
+  const auto count = static_cast<std::size_t>(options.surface_points);
+  for (const Index start : spread_samples(target, count)) {
+    const Exits exits = exits_behind(target.samples, start);
+    if (exits.last <= 0.0F) continue;
+    const Eigen::Vector3d point = target.samples.positions.row(start).transpose().cast<double>();
+    const Eigen::Vector3d normal = target.samples.normals.row(start).transpose().cast<double>();
+    lines.push_back({point - exits.first / 2.0 * normal, normal, exits.first});
+    if (exits.last > exits.first + 3.0F * ray_radius)
+      lines.push_back({point - exits.last / 2.0 * normal, normal, exits.last});
+  }
+  return lines;
+}
+
+}  // namespace symscene

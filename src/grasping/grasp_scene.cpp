@@ -1,0 +1,61 @@
+#include "symscene/core/solid.hpp"
+#include "symscene/grasping/planner.hpp"
+
+namespace symscene {
+namespace {
+
+GraspObject grasp_object(const SegmentationResult& result, std::size_t i) {
+  const SceneObject& object = result.objects[i];
+  return {select(result.cloud, object.points),
+          i < result.surfaces.size() ? result.surfaces[i] : ObjectSurface{},
+          object.rotational,
+          object.reflectional,
+          object.symmetry_class,
+          object.solid};
+}
+
+/// The points of the cloud that belong to no object, 5 mm and more above the table.
+Points other_points(const SegmentationResult& result) {
+  constexpr double least_height = 0.005;
+  std::vector<bool> belongs(result.cloud.size(), false);
+  for (const SceneObject& object : result.objects) {
+    for (const Index i : object.points) belongs[i] = true;
+  }
+  PointIndices others;
+  for (Index i = 0; i < result.cloud.size(); ++i) {
+    const Eigen::Vector3d position = result.cloud.position(i).cast<double>();
+    if (!belongs[i] && (!result.table || result.table->signed_distance(position) > least_height))
+      others.push_back(i);
+  }
+  return select(result.cloud, others).positions;
+}
+
+/// The box of everything that could be touched.
+Box bounds_of(const SegmentationResult& result) {
+  Box box = bounding_box(result.cloud.positions);
+  for (const ObjectSurface& surface : result.surfaces) {
+    const Box bounds = bounding_box(surface.mesh.vertices);
+    box.min = box.min.cwiseMin(bounds.min);
+    box.max = box.max.cwiseMax(bounds.max);
+  }
+  return box;
+}
+
+}  // namespace
+
+GraspScene grasp_scene(const SegmentationResult& result, const Scene* scene,
+                       const GraspOptions& options) {
+  GraspScene grasping;
+  for (std::size_t i = 0; i < result.objects.size(); ++i)
+    grasping.objects.push_back(grasp_object(result, i));
+  grasping.table = result.table;
+  grasping.obstacles = other_points(result);
+  if (scene != nullptr && scene->occupancy && !result.cloud.empty()) {
+    grasping.space = rasterize(*scene->occupancy,
+                               bounds_of(result).padded(static_cast<float>(options.space_margin)),
+                               options.max_voxels);
+  }
+  return grasping;
+}
+
+}  // namespace symscene

@@ -1,0 +1,100 @@
+#include "target.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace symscene {
+namespace {
+
+constexpr double spacing = 0.003;             // of samples within large triangles [m]
+constexpr double longest_small_edge = 0.007;  // of triangles that their corners stand for [m]
+
+struct Corners {
+  Eigen::Vector3f a, b, c;
+
+  Corners(const TriangleMesh& mesh, Eigen::Index t)
+      : a(mesh.vertices.row(mesh.triangles(t, 0)).transpose()),
+        b(mesh.vertices.row(mesh.triangles(t, 1)).transpose()),
+        c(mesh.vertices.row(mesh.triangles(t, 2)).transpose()) {}
+
+  Eigen::Vector3f area_vector() const { return 0.5F * (b - a).cross(c - a); }
+  double longest_edge() const { return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}); }
+};
+
+struct Sample {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  Eigen::Vector3f area_vector = Eigen::Vector3f::Zero();
+  bool observed = false;
+};
+
+/// Centroids of the n² equal parts of a triangle.
+void append_parts(const Corners& corners, bool observed, std::vector<Sample>& samples) {
+  const int n = static_cast<int>(std::ceil(corners.longest_edge() / spacing));
+  const Eigen::Vector3f u = (corners.b - corners.a) / static_cast<float>(n);
+  const Eigen::Vector3f v = (corners.c - corners.a) / static_cast<float>(n);
+  const Eigen::Vector3f part = corners.area_vector() / static_cast<float>(n * n);
+  const auto append = [&](int i, int j, float offset) {
+    samples.push_back(
+        {corners.a + (static_cast<float>(i) + offset) * u + (static_cast<float>(j) + offset) * v,
+         part, observed});
+  };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; i + j < n; ++j) {
+      append(i, j, 1.0F / 3.0F);
+      if (i + j + 1 < n) append(i, j, 2.0F / 3.0F);
+    }
+  }
+}
+
+void add_to_corners(const TriangleMesh& mesh, Eigen::Index t, bool observed,
+                    std::vector<Sample>& samples) {
+  const Eigen::Vector3f third = Corners(mesh, t).area_vector() / 3.0F;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    Sample& corner = samples[mesh.triangles(t, k)];
+    corner.area_vector += third;
+    corner.observed = corner.observed || observed;
+  }
+}
+
+std::vector<Sample> vertices(const TriangleMesh& mesh) {
+  std::vector<Sample> samples(static_cast<std::size_t>(mesh.vertices.rows()));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].position = mesh.vertices.row(static_cast<Eigen::Index>(i)).transpose();
+  return samples;
+}
+
+SurfaceSamples as_samples(const std::vector<Sample>& list) {
+  SurfaceSamples samples;
+  const auto count = static_cast<Eigen::Index>(list.size());
+  samples.positions.resize(count, 3);
+  samples.normals.resize(count, 3);
+  samples.areas.resize(count);
+  samples.observed.resize(list.size());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Sample& sample = list[static_cast<std::size_t>(i)];
+    samples.positions.row(i) = sample.position.transpose();
+    samples.areas[i] = sample.area_vector.norm();
+    samples.normals.row(i) = (sample.area_vector / samples.areas[i]).transpose();
+    samples.observed[static_cast<std::size_t>(i)] = sample.observed;
+  }
+  return samples;
+}
+
+}  // namespace
+
+SurfaceSamples surface_samples(const ObjectSurface& surface) {
+  const TriangleMesh& mesh = surface.mesh;
+  std::vector<Sample> samples = vertices(mesh);
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    const bool observed = surface.observed[static_cast<std::size_t>(t)] != 0;
+    const Corners corners(mesh, t);
+    if (corners.longest_edge() <= longest_small_edge)
+      add_to_corners(mesh, t, observed, samples);
+    else
+      append_parts(corners, observed, samples);
+  }
+  std::erase_if(samples, [](const Sample& sample) { return !(sample.area_vector.norm() > 0.0F); });
+  return as_samples(samples);
+}
+
+}  // namespace symscene
