@@ -45,7 +45,7 @@ RotationalDetection detect_rotational(const PointCloud& cloud,
   const auto reached = [&](AxisOutcome outcome) {
     return static_cast<std::size_t>(
         std::count_if(results.begin(), results.end(),
-                      [&](const SegmentAxis& r) { return r.outcome >= outcome; }));
+                      [&](const SegmentAxis& r) { return r.judgement.outcome >= outcome; }));
   };
   RotationalDetection detection;
   detection.funnel = {{"rotational: segments fitted", segments.size()},
@@ -55,7 +55,8 @@ RotationalDetection detect_rotational(const PointCloud& cloud,
                       {"rotational: clear of free space", reached(AxisOutcome::accepted)}};
   std::vector<RotationalCandidate> accepted;
   for (SegmentAxis& result : results) {
-    if (result.outcome == AxisOutcome::accepted) accepted.push_back(std::move(result.candidate));
+    if (result.judgement.outcome == AxisOutcome::accepted)
+      accepted.push_back(std::move(result.candidate));
   }
   detection.candidates = merge_equal_axes(std::move(accepted), cloud, options);
   detection.funnel.push_back({"rotational: distinct axes", detection.candidates.size()});

@@ -7,13 +7,16 @@
 namespace symscene {
 namespace {
 
-AxisOutcome judge_axis(const AxisQuality& quality, const RotationalDetectionOptions& options) {
-  if (quality.symmetry_residual >= options.max_symmetry_residual) return AxisOutcome::symmetry;
+AxisJudgement judge_axis(const AxisQuality& quality, const RotationalDetectionOptions& options) {
+  if (quality.symmetry_residual >= options.max_symmetry_residual)
+    return {AxisOutcome::symmetry, quality.symmetry_residual, options.max_symmetry_residual};
   if (quality.perpendicularity >= options.max_perpendicularity)
-    return AxisOutcome::perpendicularity;
-  if (quality.coverage <= options.min_coverage) return AxisOutcome::coverage;
-  if (quality.occlusion_residual >= options.max_occlusion_residual) return AxisOutcome::occlusion;
-  return AxisOutcome::accepted;
+    return {AxisOutcome::perpendicularity, quality.perpendicularity, options.max_perpendicularity};
+  if (quality.coverage <= options.min_coverage)
+    return {AxisOutcome::coverage, quality.coverage, options.min_coverage};
+  if (quality.occlusion_residual >= options.max_occlusion_residual)
+    return {AxisOutcome::occlusion, quality.occlusion_residual, options.max_occlusion_residual};
+  return {AxisOutcome::accepted};
 }
 
 /// The points of a segment that are not on its rim, where normals are least accurate: those whose
@@ -40,13 +43,31 @@ PointIndices interior_points(const PointCloud& cloud, const PointIndices& segmen
 }
 
 bool is_better(AxisOutcome outcome, const AxisQuality& quality, const SegmentAxis& best) {
-  if (outcome != best.outcome) return outcome > best.outcome;
+  if (outcome != best.judgement.outcome) return outcome > best.judgement.outcome;
   const AxisQuality& other = best.candidate.quality;
   return outcome == AxisOutcome::accepted ? quality.occlusion_residual < other.occlusion_residual
                                           : quality.symmetry_residual < other.symmetry_residual;
 }
 
 }  // namespace
+
+const char* to_string(AxisOutcome outcome) {
+  switch (outcome) {
+    case AxisOutcome::no_fit:
+      return "no_fit";
+    case AxisOutcome::symmetry:
+      return "symmetry";
+    case AxisOutcome::perpendicularity:
+      return "perpendicularity";
+    case AxisOutcome::coverage:
+      return "coverage";
+    case AxisOutcome::occlusion:
+      return "occlusion";
+    case AxisOutcome::accepted:
+      return "accepted";
+  }
+  return "";
+}
 
 SegmentAxis segment_axis(const PointCloud& cloud, const PointIndices& segment,
                          const DistanceField& field, const std::optional<Eigen::Vector3d>& up,
@@ -59,8 +80,8 @@ SegmentAxis segment_axis(const PointCloud& cloud, const PointIndices& segment,
     const AxisFit fit = fit_axis(interior, initial, options.fit);
     if (!is_usable(fit.status)) continue;
     const AxisQuality quality = axis_quality(interior, fit.axis, field, options);
-    const AxisOutcome outcome = judge_axis(quality, options);
-    if (is_better(outcome, quality, best)) best = {outcome, {fit.axis, quality, {}}};
+    const AxisJudgement judgement = judge_axis(quality, options);
+    if (is_better(judgement.outcome, quality, best)) best = {judgement, {fit.axis, quality, {}}};
   }
   best.candidate.support = segment;
   return best;

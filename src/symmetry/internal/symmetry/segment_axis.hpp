@@ -6,14 +6,10 @@
 
 namespace symscene {
 
-/// How the best axis of a segment was judged: no axis was fitted, the first bound that it fails, or
-/// none. In the order of judgement, so that a later one is better.
-enum class AxisOutcome { no_fit, symmetry, perpendicularity, coverage, occlusion, accepted };
-
 /// The fitted axis of a segment that passes most bounds; of several accepted ones that of the
 /// lowest occlusion residual, of several rejected ones that of the lowest symmetry residual.
 struct SegmentAxis {
-  AxisOutcome outcome = AxisOutcome::no_fit;
+  AxisJudgement judgement;
   RotationalCandidate candidate;
 };
 

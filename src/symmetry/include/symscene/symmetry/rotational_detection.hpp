@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -17,6 +18,27 @@ struct AxisQuality {
   double perpendicularity = 0.0;    ///< mean of 1 − angle(normal, axis)/90° (Eq. 3.6), in [0, 1]
   double coverage = 0.0;            ///< share of the full turn that the points span
   double occlusion_residual = 0.0;  ///< mean ramp of distances into free space (Eq. 4.3), in [0, 1]
+};
+
+/// How the best axis of a segment was judged: no axis was fitted, the first bound that it fails, or
+/// none. In the order of judgement, so that a later one is better.
+enum class AxisOutcome : std::uint8_t {
+  no_fit,
+  symmetry,
+  perpendicularity,
+  coverage,
+  occlusion,
+  accepted
+};
+/// The name of the enumerator.
+const char* to_string(AxisOutcome outcome);
+
+/// The outcome with the value that was compared and its bound; both are 0 without a fit and for
+/// accepted axes.
+struct AxisJudgement {
+  AxisOutcome outcome = AxisOutcome::no_fit;
+  double value = 0.0;
+  double bound = 0.0;
 };
 
 struct RotationalDetectionOptions {

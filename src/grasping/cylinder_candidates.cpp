@@ -1,0 +1,139 @@
+#include "cylinder_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace symscene {
+namespace {
+
+/// The pose with this origin, approach direction and closing direction, which are perpendicular.
+Eigen::Isometry3d tool_pose(const Eigen::Vector3d& origin, const Eigen::Vector3d& approach,
+                            const Eigen::Vector3d& closing) {
+  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+  T_world_tool.linear().col(0) = closing.cross(approach);
+  T_world_tool.linear().col(1) = closing;
+  T_world_tool.linear().col(2) = approach;
+  T_world_tool.translation() = origin;
+  return T_world_tool;
+}
+
+/// Unit vectors across the axis, evenly over `span`. [rad]
+std::vector<Eigen::Vector3d> directions_across(const Eigen::Vector3d& axis, int count,
+                                               double span) {
+  const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(axis);
+  std::vector<Eigen::Vector3d> directions;
+  for (int k = 0; k < count; ++k) {
+    const double angle = span * k / count;
+    directions.emplace_back(basis * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return directions;
+}
+
+/// Heights over the middle of a cylinder at which the whole width of the fingers lies on it.
+std::vector<double> side_heights(double height, double finger_width, double step) {
+  const double most = std::max(0.0, 0.5 * (height - finger_width));
+  const int steps = static_cast<int>(most / step);
+  std::vector<double> heights;
+  for (int k = -steps; k <= steps; ++k) heights.push_back(k * step);
+  return heights;
+}
+
+void add_side_grasps(const BoundingCylinder& cylinder, const Gripper& gripper,
+                     const CylinderGraspOptions& options,
+                     std::vector<CylinderCandidate>& candidates) {
+  const double palm_distance =
+      std::max(cylinder.radius + options.palm_clearance, gripper.finger_depth - cylinder.radius);
+  const std::vector<double> heights =
+      side_heights(cylinder.height, gripper.finger_width, options.height_step);
+  for (const Eigen::Vector3d& approach :
+       directions_across(cylinder.direction, options.directions, 2.0 * std::numbers::pi)) {
+    for (const double height : heights) {
+      const Eigen::Vector3d origin =
+          cylinder.center + height * cylinder.direction - palm_distance * approach;
+      candidates.push_back({tool_pose(origin, approach, approach.cross(cylinder.direction)), height,
+                            gripper.finger_depth - palm_distance});
+    }
+  }
+}
+
+/// From the end of the cylinder to which `outwards` points.
+void add_end_grasps(const BoundingCylinder& cylinder, const Eigen::Vector3d& outwards,
+                    const Gripper& gripper, const CylinderGraspOptions& options,
+                    std::vector<CylinderCandidate>& candidates) {
+  const double inside =
+      std::min(gripper.finger_depth - options.palm_clearance,
+               std::max(cylinder.height - options.palm_clearance, 0.5 * cylinder.height));
+  const double to_origin = 0.5 * cylinder.height + gripper.finger_depth - inside;
+  const double offset = 0.5 * (cylinder.height - inside);
+  // Half a turn exchanges the fingers of a parallel gripper.
+  const bool is_parallel = gripper.kind == GripperKind::parallel;
+  const int turns = is_parallel ? (options.directions + 1) / 2 : options.directions;
+  const double span = (is_parallel ? 1.0 : 2.0) * std::numbers::pi;
+  for (const Eigen::Vector3d& closing : directions_across(cylinder.direction, turns, span)) {
+    candidates.push_back(
+        {tool_pose(cylinder.center + to_origin * outwards, -outwards, closing), offset, inside});
+  }
+}
+
+ToolBox swept_box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance) {
+  return {low - distance * Eigen::Vector3d::UnitZ(), high};
+}
+
+}  // namespace
+
+std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylinder,
+                                                   const Gripper& gripper,
+                                                   const CylinderGraspOptions& options) {
+  std::vector<CylinderCandidate> candidates;
+  add_side_grasps(cylinder, gripper, options, candidates);
+  for (const double sign : {1.0, -1.0})
+    add_end_grasps(cylinder, sign * cylinder.direction, gripper, options, candidates);
+  return candidates;
+}
+
+std::vector<ToolBox> swept_boxes(const Gripper& gripper) {
+  const double way = gripper.approach_distance;
+  const Eigen::Vector3d half_palm(0.5 * gripper.palm_size.x(), 0.5 * gripper.palm_size.y(), 0.0);
+  std::vector<ToolBox> boxes{
+      swept_box(-half_palm - gripper.palm_size.z() * Eigen::Vector3d::UnitZ(), half_palm, way)};
+  const double inner = 0.5 * gripper.max_opening, outer = inner + gripper.finger_thickness;
+  const double half_width = 0.5 * gripper.finger_width;
+  const auto add_finger = [&](double x, double y_low, double y_high) {
+    boxes.push_back(swept_box({x - half_width, y_low, 0.0},
+                              {x + half_width, y_high, gripper.finger_depth}, way));
+  };
+  add_finger(-0.5 * gripper.finger_spacing, inner, outer);
+  if (gripper.kind == GripperKind::three_finger)
+    add_finger(0.5 * gripper.finger_spacing, inner, outer);
+  add_finger(0.0, -outer, -inner);
+  return boxes;
+}
+
+double height_above(const Plane& plane, const Eigen::Isometry3d& T_world_tool,
+                    std::span<const ToolBox> boxes) {
+  const Eigen::Vector3d up_tool = T_world_tool.linear().transpose() * plane.normal;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ToolBox& box : boxes) {
+    const double lowest = up_tool.dot(box.center()) - 0.5 * up_tool.cwiseAbs().dot(box.sizes());
+    least = std::min(least, plane.signed_distance(T_world_tool.translation()) + lowest);
+  }
+  return least;
+}
+
+double depth_of_points(const Points& points_world, const Eigen::Isometry3d& T_world_tool,
+                       std::span<const ToolBox> boxes) {
+  const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
+  double deepest = 0.0;
+  for (Eigen::Index i = 0; i < points_world.rows(); ++i) {
+    const Eigen::Vector3d point =
+        (T_tool_world * Eigen::Vector3f(points_world.row(i).transpose())).cast<double>();
+    for (const ToolBox& box : boxes) {
+      const double depth = std::min((point - box.min()).minCoeff(), (box.max() - point).minCoeff());
+      deepest = std::max(deepest, depth);
+    }
+  }
+  return deepest;
+}
+
+}  // namespace symscene

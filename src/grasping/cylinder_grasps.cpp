@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+
+#include "core/parallel.hpp"
+#include "cylinder_candidates.hpp"
+#include "symscene/grasping/bounding_cylinders.hpp"
+
+namespace symscene {
+namespace {
+
+/// What a candidate failed; none for a valid one.
+struct Refusal {
+  GraspRejection reason;
+  double value;
+  double bound;
+};
+
+/// The bound of the gripper that the cylinder does not respect, whatever the pose.
+std::optional<Refusal> misfit(const BoundingCylinder& cylinder, const Gripper& gripper,
+                              const CylinderGraspOptions& options) {
+  const double diameter = 2.0 * cylinder.radius;
+  const double widest = gripper.max_opening - options.opening_margin;
+  if (diameter > widest) return Refusal{GraspRejection::too_wide, diameter, widest};
+  if (diameter < gripper.min_opening)
+    return Refusal{GraspRejection::too_thin, diameter, gripper.min_opening};
+  return std::nullopt;
+}
+
+/// What the gripper must not touch.
+class Surroundings {
+ public:
+  /// The points of the cloud that are not in the cluster, which is ascending.
+  Surroundings(const CylinderScene& scene, const PointIndices& cluster) : table_(scene.table) {
+    points_.resize(scene.cloud.size() - static_cast<Index>(cluster.size()), 3);
+    Eigen::Index row = 0;
+    auto next = cluster.begin();
+    for (Index i = 0; i < scene.cloud.size(); ++i) {
+      if (next != cluster.end() && *next == i) {
+        ++next;
+      } else {
+        points_.row(row++) = scene.cloud.positions.row(i);
+      }
+    }
+  }
+
+  std::optional<Refusal> refusal(const Grasp& grasp, std::span<const ToolBox> swept,
+                                 const CylinderGraspOptions& options) const {
+    if (table_) {
+      const double height = height_above(*table_, grasp.T_world_tool, swept);
+      if (height < options.table_clearance)
+        return Refusal{GraspRejection::table, height, options.table_clearance};
+    }
+    const double depth = depth_of_points(points_, grasp.T_world_tool, swept);
+    if (depth > 0.0) return Refusal{GraspRejection::other_object, -depth, 0.0};
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Plane> table_;
+  Points points_;
+};
+
+/// The mean of how near the pads are to the middle of the cylinder and how steep the approach is.
+double preference(const CylinderCandidate& candidate, const BoundingCylinder& cylinder,
+                  const Eigen::Vector3d& up) {
+  const double half = 0.5 * cylinder.height;
+  const double middle = half > 0.0 ? std::max(0.0, 1.0 - std::abs(candidate.offset) / half) : 1.0;
+  const double steepness = 0.5 * (1.0 - candidate.T_world_tool.linear().col(2).dot(up));
+  return std::clamp(0.5 * (middle + steepness), 0.0, 1.0);
+}
+
+/// The valid and the rejected candidates of a cluster.
+struct ClusterGrasps {
+  std::vector<Grasp> grasps;
+  std::vector<RejectedGrasp> rejected;
+};
+
+ClusterGrasps grasps_of(const CylinderScene& scene, std::size_t id, const Gripper& gripper,
+                        const CylinderGraspOptions& options) {
+  ClusterGrasps result;
+  const ClusterCylinder& cluster = scene.clusters[id];
+  if (!cluster.cylinder) return result;
+  const BoundingCylinder& cylinder = *cluster.cylinder;
+  const Eigen::Vector3d up = scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ();
+  const Surroundings around(scene, cluster.points);
+  const std::vector<ToolBox> swept = swept_boxes(gripper);
+  const std::optional<Refusal> unfit = misfit(cylinder, gripper, options);
+  for (const CylinderCandidate& candidate : cylinder_candidates(cylinder, gripper, options)) {
+    const Grasp grasp{.object = static_cast<int>(id),
+                      .T_world_tool = candidate.T_world_tool,
+                      .opening = 2.0 * cylinder.radius,
+                      .quality = preference(candidate, cylinder, up),
+                      .source = GraspSource::cylinder};
+    std::optional<Refusal> refusal = unfit;
+    if (!refusal && candidate.reach < 0.0)
+      refusal = Refusal{GraspRejection::no_contact, candidate.reach, 0.0};
+    if (!refusal) refusal = around.refusal(grasp, swept, options);
+    if (refusal) {
+      result.rejected.push_back({grasp, refusal->reason, refusal->value, refusal->bound});
+    } else {
+      result.grasps.push_back(grasp);
+    }
+  }
+  return result;
+}
+
+/// The reason of most rejected candidates; of equally frequent ones the one checked last.
+GraspRejection main_reason(const ObjectGraspSummary& summary) {
+  const auto most = std::max_element(summary.rejected.rbegin(), summary.rejected.rend());
+  return static_cast<GraspRejection>(summary.rejected.rend() - most - 1);
+}
+
+ObjectGraspSummary summary_of(const ClusterGrasps& cluster) {
+  ObjectGraspSummary summary;
+  summary.grasps = cluster.grasps.size();
+  summary.candidates = summary.grasps + cluster.rejected.size();
+  for (const RejectedGrasp& rejected : cluster.rejected)
+    ++summary.rejected[static_cast<std::size_t>(rejected.reason)];
+  if (summary.candidates == 0) {
+    summary.reason = GraspRejection::no_surface;
+  } else if (summary.grasps == 0) {
+    summary.reason = main_reason(summary);
+  }
+  return summary;
+}
+
+}  // namespace
+
+GraspPlan cylinder_grasps(const CylinderScene& scene, const Gripper& gripper,
+                          const CylinderGraspOptions& options) {
+  gripper.validate();
+  options.validate();
+  StageTimer timer;
+  GraspPlan plan;
+  timer.time("cylinder grasps", [&] {  // section 4.6.3
+    std::vector<ClusterGrasps> clusters(scene.clusters.size());
+    parallel_for_each(clusters.size(), [&](std::size_t id) {
+      clusters[id] = grasps_of(scene, id, gripper, options);
+    });
+    for (const ClusterGrasps& cluster : clusters) {
+      plan.objects.push_back(summary_of(cluster));
+      plan.grasps.insert(plan.grasps.end(), cluster.grasps.begin(), cluster.grasps.end());
+      plan.rejected.insert(plan.rejected.end(), cluster.rejected.begin(), cluster.rejected.end());
+    }
+    std::stable_sort(plan.grasps.begin(), plan.grasps.end(),
+                     [](const Grasp& a, const Grasp& b) { return a.quality > b.quality; });
+  });
+  plan.timings = timer.stages();
+  return plan;
+}
+
+std::vector<Grasp> plan_cylinder_grasps(const Scene& scene, const Gripper& gripper,
+                                        const CylinderOptions& options) {
+  return cylinder_grasps(fit_cylinders(scene, options), gripper, options.grasps).grasps;
+}
+
+}  // namespace symscene
