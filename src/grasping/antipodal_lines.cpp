@@ -10,9 +10,9 @@ constexpr float ray_radius = 0.004F;    // somewhat more than the spacing of sam
 constexpr float least_width = 0.0015F;  // between opposite points [m]
 
 /// `count` samples that are far apart: each is the farthest from those before it (Gonzalez 1985).
-std::vector<Index> spread_samples(const GraspTarget& target, std::size_t count) {
+std::vector<Eigen::Index> spread_samples(const GraspTarget& target, std::size_t count) {
   const Points& points = target.samples.positions;
-  std::vector<Index> chosen;
+  std::vector<Eigen::Index> chosen;
   if (points.rows() == 0) return chosen;
   const Eigen::RowVector3f start = target.solid.centre_of_mass.cast<float>().transpose();
   Eigen::ArrayXf distance = (points.rowwise() - start).rowwise().squaredNorm();
@@ -20,7 +20,7 @@ std::vector<Index> spread_samples(const GraspTarget& target, std::size_t count) 
   distance.maxCoeff(&next);
   distance.setConstant(std::numeric_limits<float>::infinity());
   while (chosen.size() < std::min(count, static_cast<std::size_t>(points.rows()))) {
-    chosen.push_back(static_cast<Index>(next));
+    chosen.push_back(next);
     const Eigen::RowVector3f point = points.row(next);
     distance = distance.min((points.rowwise() - point).rowwise().squaredNorm().array());
     distance.maxCoeff(&next);
@@ -34,28 +34,34 @@ struct Exits {
   float last = 0.0F;
 };
 
-Exits exits_behind(const SurfaceSamples& samples, Index start) {
+Exits exits_behind(const SurfaceSamples& samples, Eigen::Index start) {
   const Eigen::Vector3f origin = samples.positions.row(start).transpose();
   const Eigen::Vector3f inwards = -samples.normals.row(start).transpose();
   Exits exits;
-  for (Index i = 0; i < samples.size(); ++i) {
+  const auto add = [&](Eigen::Index i) {
     const Eigen::Vector3f offset = samples.positions.row(i).transpose() - origin;
     const float along = offset.dot(inwards);
     if (along < least_width || (offset - along * inwards).squaredNorm() > ray_radius * ray_radius)
-      continue;
-    if (samples.normals.row(i).dot(inwards) < 0.5F) continue;
+      return;
+    if (samples.normals.row(i).dot(inwards) < 0.5F) return;
     exits.first = std::min(exits.first, along);
     exits.last = std::max(exits.last, along);
+  };
+  for (const PointBlock& block : samples.blocks) {
+    const Eigen::Vector3f offset = block.centre - origin;
+    if ((offset - offset.dot(inwards) * inwards).norm() > block.radius + ray_radius) continue;
+    for (Eigen::Index i = block.begin; i < block.end; ++i) add(i);
   }
   return exits;
 }
 
 }  // namespace
 
-std::vector<ClosingLine> antipodal_lines(const GraspTarget& target, const GraspOptions& options) {
+std::vector<ClosingLine> antipodal_lines(const GraspTarget& target,
+                                         const GraspCandidateOptions& options) {
   std::vector<ClosingLine> lines;
   const auto count = static_cast<std::size_t>(options.surface_points);
-  for (const Index start : spread_samples(target, count)) {
+  for (const Eigen::Index start : spread_samples(target, count)) {
     const Exits exits = exits_behind(target.samples, start);
     if (exits.last <= 0.0F) continue;
     const Eigen::Vector3d point = target.samples.positions.row(start).transpose().cast<double>();

@@ -8,94 +8,124 @@
 namespace symscene {
 namespace {
 
-constexpr float give = 0.002F;  // how far pads and objects give way [m]
-
-/// The samples between the open fingers, in the tool frame.
+/// A sample between the open fingers, in the tool frame.
 struct Between {
-  std::vector<Index> indices;
-  std::vector<Eigen::Vector3f> positions;
+  Eigen::Vector3f position;
+  Eigen::Index index;
 };
 
-bool is_before_pad(const Gripper& gripper, const Eigen::Vector3f& p, bool positive) {
-  const float half_width = static_cast<float>(gripper.finger_width) / 2.0F;
-  if (gripper.kind == GripperKind::parallel || !positive) return std::abs(p.x()) <= half_width;
-  return std::abs(std::abs(p.x()) - static_cast<float>(gripper.finger_spacing) / 2.0F) <=
-         half_width;
-}
-
-Between samples_between(const SurfaceSamples& samples, const Eigen::Isometry3d& T_world_tool,
-                        const Gripper& gripper) {
-  Between between;
-  const Eigen::Matrix3f rotation = T_world_tool.linear().transpose().cast<float>();
-  const Eigen::Vector3f origin = T_world_tool.translation().cast<float>();
-  const auto half_opening = static_cast<float>(gripper.max_opening / 2.0);
-  const auto depth = static_cast<float>(gripper.finger_depth);
-  const auto half_x = static_cast<float>((gripper.finger_width + gripper.finger_spacing) / 2.0);
-  for (Index i = 0; i < samples.size(); ++i) {
-    const Eigen::Vector3f p = rotation * (samples.positions.row(i).transpose() - origin);
-    if (p.z() < 0.0F || p.z() > depth || std::abs(p.x()) > half_x || std::abs(p.y()) > half_opening)
-      continue;
-    between.indices.push_back(i);
-    between.positions.push_back(p);
+std::vector<Between> samples_between(const SurfaceSamples& samples,
+                                     const Eigen::Isometry3f& T_tool_world, const ToolBox& space) {
+  std::vector<Between> between;
+  for (const PointBlock& block : samples.blocks) {
+    if (space.distance(T_tool_world * block.centre) > block.radius) continue;
+    for (Eigen::Index i = block.begin; i < block.end; ++i) {
+      const Eigen::Vector3f p =
+          T_tool_world * Eigen::Vector3f(samples.positions.row(i).transpose());
+      if (((p - space.centre).cwiseAbs().array() <= space.half.array()).all())
+        between.push_back({p, i});
+    }
   }
   return between;
 }
 
-/// The contact of the pad at `side` = ±1 in the direction of y.
-std::optional<PadContact> pad_contact(const SurfaceSamples& samples, const Between& between,
-                                      const Eigen::Matrix3f& R_world_tool, const Gripper& gripper,
-                                      float side) {
+/// A finger's side and extent along x.
+struct Pad {
+  float side;  ///< 1 at +y, −1 at −y
+  float half_width;
+  float half_spacing;  ///< of two fingers on this side; 0 for one
+
+  bool faces(const Eigen::Vector3f& p) const {
+    return std::abs(std::abs(p.x()) - half_spacing) <= half_width;
+  }
+};
+
+Pad pad_of(const Gripper& gripper, float side) {
+  const bool two = gripper.kind == GripperKind::three_finger && side > 0.0F;
+  const auto half_width = static_cast<float>(gripper.finger_width / 2.0);
+  const auto half_spacing = static_cast<float>(gripper.finger_spacing / 2.0);
+  return {side, half_width, two ? half_spacing : 0.0F};
+}
+
+/// Sums over the touched samples.
+class TouchedArea {
+ public:
+  TouchedArea(const Eigen::Matrix3f& R_tool_world, const Pad& pad, double friction)
+      : R_tool_world_(R_tool_world),
+        side_(pad.side),
+        cone_(static_cast<float>(1.0 / std::sqrt(1.0 + friction * friction))) {}
+
+  void add(const Eigen::Vector3f& position, const Eigen::Vector3f& normal_world, float sample_area,
+           bool observed) {
+    const Eigen::Vector3f normal = R_tool_world_ * normal_world;
+    const float facing = side_ * normal.y();
+    if (facing <= 0.0F) return;
+    const float weight = sample_area * facing;
+    area_ += weight;
+    normals_ += weight * normal;
+    positions_ += weight * position;
+    if (facing >= cone_) in_cone_ += weight;
+    if (observed) observed_ += weight;
+    low_ = std::min(low_, position.z());
+    high_ = std::max(high_, position.z());
+  }
+
+  std::optional<PadContact> contact(float foremost) const {
+    if (!(area_ > 0.0F)) return std::nullopt;
+    return PadContact{side_ * foremost,
+                      normals_.normalized().cast<double>(),
+                      (positions_ / area_).cast<double>(),
+                      area_,
+                      in_cone_ / area_,
+                      high_ - low_,
+                      observed_ / area_};
+  }
+
+ private:
+  Eigen::Matrix3f R_tool_world_;
+  float side_;
+  float cone_;  ///< least cosine between closing direction and normal
+  float area_ = 0.0F;
+  float in_cone_ = 0.0F;
+  float observed_ = 0.0F;
+  float low_ = std::numeric_limits<float>::infinity();
+  float high_ = -std::numeric_limits<float>::infinity();
+  Eigen::Vector3f normals_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f positions_ = Eigen::Vector3f::Zero();
+};
+
+std::optional<PadContact> pad_contact(const SurfaceSamples& samples,
+                                      const std::vector<Between>& between, const Pad& pad,
+                                      TouchedArea touched, float give) {
   float foremost = -std::numeric_limits<float>::infinity();
-  for (const Eigen::Vector3f& p : between.positions) {
-    if (is_before_pad(gripper, p, side > 0.0F)) foremost = std::max(foremost, side * p.y());
+  for (const Between& sample : between) {
+    if (pad.faces(sample.position)) foremost = std::max(foremost, pad.side * sample.position.y());
   }
-  if (!std::isfinite(foremost)) return std::nullopt;
-  const auto cone = static_cast<float>(std::cos(std::atan(gripper.friction)));
-  PadContact contact;
-  Eigen::Vector3f normals = Eigen::Vector3f::Zero();
-  Eigen::Vector3f centre = Eigen::Vector3f::Zero();
-  float area = 0.0F;
-  float in_cone = 0.0F;
-  float observed = 0.0F;
-  float low = std::numeric_limits<float>::infinity();
-  float high = -low;
-  for (std::size_t k = 0; k < between.indices.size(); ++k) {
-    const Eigen::Vector3f& p = between.positions[k];
-    if (!is_before_pad(gripper, p, side > 0.0F) || side * p.y() < foremost - give) continue;
-    const Index i = between.indices[k];
-    const Eigen::Vector3f normal = R_world_tool.transpose() * samples.normals.row(i).transpose();
-    const float facing = side * normal.y();
-    if (facing <= 0.0F) continue;
-    const float weight = samples.areas[i] * facing;
-    area += weight;
-    normals += weight * normal;
-    centre += weight * p;
-    if (facing >= cone) in_cone += weight;
-    if (samples.observed[i] != 0) observed += weight;
-    low = std::min(low, p.z());
-    high = std::max(high, p.z());
+  for (const auto& [position, i] : between) {
+    if (!pad.faces(position) || pad.side * position.y() < foremost - give) continue;
+    touched.add(position, samples.normals.row(i).transpose(), samples.areas[i],
+                samples.observed[static_cast<std::size_t>(i)] != 0);
   }
-  if (!(area > 0.0F)) return std::nullopt;
-  contact.y = side * foremost;
-  contact.normal = normals.cast<double>().normalized();
-  contact.centre = (centre / area).cast<double>();
-  contact.area = area;
-  contact.cone_share = in_cone / area;
-  contact.depth = high - low;
-  contact.observed = observed / area;
-  return contact;
+  return touched.contact(foremost);
 }
 
 }  // namespace
 
 std::optional<Contacts> find_contacts(const SurfaceSamples& samples,
-                                      const Eigen::Isometry3d& T_world_tool,
-                                      const Gripper& gripper) {
-  const Between between = samples_between(samples, T_world_tool, gripper);
-  const Eigen::Matrix3f rotation = T_world_tool.linear().cast<float>();
-  const auto positive = pad_contact(samples, between, rotation, gripper, 1.0F);
-  const auto negative = pad_contact(samples, between, rotation, gripper, -1.0F);
-  if (!positive || !negative) return std::nullopt;
+                                      const Eigen::Isometry3d& T_world_tool, const Gripper& gripper,
+                                      double give) {
+  const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
+  const HandShape shape = hand_shape(gripper, gripper.max_opening, 0.0);
+  const std::vector<Between> between = samples_between(samples, T_tool_world, shape.between);
+  const auto contact = [&](float side) {
+    const Pad pad = pad_of(gripper, side);
+    return pad_contact(samples, between, pad, {T_tool_world.linear(), pad, gripper.friction},
+                       static_cast<float>(give));
+  };
+  const auto positive = contact(1.0F);
+  if (!positive) return std::nullopt;
+  const auto negative = contact(-1.0F);
+  if (!negative) return std::nullopt;
   return Contacts{*positive, *negative};
 }
 

@@ -1,104 +1,139 @@
 #include "symscene/grasping/planner.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
-#include "closing_lines.hpp"
-#include "contacts.hpp"
 #include "core/parallel.hpp"
+#include "grasp_judge.hpp"
 
 namespace symscene {
 namespace {
 
+/// What became of one object.
 struct ObjectPlan {
   std::vector<Grasp> grasps;
   std::vector<RejectedGrasp> rejected;
   ObjectGraspSummary summary;
+
+  void reject(const RejectedGrasp& rejection) {
+    ++summary.rejected.at(static_cast<std::size_t>(rejection.reason));
+    rejected.push_back(rejection);
+  }
+  void sort_out(const GraspOptions& options);
 };
 
-std::vector<Eigen::Isometry3d> approaches(const GraspTarget& target, const ClosingLine& line,
-                                          const Gripper& gripper, const GraspOptions& options) {
-  std::vector<Eigen::Isometry3d> poses;
-  const Eigen::Vector3d y = line.direction;
-  const Eigen::Vector3d down = -(target.up - target.up.dot(y) * y);
-  if (down.norm() < 0.2) return poses;
-  for (int k = 0; k < options.approaches; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / options.approaches;
-    const Eigen::Vector3d z = Eigen::AngleAxisd(angle, y) * down.normalized();
-    if (z.dot(target.up) > 0.1) continue;
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() << y.cross(z), y, z;
-    pose.translation() = line.centre - (gripper.finger_depth - 0.015) * z;
-    poses.push_back(pose);
-  }
-  return poses;
+bool is_better(const Grasp& a, const Grasp& b) { return a.quality > b.quality; }
+
+/// The angle between two poses of a gripper that half a turn about z does not change.
+double turned_by(const Grasp& a, const Grasp& b) {
+  const Eigen::Matrix3d turn = a.T_world_tool.linear().transpose() * b.T_world_tool.linear();
+  const double same = Eigen::AngleAxisd(turn).angle();
+  const Eigen::Matrix3d half = Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal();
+  return std::min(same, Eigen::AngleAxisd(turn * half).angle());
 }
 
-double table_clearance(const Eigen::Isometry3d& pose, const Gripper& gripper, const Plane& table) {
-  double least = 1.0;
-  const double y = gripper.max_opening / 2.0 + gripper.finger_thickness;
-  const double x = (gripper.finger_width + gripper.finger_spacing) / 2.0;
-  for (const double sx : {-x, x}) {
-    for (const double sy : {-y, y}) {
-      least = std::min(least, table.signed_distance(pose * Eigen::Vector3d(sx, sy, 0.0)));
-      least = std::min(least,
-                       table.signed_distance(pose * Eigen::Vector3d(sx, sy, gripper.finger_depth)));
-    }
-  }
-  return least;
+bool is_near(const Grasp& a, const Grasp& b, const GraspOptions& options) {
+  const double distance = (a.T_world_tool.translation() - b.T_world_tool.translation()).norm();
+  return distance < options.distinct_distance && turned_by(a, b) < options.distinct_angle;
 }
 
-void judge(const GraspTarget& target, Grasp grasp, const GraspScene& scene, const Gripper& gripper,
-           const GraspOptions& options, ObjectPlan& plan) {
-  ++plan.summary.candidates;
-  const auto reject = [&](GraspRejection reason, double value, double bound) {
-    ++plan.summary.rejected.at(static_cast<std::size_t>(reason));
-    plan.rejected.push_back({grasp, reason, value, bound});
-  };
-  const auto contacts = find_contacts(target.samples, grasp.T_world_tool, gripper);
-  if (!contacts) return reject(GraspRejection::no_contact, 0.0, 0.0);
-  grasp.opening = contacts->opening();
-  const double angle =
-      std::max(angle_between(contacts->positive.normal, Eigen::Vector3d::UnitY()),
-               angle_between(contacts->negative.normal, -Eigen::Vector3d::UnitY()));
-  grasp.features.cone_margin = std::atan(gripper.friction) - angle;
-  if (grasp.features.cone_margin < 0.0)
-    return reject(GraspRejection::friction, angle, std::atan(gripper.friction));
-  if (scene.table) {
-    const double clearance = table_clearance(grasp.T_world_tool, gripper, *scene.table);
-    if (clearance < options.table_clearance)
-      return reject(GraspRejection::table, clearance, options.table_clearance);
+/// Keeps the best grasps that differ from each other.
+void ObjectPlan::sort_out(const GraspOptions& options) {
+  std::stable_sort(grasps.begin(), grasps.end(), is_better);
+  std::vector<Grasp> kept;
+  for (const Grasp& grasp : grasps) {
+    const bool is_full = kept.size() >= static_cast<std::size_t>(options.max_grasps);
+    const bool repeats = std::any_of(kept.begin(), kept.end(), [&](const Grasp& better) {
+      return is_near(grasp, better, options);
+    });
+    if (is_full || repeats)
+      reject({grasp, GraspRejection::outranked, grasp.quality, kept.front().quality});
+    else
+      kept.push_back(grasp);
   }
-  grasp.quality = 0.5 + 0.5 * grasp.features.cone_margin / std::atan(gripper.friction);
-  plan.grasps.push_back(grasp);
+  grasps = std::move(kept);
+  summary.grasps = grasps.size();
+  if (!grasps.empty() || summary.reason) return;
+  const auto most = std::max_element(summary.rejected.begin(), summary.rejected.end());
+  summary.reason = static_cast<GraspRejection>(most - summary.rejected.begin());
+  if (*most == 0) summary.reason = GraspRejection::no_contact;
 }
 
-ObjectPlan plan_object(const GraspScene& scene, std::size_t id, const Gripper& gripper,
+std::vector<ClosingLine> closing_lines(const GraspTarget& target,
+                                       const GraspCandidateOptions& options) {
+  std::vector<ClosingLine> lines;
+  for (const auto& make : {box_lines, axis_lines, rim_lines, mirror_lines, antipodal_lines}) {
+    const std::vector<ClosingLine> more = make(target, options);
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
+  return lines;
+}
+
+RejectedGrasp too_wide(const GraspTarget& target, const ApproachPose& pose, double width,
+                       double bound) {
+  Grasp grasp;
+  grasp.object = target.object;
+  grasp.T_world_tool = pose.T_world_tool;
+  grasp.opening = width;
+  grasp.source = pose.source;
+  return {grasp, GraspRejection::too_wide, width, bound};
+}
+
+/// Why no candidate of the object is worth a look.
+std::optional<GraspRejection> reason_against(const GraspSurroundings& around, std::size_t id) {
+  if (around.objects[id].size() == 0) return GraspRejection::no_surface;
+  if (around.unknown && around.unknown->is_outside(around.objects[id]))
+    return GraspRejection::outside_space;
+  return std::nullopt;
+}
+
+ObjectPlan plan_object(const GraspSurroundings& around, std::size_t id, const Gripper& gripper,
                        const GraspOptions& options) {
   ObjectPlan plan;
-  const GraspObject& object = scene.objects[id];
-  if (object.surface.mesh.triangles.rows() == 0) {
-    plan.summary.reason = GraspRejection::no_surface;
-    return plan;
-  }
-  const Eigen::Vector3d up = scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ();
-  const GraspTarget target{static_cast<int>(id), object, surface_samples(object.surface),
-                           object.solid ? *object.solid : solid_properties(object.surface.mesh),
-                           up};
-  for (const ClosingLine& line : antipodal_lines(target, options)) {
-    if (line.width > gripper.max_opening) {
-      ++plan.summary.rejected.at(static_cast<std::size_t>(GraspRejection::too_wide));
-      continue;
+  plan.summary.reason = reason_against(around, id);
+  if (plan.summary.reason) return plan;
+  const GraspTarget target = grasp_target(around.scene, id, around.objects[id]);
+  const GraspJudge judge(around, target, gripper, options);
+  const double widest = gripper.max_opening - options.bounds.opening_clearance;
+  for (const ClosingLine& line : closing_lines(target, options.candidates)) {
+    for (const ApproachPose& pose :
+         approach_poses(target, line, gripper, around.scene.table, options)) {
+      ++plan.summary.candidates;
+      if (line.width > widest) {
+        plan.reject(too_wide(target, pose, line.width, widest));
+        continue;
+      }
+      const GraspJudge::Verdict verdict = judge.judge(pose);
+      if (verdict.reason)
+        plan.reject({verdict.grasp, *verdict.reason, verdict.value, verdict.bound});
+      else
+        plan.grasps.push_back(verdict.grasp);
     }
-    for (const Eigen::Isometry3d& pose : approaches(target, line, gripper, options))
-      judge(target, {target.object, pose, 0.0, 0.0, line.source}, scene, gripper, options, plan);
   }
-  const auto better = [](const Grasp& a, const Grasp& b) { return a.quality > b.quality; };
-  std::stable_sort(plan.grasps.begin(), plan.grasps.end(), better);
-  if (plan.grasps.size() > static_cast<std::size_t>(options.max_grasps))
-    plan.grasps.resize(static_cast<std::size_t>(options.max_grasps));
-  plan.summary.grasps = plan.grasps.size();
+  plan.sort_out(options);
+  return plan;
+}
+
+GraspSurroundings surroundings(const GraspScene& scene, const GraspOptions& options) {
+  GraspSurroundings around{scene, {}, surface_samples(scene.obstacles), std::nullopt};
+  around.objects.resize(scene.objects.size());
+  parallel_for_each(around.objects.size(), [&](std::size_t i) {
+    around.objects[i] = surface_samples(scene.objects[i].surface);
+  });
+  if (scene.space) {
+    around.unknown.emplace(*scene.space, around.objects, around.others,
+                           static_cast<float>(options.bounds.own_reach));
+  }
+  return around;
+}
+
+GraspPlan joined(const std::vector<ObjectPlan>& objects) {
+  GraspPlan plan;
+  for (const ObjectPlan& object : objects) {
+    plan.grasps.insert(plan.grasps.end(), object.grasps.begin(), object.grasps.end());
+    plan.rejected.insert(plan.rejected.end(), object.rejected.begin(), object.rejected.end());
+    plan.objects.push_back(object.summary);
+  }
+  std::stable_sort(plan.grasps.begin(), plan.grasps.end(), is_better);
   return plan;
 }
 
@@ -108,20 +143,16 @@ GraspPlan plan_grasps(const GraspScene& scene, const Gripper& gripper,
                       const GraspOptions& options) {
   gripper.validate();
   options.validate();
-  std::vector<ObjectPlan> plans(scene.objects.size());
   StageTimer timer;
-  timer.time("grasps", [&] {
-    parallel_for_each(plans.size(),
-                      [&](std::size_t i) { plans[i] = plan_object(scene, i, gripper, options); });
+  const GraspSurroundings around =
+      timer.time("surroundings", [&] { return surroundings(scene, options); });
+  std::vector<ObjectPlan> objects(scene.objects.size());
+  timer.time("candidates", [&] {
+    parallel_for_each(objects.size(), [&](std::size_t i) {
+      objects[i] = plan_object(around, i, gripper, options);
+    });
   });
-  GraspPlan plan;
-  for (const ObjectPlan& object : plans) {
-    plan.grasps.insert(plan.grasps.end(), object.grasps.begin(), object.grasps.end());
-    plan.rejected.insert(plan.rejected.end(), object.rejected.begin(), object.rejected.end());
-    plan.objects.push_back(object.summary);
-  }
-  std::stable_sort(plan.grasps.begin(), plan.grasps.end(),
-                   [](const Grasp& a, const Grasp& b) { return a.quality > b.quality; });
+  GraspPlan plan = timer.time("ranking", [&] { return joined(objects); });
   plan.timings = timer.stages();
   return plan;
 }

@@ -1,13 +1,16 @@
 #include "target.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace symscene {
 namespace {
 
 constexpr double spacing = 0.003;             // of samples within large triangles [m]
 constexpr double longest_small_edge = 0.007;  // of triangles that their corners stand for [m]
+constexpr float block_edge = 0.03F;           // [m]
 
 struct Corners {
   Eigen::Vector3f a, b, c;
@@ -63,7 +66,46 @@ std::vector<Sample> vertices(const TriangleMesh& mesh) {
   return samples;
 }
 
-SurfaceSamples as_samples(const std::vector<Sample>& list) {
+using BlockKey = std::array<int, 3>;
+
+BlockKey block_key(const Eigen::Vector3f& position) {
+  const Eigen::Array3i key = (position / block_edge).array().floor().cast<int>();
+  return {key.x(), key.y(), key.z()};
+}
+
+void sort_by_block(std::vector<Sample>& samples) {
+  std::vector<std::pair<BlockKey, std::size_t>> order(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) order[i] = {block_key(samples[i].position), i};
+  std::sort(order.begin(), order.end());
+  std::vector<Sample> sorted;
+  sorted.reserve(samples.size());
+  for (const auto& [key, i] : order) sorted.push_back(samples[i]);
+  samples = std::move(sorted);
+}
+
+PointBlock block_of(const Points& positions, Eigen::Index begin, Eigen::Index end) {
+  const auto rows = positions.middleRows(begin, end - begin);
+  const Eigen::RowVector3f low = rows.colwise().minCoeff();
+  const Eigen::RowVector3f high = rows.colwise().maxCoeff();
+  const Eigen::RowVector3f centre = 0.5F * (low + high);
+  return {centre.transpose(),
+          std::sqrt((rows.rowwise() - centre).rowwise().squaredNorm().maxCoeff()), begin, end};
+}
+
+std::vector<PointBlock> blocks_of(const Points& positions) {
+  std::vector<PointBlock> blocks;
+  Eigen::Index begin = 0;
+  for (Eigen::Index i = 1; i <= positions.rows(); ++i) {
+    if (i < positions.rows() && block_key(positions.row(i)) == block_key(positions.row(begin)))
+      continue;
+    blocks.push_back(block_of(positions, begin, i));
+    begin = i;
+  }
+  return blocks;
+}
+
+SurfaceSamples as_samples(std::vector<Sample> list) {
+  sort_by_block(list);
   SurfaceSamples samples;
   const auto count = static_cast<Eigen::Index>(list.size());
   samples.positions.resize(count, 3);
@@ -74,10 +116,24 @@ SurfaceSamples as_samples(const std::vector<Sample>& list) {
     const Sample& sample = list[static_cast<std::size_t>(i)];
     samples.positions.row(i) = sample.position.transpose();
     samples.areas[i] = sample.area_vector.norm();
-    samples.normals.row(i) = (sample.area_vector / samples.areas[i]).transpose();
+    samples.normals.row(i) = sample.area_vector.normalized().transpose();
     samples.observed[static_cast<std::size_t>(i)] = sample.observed;
   }
+  if (count > 0) samples.blocks = blocks_of(samples.positions);
   return samples;
+}
+
+/// The mean normal of what was seen; zero if that is nothing or closed.
+Eigen::Vector3d mean_seen_normal(const SurfaceSamples& samples) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0.0;
+  for (Eigen::Index i = 0; i < samples.size(); ++i) {
+    if (samples.observed[static_cast<std::size_t>(i)] == 0) continue;
+    sum += samples.areas[i] * samples.normals.row(i).transpose().cast<double>();
+    area += samples.areas[i];
+  }
+  constexpr double least_mean = 0.1;
+  return sum.norm() > least_mean * area ? sum.normalized() : Eigen::Vector3d::Zero();
 }
 
 }  // namespace
@@ -94,7 +150,24 @@ SurfaceSamples surface_samples(const ObjectSurface& surface) {
       append_parts(corners, observed, samples);
   }
   std::erase_if(samples, [](const Sample& sample) { return !(sample.area_vector.norm() > 0.0F); });
-  return as_samples(samples);
+  return as_samples(std::move(samples));
+}
+
+SurfaceSamples surface_samples(const Points& points) {
+  std::vector<Sample> samples(static_cast<std::size_t>(points.rows()));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i].position = points.row(static_cast<Eigen::Index>(i)).transpose();
+  return as_samples(std::move(samples));
+}
+
+GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples) {
+  const GraspObject& object = scene.objects[id];
+  return {static_cast<int>(id),
+          object,
+          samples,
+          object.solid ? *object.solid : solid_properties(object.surface.mesh),
+          scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ(),
+          mean_seen_normal(samples)};
 }
 
 }  // namespace symscene

@@ -7,26 +7,42 @@
 
 namespace symscene {
 
-/// Points of a closed surface, about 3 mm apart, each with the area that it stands for.
+/// Points of one cube of space, consecutive in their arrays.
+struct PointBlock {
+  Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+  float radius = 0.0F;  ///< of the ball around the points [m]
+  Eigen::Index begin = 0;
+  Eigen::Index end = 0;
+};
+
+/// Points of a surface about 3 mm apart, each with the area that it stands for, in blocks.
 struct SurfaceSamples {
   Points positions;  ///< N×3 [m]
-  Points normals;    ///< N×3, outwards
+  Points normals;    ///< N×3, outwards; of mere points 0×3
   Eigen::VectorXf areas;
   std::vector<std::uint8_t> observed;
+  std::vector<PointBlock> blocks;
 
-  Index size() const { return static_cast<Index>(positions.rows()); }
+  Eigen::Index size() const { return positions.rows(); }
 };
 
 /// Vertices of triangles with short edges, and points inside the others. Moves with the surface.
 SurfaceSamples surface_samples(const ObjectSurface& surface);
 
+/// Mere points, in blocks.
+SurfaceSamples surface_samples(const Points& points);
+
 /// An object as the planner sees it while it grasps this one.
 struct GraspTarget {
   int object = 0;
   const GraspObject& description;
-  SurfaceSamples samples;
+  const SurfaceSamples& samples;
   SolidProperties solid;
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< away from the table
+  /// Mean of the normals that were seen: roughly towards the camera; zero if that is not known.
+  Eigen::Vector3d seen_from = Eigen::Vector3d::Zero();
 };
+
+GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples);
 
 }  // namespace symscene

@@ -34,13 +34,15 @@ struct GraspFeatures {
   double contact_area = 0.0;    ///< share of the pad that touches, of the worse pad
   double depth = 0.0;           ///< extent of the contact along the approach, of the worse pad [m]
   double opening_margin = 0.0;  ///< lesser distance of `opening` from the gripper's bounds [m]
-  double lever_arm = 0.0;       ///< horizontal distance of the centre of mass from the line between
-                                ///< the contacts [m]
-  double clearance = 0.0;       ///< least distance of the open gripper, on its whole way, from the
-                                ///< table, other objects and never-seen space [m]
-  double own_clearance = 0.0;   ///< the same of the object itself [m]
-  double observed = 0.0;        ///< share of the contact that was seen, mean of both pads
-  double tilt = 0.0;            ///< angle between approach and straight down [rad]
+  double lever_arm = 0.0;     ///< horizontal distance of the centre of mass from the middle between
+                              ///< the contacts [m]
+  double torque_ratio = 0.0;  ///< torque of the weight at that arm, relative to what the friction
+                              ///< of the pads can hold
+  double clearance = 0.0;     ///< least distance of the open gripper, on its whole way, from the
+                              ///< table, other objects and never-seen space [m]
+  double own_clearance = 0.0;  ///< the same of the object itself [m]
+  double observed = 0.0;       ///< share of the contact that was seen, mean of both pads
+  double tilt = 0.0;           ///< angle between approach and straight down [rad]
 
   /// Calls visit(name, value) for every feature.
   template <class Self, class Visit>
@@ -51,6 +53,7 @@ struct GraspFeatures {
     visit("depth", self.depth);
     visit("opening_margin", self.opening_margin);
     visit("lever_arm", self.lever_arm);
+    visit("torque_ratio", self.torque_ratio);
     visit("clearance", self.clearance);
     visit("own_clearance", self.own_clearance);
     visit("observed", self.observed);
@@ -75,11 +78,11 @@ enum class GraspRejection : std::uint8_t {
   too_thin,       ///< thinner than the gripper closes [m]
   no_contact,     ///< a pad touches too little of the object [share of the pad]
   friction,       ///< a contact's normal is outside the friction cone [rad]
-  torque,         ///< the weight turns the object between the pads [m]
+  torque,         ///< the weight turns the object between the pads [share of what friction holds]
   table,          ///< the gripper reaches into the table [m]
   own_shape,      ///< the open gripper meets the object on its way [m]
   other_object,   ///< the gripper meets another object [m]
-  never_seen,     ///< the gripper meets space that was never seen [m]
+  never_seen,     ///< the gripper meets space that was never seen [points of the gripper]
   outside_space,  ///< the object lies outside the mapped space [m]
   low_quality,    ///< the quality is too low
   outranked       ///< valid, but a better grasp of the object is near, or there are enough of them

@@ -1,0 +1,78 @@
+#include "approach_poses.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "hand_collision.hpp"
+#include "hand_shape.hpp"
+
+namespace symscene {
+namespace {
+
+/// The direction across the line from which the angles of approach count: straight down, or for an
+/// upright line away from the camera.
+Eigen::Vector3d first_approach(const GraspTarget& target, const Eigen::Vector3d& y) {
+  for (const Eigen::Vector3d& preferred : {target.up, target.seen_from}) {
+    const Eigen::Vector3d across = preferred - preferred.dot(y) * y;
+    if (across.norm() > 0.2) return -across.normalized();
+  }
+  return orthonormal_complement(y).col(0);
+}
+
+std::vector<Eigen::Vector3d> approach_directions(const GraspTarget& target, const ClosingLine& line,
+                                                 const GraspCandidateOptions& options) {
+  std::vector<Eigen::Vector3d> directions;
+  const Eigen::Vector3d first = first_approach(target, line.direction);
+  const int steps = static_cast<int>(std::floor(std::numbers::pi / options.approach_step + 1e-9));
+  for (int k = -steps; k <= steps; ++k) {
+    const Eigen::Vector3d z = Eigen::AngleAxisd(k * options.approach_step, line.direction) * first;
+    if (angle_between(z, -target.up) <= options.max_tilt) directions.push_back(z);
+  }
+  return directions;
+}
+
+Eigen::Isometry3d pose_at(const ClosingLine& line, const Eigen::Vector3d& z, double tip_overhang,
+                          const Gripper& gripper) {
+  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+  T_world_tool.linear() << line.direction.cross(z), line.direction, z;
+  T_world_tool.translation() = line.centre - (gripper.finger_depth - tip_overhang) * z;
+  return T_world_tool;
+}
+
+GraspSource source_of(const ClosingLine& line, const Eigen::Vector3d& z) {
+  constexpr double top_angle = radians(45.0);
+  return line.axis && line_angle(*line.axis, z) < top_angle ? GraspSource::axis_top : line.source;
+}
+
+}  // namespace
+
+std::vector<ApproachPose> approach_poses(const GraspTarget& target, const ClosingLine& line,
+                                         const Gripper& gripper, const std::optional<Plane>& table,
+                                         const GraspOptions& options) {
+  std::vector<ApproachPose> poses;
+  const GraspCandidateOptions& made = options.candidates;
+  const HandShape shape = hand_shape(gripper, gripper.max_opening, 0.0);
+  const auto height = [&](const Eigen::Isometry3d& pose) {
+    if (!table) return std::numeric_limits<double>::infinity();
+    return std::min(height_over(*table, pose, shape.fingers),
+                    height_over(*table, pose, shape.palm));
+  };
+  for (const Eigen::Vector3d& z : approach_directions(target, line, made)) {
+    const double descent = std::max(-z.dot(target.up), 1e-9);
+    const double spare =
+        height(pose_at(line, z, 0.0, gripper)) - options.bounds.table_clearance - 1e-6;
+    const auto limited = [&](double tip_overhang) {
+      return std::max(made.min_overhang, std::min(tip_overhang, spare / descent));
+    };
+    const double shallow = limited(made.shallow_overhang);
+    const double deep = limited(std::min(made.deep_overhang, gripper.finger_depth));
+    for (const double tip_overhang : {shallow, deep}) {
+      const Eigen::Isometry3d pose = pose_at(line, z, tip_overhang, gripper);
+      poses.push_back({pose, source_of(line, z), height(pose)});
+      if (deep - shallow < made.min_overhang) break;
+    }
+  }
+  return poses;
+}
+
+}  // namespace symscene

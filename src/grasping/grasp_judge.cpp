@@ -1,0 +1,209 @@
+#include "grasp_judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hand_collision.hpp"
+#include "quality.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr float hand_spacing = 0.012F;      // of the points at which space is looked up [m]
+constexpr float greatest_distance = 0.02F;  // that is told from others [m]
+constexpr double gravity = 9.81;            // [m/s²]
+constexpr double steep = radians(60.0);     // approaches up to this tilt retreat backwards
+
+void fail(GraspJudge::Verdict& verdict, GraspRejection reason, double value, double bound) {
+  verdict.reason = reason;
+  verdict.value = value;
+  verdict.bound = bound;
+}
+
+void append_near(const SurfaceSamples& samples, const Eigen::Vector3f& centre, float reach,
+                 std::vector<PointBlock>& blocks, std::vector<Eigen::Vector3f>& positions) {
+  for (const PointBlock& block : samples.blocks) {
+    if ((block.centre - centre).norm() > reach + block.radius) continue;
+    PointBlock copy = block;
+    copy.begin = static_cast<Eigen::Index>(positions.size());
+    for (Eigen::Index i = block.begin; i < block.end; ++i)
+      positions.emplace_back(samples.positions.row(i).transpose());
+    copy.end = static_cast<Eigen::Index>(positions.size());
+    blocks.push_back(copy);
+  }
+}
+
+/// What a hand of that reach can meet at the object, besides the object.
+SurfaceSamples reachable_obstacles(const GraspSurroundings& around, const GraspTarget& target,
+                                   float hand_reach) {
+  const Box box = bounding_box(target.samples.positions);
+  const Eigen::Vector3f centre = 0.5F * (box.min + box.max);
+  const float reach = 0.5F * box.extent().norm() + hand_reach + greatest_distance;
+  SurfaceSamples near;
+  std::vector<Eigen::Vector3f> positions;
+  for (std::size_t i = 0; i < around.objects.size(); ++i) {
+    if (static_cast<int>(i) != target.object)
+      append_near(around.objects[i], centre, reach, near.blocks, positions);
+  }
+  append_near(around.others, centre, reach, near.blocks, positions);
+  near.positions.resize(static_cast<Eigen::Index>(positions.size()), 3);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    near.positions.row(static_cast<Eigen::Index>(i)) = positions[i].transpose();
+  return near;
+}
+
+}  // namespace
+
+GraspJudge::GraspJudge(const GraspSurroundings& around, const GraspTarget& target,
+                       const Gripper& gripper, const GraspOptions& options)
+    : around_(around),
+      target_(target),
+      gripper_(gripper),
+      options_(options),
+      swept_(hand_shape(gripper, gripper.max_opening, gripper.approach_distance)),
+      points_(sample_hand(swept_, hand_spacing)),
+      obstacles_(reachable_obstacles(around, target, swept_.reach)) {}
+
+GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose) const {
+  Verdict verdict;
+  verdict.grasp.object = target_.object;
+  verdict.grasp.T_world_tool = pose.T_world_tool;
+  verdict.grasp.source = pose.source;
+  verdict.grasp.features.tilt = angle_between(pose.T_world_tool.linear().col(2), -target_.up);
+  const double clearance = std::min(pose.table_clearance, double{greatest_distance});
+  verdict.grasp.features.clearance = clearance;
+  if (clearance < options_.bounds.table_clearance)
+    fail(verdict, GraspRejection::table, clearance, options_.bounds.table_clearance);
+  using Step = void (GraspJudge::*)(Verdict&) const;
+  constexpr std::array<Step, 4> steps{&GraspJudge::require_contact, &GraspJudge::require_clear_way,
+                                      &GraspJudge::require_seen_space,
+                                      &GraspJudge::require_clear_lift};
+  for (const Step step : steps) {
+    if (verdict.reason) return verdict;
+    (this->*step)(verdict);
+  }
+  if (verdict.reason) return verdict;
+  verdict.grasp.quality = success_probability(verdict.grasp.features);
+  if (verdict.grasp.quality < options_.bounds.min_quality)
+    fail(verdict, GraspRejection::low_quality, verdict.grasp.quality, options_.bounds.min_quality);
+  return verdict;
+}
+
+void GraspJudge::require_contact(Verdict& verdict) const {
+  Grasp& grasp = verdict.grasp;
+  const auto contacts =
+      find_contacts(target_.samples, grasp.T_world_tool, gripper_, options_.bounds.contact_give);
+  if (!contacts)
+    return fail(verdict, GraspRejection::no_contact, 0.0, options_.bounds.min_contact_area);
+  grasp.opening = contacts->opening();
+  const double shift = 0.5 * (contacts->positive.y + contacts->negative.y);
+  judge_contacts(verdict, *contacts);
+  if (!verdict.reason) judge_torque(verdict, *contacts);
+  grasp.T_world_tool.translation() += shift * grasp.T_world_tool.linear().col(1);
+}
+
+void GraspJudge::judge_contacts(Verdict& verdict, const Contacts& contacts) const {
+  const PadContact& a = contacts.positive;
+  const PadContact& b = contacts.negative;
+  GraspFeatures& features = verdict.grasp.features;
+  const double cone = std::atan(gripper_.friction);
+  const double angle = std::max(angle_between(a.normal, Eigen::Vector3d::UnitY()),
+                                angle_between(b.normal, -Eigen::Vector3d::UnitY()));
+  features.cone_margin = cone - angle;
+  features.cone_share = std::min(a.cone_share, b.cone_share);
+  features.contact_area =
+      std::min(a.area, b.area) / (gripper_.finger_width * gripper_.finger_width);
+  features.depth = std::min(a.depth, b.depth);
+  features.observed = 0.5 * (a.observed + b.observed);
+  const double narrower = gripper_.max_opening - verdict.grasp.opening;
+  const double wider = verdict.grasp.opening - gripper_.min_opening;
+  features.opening_margin = gripper_.min_opening > 0.0 ? std::min(narrower, wider) : narrower;
+  const GraspBoundOptions& bounds = options_.bounds;
+  if (narrower < bounds.opening_clearance) {
+    fail(verdict, GraspRejection::too_wide, verdict.grasp.opening,
+         gripper_.max_opening - bounds.opening_clearance);
+  } else if (wider <= 0.0) {
+    fail(verdict, GraspRejection::too_thin, verdict.grasp.opening, gripper_.min_opening);
+  } else if (features.contact_area < bounds.min_contact_area) {
+    fail(verdict, GraspRejection::no_contact, features.contact_area, bounds.min_contact_area);
+  } else if (features.cone_margin < 0.0) {
+    fail(verdict, GraspRejection::friction, angle, cone);
+  }
+}
+
+void GraspJudge::judge_torque(Verdict& verdict, const Contacts& contacts) const {
+  GraspFeatures& features = verdict.grasp.features;
+  const Eigen::Vector3d arm =
+      target_.solid.centre_of_mass - verdict.grasp.T_world_tool * contacts.middle();
+  features.lever_arm = arm.cross(target_.up).norm();
+  // Two disks of half a finger's width under even pressure hold 2 (2/3) μ F r.
+  const double held =
+      4.0 / 3.0 * gripper_.friction * gripper_.force * (gripper_.finger_width / 2.0);
+  const double weight = options_.bounds.density * target_.solid.volume * gravity;
+  features.torque_ratio = weight * features.lever_arm / held;
+  if (features.torque_ratio > options_.bounds.max_torque_ratio)
+    fail(verdict, GraspRejection::torque, features.torque_ratio, options_.bounds.max_torque_ratio);
+}
+
+float GraspJudge::distance_from(const SurfaceSamples& samples,
+                                const Eigen::Isometry3d& T_world_tool, const HandShape& shape,
+                                double enough) const {
+  const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
+  DistanceBounds bounds{greatest_distance, static_cast<float>(enough)};
+  bounds.irrelevant = least_distance(samples, T_tool_world, shape.fingers, bounds);
+  if (bounds.irrelevant < bounds.enough) return bounds.irrelevant;
+  return least_distance(samples, T_tool_world, shape.palm, bounds);
+}
+
+void GraspJudge::require_clear_way(Verdict& verdict) const {
+  const GraspBoundOptions& bounds = options_.bounds;
+  Grasp& grasp = verdict.grasp;
+  const double others =
+      distance_from(obstacles_, grasp.T_world_tool, swept_, bounds.object_clearance);
+  if (others < bounds.object_clearance)
+    return fail(verdict, GraspRejection::other_object, others, bounds.object_clearance);
+  const Eigen::Isometry3f T_tool_world = grasp.T_world_tool.inverse().cast<float>();
+  const float enclosed =
+      least_distance(obstacles_, T_tool_world, {&swept_.between, 1}, {greatest_distance, 0.0F});
+  if (enclosed < 0.0F) return fail(verdict, GraspRejection::other_object, enclosed, 0.0);
+  const double own =
+      distance_from(target_.samples, grasp.T_world_tool, swept_, bounds.own_clearance);
+  if (own < bounds.own_clearance)
+    return fail(verdict, GraspRejection::own_shape, own, bounds.own_clearance);
+  grasp.features.clearance = std::min(grasp.features.clearance, others);
+  grasp.features.own_clearance = own;
+}
+
+void GraspJudge::require_seen_space(Verdict& verdict) const {
+  if (!around_.unknown) return;
+  const Eigen::Isometry3f T_world_tool = verdict.grasp.T_world_tool.cast<float>();
+  const auto limit =
+      static_cast<Eigen::Index>(options_.bounds.max_unknown * static_cast<double>(points_.cols()));
+  Eigen::Index blocked = 0;
+  for (Eigen::Index i = 0; i < points_.cols(); ++i) {
+    const Eigen::Vector3f p = T_world_tool * Eigen::Vector3f(points_.col(i));
+    if (around_.unknown->blocks(p, target_.object)) ++blocked;
+  }
+  if (blocked > limit) {
+    fail(verdict, GraspRejection::never_seen,
+         static_cast<double>(blocked) / static_cast<double>(points_.cols()),
+         options_.bounds.max_unknown);
+  }
+}
+
+void GraspJudge::require_clear_lift(Verdict& verdict) const {
+  // A steep approach retreats the way that it came.
+  if (verdict.grasp.features.tilt <= steep) return;
+  constexpr double step = 0.01;
+  const HandShape closed = hand_shape(gripper_, verdict.grasp.opening, 0.0);
+  Eigen::Isometry3d pose = verdict.grasp.T_world_tool;
+  for (double height = step; height <= gripper_.retreat_distance; height += step) {
+    pose.translation() += step * target_.up;
+    const double others = distance_from(obstacles_, pose, closed, options_.bounds.object_clearance);
+    if (others < options_.bounds.object_clearance)
+      return fail(verdict, GraspRejection::other_object, others, options_.bounds.object_clearance);
+  }
+}
+
+}  // namespace symscene

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+
+#include "approach_poses.hpp"
+#include "contacts.hpp"
+#include "hand_shape.hpp"
+#include "target.hpp"
+#include "unknown_space.hpp"
+
+namespace symscene {
+
+/// All that the gripper may meet: the closed surfaces of the objects, other points, and space that
+/// is occupied or was never seen.
+struct GraspSurroundings {
+  const GraspScene& scene;
+  std::vector<SurfaceSamples> objects;  ///< one per object of the scene
+  SurfaceSamples others;
+  std::optional<UnknownSpace> unknown;
+};
+
+/// Judges grasps of one object.
+class GraspJudge {
+ public:
+  /// Keeps references to all of these.
+  GraspJudge(const GraspSurroundings& around, const GraspTarget& target, const Gripper& gripper,
+             const GraspOptions& options);
+
+  /// The grasp at a pose, centred between its contacts, with features and quality; or the first
+  /// bound that it fails, and its features so far.
+  struct Verdict {
+    Grasp grasp;
+    std::optional<GraspRejection> reason;
+    double value = 0.0;
+    double bound = 0.0;
+  };
+  Verdict judge(const ApproachPose& pose) const;
+
+ private:
+  void require_contact(Verdict& verdict) const;
+  void judge_contacts(Verdict& verdict, const Contacts& contacts) const;
+  void judge_torque(Verdict& verdict, const Contacts& contacts) const;
+  void require_clear_way(Verdict& verdict) const;
+  void require_clear_lift(Verdict& verdict) const;
+  void require_seen_space(Verdict& verdict) const;
+  float distance_from(const SurfaceSamples& samples, const Eigen::Isometry3d& T_world_tool,
+                      const HandShape& shape, double enough) const;
+
+  const GraspSurroundings& around_;
+  const GraspTarget& target_;
+  const Gripper& gripper_;
+  const GraspOptions& options_;
+  HandShape swept_;           ///< the open gripper on its way to the grasp
+  Eigen::Matrix3Xf points_;   ///< of the swept gripper, in the tool frame
+  SurfaceSamples obstacles_;  ///< what the gripper can reach of other objects
+};
+
+}  // namespace symscene

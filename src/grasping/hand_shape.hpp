@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "symscene/core/gripper.hpp"
+
+namespace symscene {
+
+/// An axis-aligned box of the tool frame. [m]
+struct ToolBox {
+  Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+  Eigen::Vector3f half = Eigen::Vector3f::Zero();
+
+  static ToolBox between(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+    return {(0.5 * (min + max)).cast<float>(), (0.5 * (max - min)).cast<float>()};
+  }
+  /// Distance of a point from the box; inside it the negative depth. [m]
+  float distance(const Eigen::Vector3f& p) const {
+    const Eigen::Vector3f outside = (p - centre).cwiseAbs() - half;
+    const float deepest = outside.maxCoeff();
+    return deepest <= 0.0F ? deepest : outside.cwiseMax(0.0F).norm();
+  }
+};
+
+/// The open gripper as boxes of its tool frame: palm, and each finger as a thick half and a thinner
+/// half, as fingers taper.
+struct HandShape {
+  std::vector<ToolBox> palm;     ///< one box
+  std::vector<ToolBox> fingers;  ///< two boxes per finger
+  ToolBox between;               ///< the space between the fingers
+  float reach = 0.0F;            ///< greatest distance of the boxes from the origin [m]
+};
+
+/// `way`: how far the gripper comes from along −z; the boxes are those that it sweeps. [m]
+HandShape hand_shape(const Gripper& gripper, double opening, double way);
+
+/// Points in the swept gripper, at most `spacing` apart, on and inside its boxes.
+Eigen::Matrix3Xf sample_hand(const HandShape& shape, float spacing);
+
+}  // namespace symscene

@@ -1,0 +1,44 @@
+#include "quality.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "symscene/core/geometry.hpp"
+
+namespace symscene {
+namespace {
+
+/// A term of the linear part: the feature mapped from [low, high] to [0, 1], times the weight.
+struct Term {
+  double GraspFeatures::*feature;
+  double low;
+  double high;
+  double weight;
+};
+
+// Set by hand, not fitted: each bound is where more of the feature no longer helps.
+constexpr double bias = -2.5;
+constexpr std::array<Term, 11> terms{{
+    {&GraspFeatures::cone_margin, 0.0, 0.5, 1.5},
+    {&GraspFeatures::cone_share, 0.5, 1.0, 1.0},
+    {&GraspFeatures::contact_area, 0.0, 0.3, 1.0},
+    {&GraspFeatures::depth, 0.0, 0.02, 0.5},
+    {&GraspFeatures::opening_margin, 0.0, 0.01, 0.5},
+    {&GraspFeatures::lever_arm, 0.0, 0.05, -1.0},
+    {&GraspFeatures::torque_ratio, 0.0, 1.0, -0.5},
+    {&GraspFeatures::clearance, 0.0, 0.01, 1.0},
+    {&GraspFeatures::own_clearance, 0.0, 0.01, 0.7},
+    {&GraspFeatures::observed, 0.0, 1.0, 0.5},
+    {&GraspFeatures::tilt, 0.5, 1.6, -0.3},
+}};
+
+}  // namespace
+
+double success_probability(const GraspFeatures& features) {
+  double sum = bias;
+  for (const Term& term : terms)
+    sum += term.weight * ramp(features.*term.feature, term.low, term.high);
+  return 1.0 / (1.0 + std::exp(-sum));
+}
+
+}  // namespace symscene
