@@ -1,0 +1,113 @@
+// The clutter-removal benchmark of VGN, GIGA and Edge-Grasp: objects are removed from a table one
+// by one, with a hand in a physics simulation.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+#include "program.hpp"
+#include "symscene/clutter/clutter_report.hpp"
+#include "symscene/core/thread_limit.hpp"
+#include "symscene/physics/physics_world.hpp"
+
+namespace {
+
+using namespace symscene;
+
+struct Arguments {
+  std::string objects;
+  std::string share = "all";
+  std::string kind = "packed";
+  std::string method = "symscene";
+  std::string table = "none";
+  std::string attempts;
+  int rounds = 100;
+  int first = 0;
+  std::size_t threads = 2;
+  bool verbose = false;
+  ClutterRoundOptions options;
+
+  void finish() {
+    options.kind = parse_clutter_kind(kind);
+    options.method = parse_grasp_method(method);
+    options.planning.table = parse_table_knowledge(table);
+  }
+};
+
+void declare(CLI::App& app, Arguments& a) {
+  app.add_option("--objects", a.objects, "folder with NAME.urdf, its surface and convex parts")
+      ->required();
+  app.add_option("--share", a.share, "objects by the hash of their name: all, fitting, held-out")
+      ->capture_default_str();
+  app.add_option("--scene", a.kind, "packed or pile")->capture_default_str();
+  app.add_option("--rounds", a.rounds, "rounds")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--first", a.first, "number of the first round")->capture_default_str();
+  app.add_option("--seed", a.options.seed, "seed of all rounds")->capture_default_str();
+  app.add_option("--count", a.options.objects, "objects per scene")->capture_default_str();
+  app.add_option("--views", a.options.views, "1 from the side, or several around")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--method", a.method, "symscene, cylinders, true-meshes, antipodal or random")
+      ->capture_default_str();
+  app.add_option("--table", a.table,
+                 "what is known of the table: none, plane, or scale (depths are scaled so that "
+                 "they show it there)")
+      ->capture_default_str();
+  app.add_flag("!--exact", a.options.noise.enabled, "depth images without noise");
+  app.add_flag("!--anywhere", a.options.planning.in_volume_only,
+               "allow grasps outside the benchmark's grasp volume");
+  app.add_option("--attempts", a.attempts, "CSV file to write: one line per attempt");
+  app.add_option("--threads", a.threads, "at most so many threads")->capture_default_str();
+  app.add_flag("-v,--verbose", a.verbose, "one line per attempt");
+}
+
+void print_attempt(const ClutterAttempt& a) {
+  fmt::print(
+      "round {:3} attempt {:2}: {} ({:.0f} % hidden), {} seen of {}, {} of quality {:.2f}: {}",
+      a.round, a.number, a.aimed, 100.0 * a.occlusion, a.seen, a.present, to_string(a.grasp.source),
+      a.grasp.quality, to_string(a.outcome.end));
+  if (a.outcome.contact != ApproachContact::none)
+    fmt::print(", touched {} {:.0f} mm before", to_string(a.outcome.contact),
+               1e3 * a.outcome.short_by);
+  fmt::print(", {:.0f} and {:.0f} mm wide\n", 1e3 * a.outcome.closed_width, 1e3 * a.outcome.width);
+  std::fflush(stdout);
+}
+
+int run(const Arguments& arguments) {
+  if (!has_physics()) {
+    fmt::print(stderr, "this build has no physics: libmujoco-dev would add it\n");
+    return 1;
+  }
+  const ThreadLimit limit(arguments.threads);
+  const std::vector<ClutterObject> objects =
+      read_clutter_objects(arguments.objects, parse_object_share(arguments.share));
+  fmt::print("{} objects ({}), {}, {} rounds of {}, {} view(s), method {}, table {}, seed {}\n",
+             objects.size(), arguments.share, arguments.kind, arguments.rounds,
+             arguments.options.objects, arguments.options.views, arguments.method, arguments.table,
+             arguments.options.seed);
+  ClutterObserver observer;
+  if (arguments.verbose) observer.after = print_attempt;
+  std::vector<ClutterRound> rounds;
+  for (int round = arguments.first; round < arguments.first + arguments.rounds; ++round)
+    rounds.push_back(run_clutter_round(objects, arguments.options, round, observer));
+  fmt::print("{}", format_clutter_report(rounds));
+  if (!arguments.attempts.empty())
+    write_file_atomically(arguments.attempts, format_attempts_csv(rounds));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Clutter removal by grasping, in a physics simulation");
+  declare(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  return symscene::bench::exit_code_of("symscene_bench_clutter", [&] {
+    arguments.finish();
+    return run(arguments);
+  });
+}

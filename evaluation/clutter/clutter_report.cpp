@@ -1,0 +1,211 @@
+#include "symscene/clutter/clutter_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/random.hpp"
+
+namespace symscene {
+namespace {
+
+struct Counts {
+  std::size_t part = 0;
+  std::size_t whole = 0;
+
+  double share() const {
+    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+  }
+  void add(const Counts& other) {
+    part += other.part;
+    whole += other.whole;
+  }
+};
+
+/// Of at least one value.
+double quantile_of(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(
+      std::lround(share * static_cast<double>(values.size() - 1)))];
+}
+
+bool succeeded(const ClutterAttempt& attempt) { return attempt.outcome.end == GraspEnd::success; }
+
+RoundShare with_interval(const std::vector<Counts>& rounds) {
+  constexpr int resamples = 2000;
+  Counts all;
+  for (const Counts& round : rounds) all.add(round);
+  RoundShare share{all.share(), 0.0, 0.0, all.part, all.whole};
+  if (rounds.empty()) return share;
+  Random random(1);
+  std::vector<double> shares;
+  for (int k = 0; k < resamples; ++k) {
+    Counts drawn;
+    for (std::size_t i = 0; i < rounds.size(); ++i)
+      drawn.add(rounds[random.below(static_cast<std::uint32_t>(rounds.size()))]);
+    shares.push_back(drawn.share());
+  }
+  share.low = quantile_of(shares, 0.025);
+  share.high = quantile_of(shares, 0.975);
+  return share;
+}
+
+std::vector<const ClutterAttempt*> all_attempts(std::span<const ClutterRound> rounds) {
+  std::vector<const ClutterAttempt*> attempts;
+  for (const ClutterRound& round : rounds) {
+    for (const ClutterAttempt& attempt : round.attempts) attempts.push_back(&attempt);
+  }
+  return attempts;
+}
+
+/// Lines "LABEL NUMBER SHARE", in the order of the labels.
+using Tally = std::map<std::string, Counts>;
+
+void append_tally(std::string& text, const std::string& title, const Tally& tally) {
+  text += title + "\n";
+  for (const auto& [label, counts] : tally)
+    fmt::format_to(std::back_inserter(text), "  {:<52}{:>6} of {:<6}{:>6.1f} %\n", label,
+                   counts.part, counts.whole, 100.0 * counts.share());
+}
+
+/// How often each label occurs.
+template <class Items, class Label>
+Tally frequencies(const Items& items, const Label& label) {
+  Tally tally;
+  for (const auto& item : items) ++tally[label(item)].part;
+  for (auto& [name, counts] : tally) counts.whole = items.size();
+  return tally;
+}
+
+/// The share of successful attempts by label.
+Tally successes(const std::vector<const ClutterAttempt*>& attempts,
+                const std::function<std::string(const ClutterAttempt&)>& label) {
+  Tally tally;
+  for (const ClutterAttempt* attempt : attempts)
+    tally[label(*attempt)].add({succeeded(*attempt) ? std::size_t{1} : 0, 1});
+  return tally;
+}
+
+std::string occlusion_label(const ClutterAttempt& attempt) {
+  constexpr std::array bounds{0.0, 0.1, 0.25, 0.5, 0.75, 1.0};
+  std::size_t k = 0;
+  while (k + 2 < bounds.size() && attempt.occlusion >= bounds[k + 1]) ++k;
+  return fmt::format("{:.0f} to {:.0f} % hidden", 100.0 * bounds[k], 100.0 * bounds[k + 1]);
+}
+
+std::string quality_label(const ClutterAttempt& attempt) {
+  constexpr double width = 0.1;
+  const double low = std::min(0.9, width * std::floor(attempt.grasp.quality / width));
+  return fmt::format("quality {:.1f} to {:.1f}", low, low + width);
+}
+
+std::string end_label(const ClutterAttempt* attempt) {
+  const GraspOutcome& outcome = attempt->outcome;
+  std::string label = to_string(outcome.end);
+  if (outcome.contact == ApproachContact::none) return label;
+  return fmt::format("{}, touched {}", label,
+                     outcome.contact == ApproachContact::table ? "the table"
+                     : attempt->touched_other                  ? "another object"
+                                                               : "its object");
+}
+
+void append_share(std::string& text, const char* name, const RoundShare& share) {
+  fmt::format_to(
+      std::back_inserter(text), "{} {:.1f} % (95 % interval {:.1f} to {:.1f}), {} of {}\n", name,
+      100.0 * share.value, 100.0 * share.low, 100.0 * share.high, share.part, share.whole);
+}
+
+void append_times(std::string& text, const std::vector<const ClutterAttempt*>& attempts) {
+  std::vector<double> seconds, grasping;
+  for (const ClutterAttempt* attempt : attempts) {
+    seconds.push_back(attempt->seconds);
+    grasping.push_back(attempt->grasping_seconds);
+  }
+  fmt::format_to(
+      std::back_inserter(text),
+      "planning time: median {:.0f} ms, 95 % below {:.0f} ms; of these for grasps {:.0f} "
+      "and {:.0f} ms\n",
+      1e3 * quantile_of(seconds, 0.5), 1e3 * quantile_of(seconds, 0.95),
+      1e3 * quantile_of(grasping, 0.5), 1e3 * quantile_of(grasping, 0.95));
+}
+
+/// The reasons for which objects had no grasp when a round ended for want of one.
+Tally missing_grasps(std::span<const ClutterRound> rounds) {
+  std::vector<std::string> reasons;
+  for (const ClutterRound& round : rounds) {
+    if (round.end != RoundEnd::no_grasp) continue;
+    reasons.insert(reasons.end(), round.reasons.begin(), round.reasons.end());
+    reasons.insert(reasons.end(), round.outside, "grasp outside the grasp volume");
+    if (round.reasons.empty() && round.outside == 0) reasons.emplace_back("no object is seen");
+  }
+  return frequencies(reasons, [](const std::string& reason) { return reason; });
+}
+
+}  // namespace
+
+RoundShare grasp_success_rate(std::span<const ClutterRound> rounds) {
+  std::vector<Counts> counts;
+  for (const ClutterRound& round : rounds) {
+    const auto part = std::count_if(round.attempts.begin(), round.attempts.end(), succeeded);
+    counts.push_back({static_cast<std::size_t>(part), round.attempts.size()});
+  }
+  return with_interval(counts);
+}
+
+RoundShare declutter_rate(std::span<const ClutterRound> rounds) {
+  std::vector<Counts> counts;
+  for (const ClutterRound& round : rounds)
+    counts.push_back(
+        {static_cast<std::size_t>(round.removed), static_cast<std::size_t>(round.placed)});
+  return with_interval(counts);
+}
+
+std::string format_clutter_report(std::span<const ClutterRound> rounds) {
+  const std::vector<const ClutterAttempt*> attempts = all_attempts(rounds);
+  std::string text;
+  append_share(text, "grasp success rate", grasp_success_rate(rounds));
+  append_share(text, "declutter rate", declutter_rate(rounds));
+  if (!attempts.empty()) append_times(text, attempts);
+  append_tally(text, "attempts by outcome", frequencies(attempts, end_label));
+  append_tally(text, "rounds by their end", frequencies(rounds, [](const ClutterRound& round) {
+                 return std::string(to_string(round.end));
+               }));
+  append_tally(text, "no grasp: reasons per object", missing_grasps(rounds));
+  append_tally(text, "success by occlusion of the object", successes(attempts, occlusion_label));
+  append_tally(text, "success by quality", successes(attempts, quality_label));
+  append_tally(text, "success by source of the grasp",
+               successes(attempts, [](const ClutterAttempt& attempt) {
+                 return std::string(to_string(attempt.grasp.source));
+               }));
+  return text;
+}
+
+std::string format_attempts_csv(std::span<const ClutterRound> rounds) {
+  std::string text =
+      "round,attempt,object,present,seen,occlusion,source,quality,opening,aimed_distance";
+  const GraspFeatures none;
+  GraspFeatures::visit_fields(none,
+                              [&](const char* name, double) { text += fmt::format(",{}", name); });
+  text += ",success,end,contact,touched_other,removed_other,short_by,closed_width,width,seconds\n";
+  auto out = std::back_inserter(text);
+  for (const ClutterAttempt* a : all_attempts(rounds)) {
+    const Grasp& grasp = a->grasp;
+    fmt::format_to(out, "{},{},{},{},{},{:.3f},{},{:.4f},{:.4f},{:.4f}", a->round, a->number,
+                   a->aimed, a->present, a->seen, a->occlusion, to_string(grasp.source),
+                   grasp.quality, grasp.opening, a->aimed_distance);
+    GraspFeatures::visit_fields(
+        grasp.features, [&](const char*, double value) { fmt::format_to(out, ",{:.5g}", value); });
+    const GraspOutcome& o = a->outcome;
+    fmt::format_to(out, ",{:d},{},{},{:d},{:d},{:.4f},{:.4f},{:.4f},{:.3f}\n", succeeded(*a),
+                   to_string(o.end), to_string(o.contact), a->touched_other, a->removed_other,
+                   o.short_by, o.closed_width, o.width, a->seconds);
+  }
+  return text;
+}
+
+}  // namespace symscene

@@ -1,0 +1,135 @@
+#include "symscene/clutter/clutter_rounds.hpp"
+
+#include "core/random.hpp"
+#include "method_parts.hpp"
+#include "simulation/true_surface.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/physics/physics_world.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr double tip_distance = 0.04;  // from the tool frame to the point that a grasp aims at [m]
+
+std::uint64_t next_seed(Random& random) {
+  const std::uint64_t high = random.bits();
+  return high << 32U | random.bits();
+}
+
+/// The object that a grasp aims at.
+struct Aim {
+  std::size_t item = 0;
+  double distance = 0.0;  ///< [m]
+  double occlusion = 0.0;
+};
+
+Aim aim_of(const ClutterWorld& world, const Grasp& grasp, int views) {
+  constexpr double reach = 0.5;  // [m]
+  const std::vector<TriangleMesh> surfaces = present_surfaces(world);
+  const Eigen::Vector3d point = grasp.T_world_tool * Eigen::Vector3d(0, 0, tip_distance);
+  const TrueSurface::Nearest nearest = TrueSurface(surfaces).nearest(point, reach);
+  const std::size_t k = nearest.mesh == TrueSurface::Nearest::nothing ? 0 : nearest.mesh;
+  return {world.present()[k], nearest.distance, clutter_occlusion(world, views)[k]};
+}
+
+ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposals,
+                             const ClutterRoundOptions& options) {
+  ClutterAttempt attempt;
+  attempt.grasp = proposals.grasps.front();
+  const Aim aim = aim_of(world, attempt.grasp, options.views);
+  attempt.aimed = world.object(aim.item).name;
+  attempt.aimed_distance = aim.distance;
+  attempt.occlusion = aim.occlusion;
+  attempt.seen = proposals.objects;
+  attempt.present = world.present().size();
+  attempt.seconds = proposals.seconds;
+  attempt.grasping_seconds = proposals.grasping_seconds;
+  attempt.outcome = world.execute(attempt.grasp.T_world_tool, options.execution);
+  const GraspOutcome& outcome = attempt.outcome;
+  const bool is_other = outcome.body && *outcome.body != aim.item;
+  attempt.removed_other = is_other && outcome.end == GraspEnd::success;
+  attempt.touched_other = is_other && outcome.contact == ApproachContact::body;
+  return attempt;
+}
+
+/// One proposal and its execution; returns whether there was a grasp.
+bool try_once(ClutterWorld& world, const ClutterRoundOptions& options, int round, Random& random,
+              const ClutterObserver& observer, ClutterRound& result) {
+  const std::uint64_t noise_seed = next_seed(random), method_seed = next_seed(random);
+  const std::vector<ClutterView> views =
+      clutter_views(world, options.views, options.noise, noise_seed);
+  const GraspProposals proposals =
+      propose_grasps(options.method, world, views, options.planning, method_seed);
+  if (observer.before) observer.before(world, views, proposals);
+  if (proposals.grasps.empty()) {
+    result.reasons = proposals.reasons;
+    result.outside = proposals.outside;
+    return false;
+  }
+  result.attempts.push_back(attempt_grasp(world, proposals, options));
+  result.attempts.back().round = round;
+  result.attempts.back().number = static_cast<int>(result.attempts.size());
+  if (observer.after) observer.after(result.attempts.back());
+  return true;
+}
+
+void play(ClutterWorld& world, const ClutterRoundOptions& options, int round, Random& random,
+          const ClutterObserver& observer, ClutterRound& result) {
+  result.placed = result.left = static_cast<int>(world.present().size());
+  for (int failures = 0; result.left > 0;) {
+    if (!try_once(world, options, round, random, observer, result)) {
+      result.end = RoundEnd::no_grasp;
+      return;
+    }
+    const bool succeeded = result.attempts.back().outcome.end == GraspEnd::success;
+    result.removed += succeeded ? 1 : 0;
+    result.left = static_cast<int>(world.present().size());
+    failures = succeeded ? 0 : failures + 1;
+    if (failures == options.max_failures) {
+      result.end = RoundEnd::failures;
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void ClutterRoundOptions::validate() const {
+  require_option(objects >= 1, "objects", "at least 1", objects);
+  require_option(views >= 1, "views", "at least 1", views);
+  require_option(max_failures >= 1, "max_failures", "at least 1", max_failures);
+  noise.validate();
+  execution.validate();
+  physics.validate();
+}
+
+const char* to_string(RoundEnd end) {
+  switch (end) {
+    case RoundEnd::cleared:
+      return "cleared";
+    case RoundEnd::no_grasp:
+      return "no grasp proposed";
+    case RoundEnd::failures:
+      return "failures in a row";
+    case RoundEnd::diverged:
+      break;
+  }
+  return "the physics diverged";
+}
+
+ClutterRound run_clutter_round(std::span<const ClutterObject> objects,
+                               const ClutterRoundOptions& options, int round,
+                               const ClutterObserver& observer) {
+  options.validate();
+  ClutterRound result;
+  try {
+    Random random(options.seed, static_cast<std::uint64_t>(round));
+    ClutterWorld world(objects, options.kind, options.objects, next_seed(random), options.physics);
+    play(world, options, round, random, observer, result);
+  } catch (const PhysicsDiverged&) {
+    result.end = RoundEnd::diverged;
+  }
+  return result;
+}
+
+}  // namespace symscene

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "symscene/clutter/clutter_rounds.hpp"
+
+namespace symscene {
+
+/// A share with its 95 % interval by resampling whole rounds, as attempts of one round depend on
+/// each other.
+struct RoundShare {
+  double value = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+  std::size_t part = 0;
+  std::size_t whole = 0;
+};
+
+/// Successful grasps over attempts.
+RoundShare grasp_success_rate(std::span<const ClutterRound> rounds);
+/// Removed objects over those that were placed.
+RoundShare declutter_rate(std::span<const ClutterRound> rounds);
+
+/// The figures of a benchmark for people: rates, how attempts and rounds ended, success by
+/// occlusion and source of the grasp, planning time.
+std::string format_clutter_report(std::span<const ClutterRound> rounds);
+
+/// One line per attempt with its features and outcome, the names of the columns first.
+std::string format_attempts_csv(std::span<const ClutterRound> rounds);
+
+}  // namespace symscene
