@@ -76,7 +76,7 @@ void add_end_grasps(const BoundingCylinder& cylinder, const Eigen::Vector3d& out
   }
 }
 
-ToolBox swept_box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance) {
+CylinderBox swept_box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance) {
   return {low - distance * Eigen::Vector3d::UnitZ(), high};
 }
 
@@ -92,10 +92,10 @@ std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylin
   return candidates;
 }
 
-std::vector<ToolBox> swept_boxes(const Gripper& gripper) {
+std::vector<CylinderBox> swept_boxes(const Gripper& gripper) {
   const double way = gripper.approach_distance;
   const Eigen::Vector3d half_palm(0.5 * gripper.palm_size.x(), 0.5 * gripper.palm_size.y(), 0.0);
-  std::vector<ToolBox> boxes{
+  std::vector<CylinderBox> boxes{
       swept_box(-half_palm - gripper.palm_size.z() * Eigen::Vector3d::UnitZ(), half_palm, way)};
   const double inner = 0.5 * gripper.max_opening, outer = inner + gripper.finger_thickness;
   const double half_width = 0.5 * gripper.finger_width;
@@ -111,10 +111,10 @@ std::vector<ToolBox> swept_boxes(const Gripper& gripper) {
 }
 
 double height_above(const Plane& plane, const Eigen::Isometry3d& T_world_tool,
-                    std::span<const ToolBox> boxes) {
+                    std::span<const CylinderBox> boxes) {
   const Eigen::Vector3d up_tool = T_world_tool.linear().transpose() * plane.normal;
   double least = std::numeric_limits<double>::infinity();
-  for (const ToolBox& box : boxes) {
+  for (const CylinderBox& box : boxes) {
     const double lowest = up_tool.dot(box.center()) - 0.5 * up_tool.cwiseAbs().dot(box.sizes());
     least = std::min(least, plane.signed_distance(T_world_tool.translation()) + lowest);
   }
@@ -122,13 +122,13 @@ double height_above(const Plane& plane, const Eigen::Isometry3d& T_world_tool,
 }
 
 double depth_of_points(const Points& points_world, const Eigen::Isometry3d& T_world_tool,
-                       std::span<const ToolBox> boxes) {
+                       std::span<const CylinderBox> boxes) {
   const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
   double deepest = 0.0;
   for (Eigen::Index i = 0; i < points_world.rows(); ++i) {
     const Eigen::Vector3d point =
         (T_tool_world * Eigen::Vector3f(points_world.row(i).transpose())).cast<double>();
-    for (const ToolBox& box : boxes) {
+    for (const CylinderBox& box : boxes) {
       const double depth = std::min((point - box.min()).minCoeff(), (box.max() - point).minCoeff());
       deepest = std::max(deepest, depth);
     }

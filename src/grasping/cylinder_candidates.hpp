@@ -21,18 +21,18 @@ std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylin
                                                    const CylinderGraspOptions& options);
 
 /// A box in the tool frame.
-using ToolBox = Eigen::AlignedBox3d;
+using CylinderBox = Eigen::AlignedBox3d;
 
 /// The boxes that the palm and the fingers of the open gripper pass through on their straight way
 /// to the grasp. Fingers are as thick as at the palm.
-std::vector<ToolBox> swept_boxes(const Gripper& gripper);
+std::vector<CylinderBox> swept_boxes(const Gripper& gripper);
 
 /// The least signed distance of the boxes from the plane. [m]
 double height_above(const Plane& plane, const Eigen::Isometry3d& T_world_tool,
-                    std::span<const ToolBox> boxes);
+                    std::span<const CylinderBox> boxes);
 
 /// The greatest depth of a point in a box, from its nearest face; 0 if none is inside. [m]
 double depth_of_points(const Points& points_world, const Eigen::Isometry3d& T_world_tool,
-                       std::span<const ToolBox> boxes);
+                       std::span<const CylinderBox> boxes);
 
 }  // namespace symscene

@@ -46,7 +46,7 @@ class Surroundings {
     }
   }
 
-  std::optional<Refusal> refusal(const Grasp& grasp, std::span<const ToolBox> swept,
+  std::optional<Refusal> refusal(const Grasp& grasp, std::span<const CylinderBox> swept,
                                  const CylinderGraspOptions& options) const {
     if (table_) {
       const double height = height_above(*table_, grasp.T_world_tool, swept);
@@ -86,7 +86,7 @@ ClusterGrasps grasps_of(const CylinderScene& scene, std::size_t id, const Grippe
   const BoundingCylinder& cylinder = *cluster.cylinder;
   const Eigen::Vector3d up = scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ();
   const Surroundings around(scene, cluster.points);
-  const std::vector<ToolBox> swept = swept_boxes(gripper);
+  const std::vector<CylinderBox> swept = swept_boxes(gripper);
   const std::optional<Refusal> unfit = misfit(cylinder, gripper, options);
   for (const CylinderCandidate& candidate : cylinder_candidates(cylinder, gripper, options)) {
     const Grasp grasp{.object = static_cast<int>(id),
