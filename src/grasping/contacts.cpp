@@ -15,7 +15,7 @@ struct Between {
 };
 
 std::vector<Between> samples_between(const SurfaceSamples& samples,
-                                     const Eigen::Isometry3f& T_tool_world, const ToolBox& space) {
+                                     const Eigen::Isometry3f& T_tool_world, const HandBox& space) {
   std::vector<Between> between;
   for (const PointBlock& block : samples.blocks) {
     if (space.distance(T_tool_world * block.centre) > block.radius) continue;

@@ -15,10 +15,10 @@ struct DistanceBounds {
 
 /// The least distance of the points from the boxes of a tool frame; negative inside. [m]
 float least_distance(const SurfaceSamples& samples, const Eigen::Isometry3f& T_tool_world,
-                     std::span<const ToolBox> boxes, const DistanceBounds& bounds);
+                     std::span<const HandBox> boxes, const DistanceBounds& bounds);
 
 /// The least height of the boxes over a plane. [m]
 double height_over(const Plane& table, const Eigen::Isometry3d& T_world_tool,
-                   std::span<const ToolBox> boxes);
+                   std::span<const HandBox> boxes);
 
 }  // namespace symscene

@@ -7,21 +7,21 @@ namespace {
 
 /// The two boxes of a finger whose pad is at y = side × opening / 2.
 void add_finger(const Gripper& gripper, double opening, double side, double x, double way,
-                std::vector<ToolBox>& boxes) {
+                std::vector<HandBox>& boxes) {
   const double pad = opening / 2.0;
   const auto add = [&](double thickness, double end) {
     const double y = side * (pad + thickness / 2.0);
     const Eigen::Vector3d half(gripper.finger_width / 2.0, thickness / 2.0, 0.0);
     const Eigen::Vector3d start(x, y, -way);
-    boxes.push_back(ToolBox::between(start - half, Eigen::Vector3d(x, y, end) + half));
+    boxes.push_back(HandBox::between(start - half, Eigen::Vector3d(x, y, end) + half));
   };
   add(gripper.finger_thickness, gripper.finger_depth / 2.0);
   add((gripper.finger_thickness + gripper.tip_thickness) / 2.0, gripper.finger_depth);
 }
 
-ToolBox space_between(const Gripper& gripper, double opening) {
+HandBox space_between(const Gripper& gripper, double opening) {
   const double x = (gripper.finger_width + gripper.finger_spacing) / 2.0;
-  return ToolBox::between({-x, -opening / 2.0, 0.0}, {x, opening / 2.0, gripper.finger_depth});
+  return HandBox::between({-x, -opening / 2.0, 0.0}, {x, opening / 2.0, gripper.finger_depth});
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ ToolBox space_between(const Gripper& gripper, double opening) {
 HandShape hand_shape(const Gripper& gripper, double opening, double way) {
   HandShape shape;
   const Eigen::Vector3d half = gripper.palm_size / 2.0;
-  shape.palm.push_back(ToolBox::between({-half.x(), -half.y(), -gripper.palm_size.z() - way},
+  shape.palm.push_back(HandBox::between({-half.x(), -half.y(), -gripper.palm_size.z() - way},
                                         {half.x(), half.y(), 0.0}));
   for (const double x : {-gripper.finger_spacing / 2.0, gripper.finger_spacing / 2.0}) {
     add_finger(gripper, opening, 1.0, x, way, shape.fingers);
@@ -38,7 +38,7 @@ HandShape hand_shape(const Gripper& gripper, double opening, double way) {
   add_finger(gripper, opening, -1.0, 0.0, way, shape.fingers);
   shape.between = space_between(gripper, opening);
   for (const auto* boxes : {&shape.palm, &shape.fingers}) {
-    for (const ToolBox& box : *boxes)
+    for (const HandBox& box : *boxes)
       shape.reach = std::max(shape.reach, (box.centre.cwiseAbs() + box.half).norm());
   }
   return shape;
@@ -46,7 +46,7 @@ HandShape hand_shape(const Gripper& gripper, double opening, double way) {
 
 Eigen::Matrix3Xf sample_hand(const HandShape& shape, float spacing) {
   std::vector<Eigen::Vector3f> points;
-  const auto add = [&](const ToolBox& box) {
+  const auto add = [&](const HandBox& box) {
     const Eigen::Array3i steps = (2.0F * box.half / spacing).array().ceil().max(1.0F).cast<int>();
     for (int i = 0; i <= steps.x(); ++i) {
       for (int j = 0; j <= steps.y(); ++j) {

@@ -8,11 +8,11 @@
 namespace symscene {
 
 /// An axis-aligned box of the tool frame. [m]
-struct ToolBox {
+struct HandBox {
   Eigen::Vector3f centre = Eigen::Vector3f::Zero();
   Eigen::Vector3f half = Eigen::Vector3f::Zero();
 
-  static ToolBox between(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+  static HandBox between(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
     return {(0.5 * (min + max)).cast<float>(), (0.5 * (max - min)).cast<float>()};
   }
   /// Distance of a point from the box; inside it the negative depth. [m]
@@ -26,9 +26,9 @@ struct ToolBox {
 /// The open gripper as boxes of its tool frame: palm, and each finger as a thick half and a thinner
 /// half, as fingers taper.
 struct HandShape {
-  std::vector<ToolBox> palm;     ///< one box
-  std::vector<ToolBox> fingers;  ///< two boxes per finger
-  ToolBox between;               ///< the space between the fingers
+  std::vector<HandBox> palm;     ///< one box
+  std::vector<HandBox> fingers;  ///< two boxes per finger
+  HandBox between;               ///< the space between the fingers
   float reach = 0.0F;            ///< greatest distance of the boxes from the origin [m]
 };
 

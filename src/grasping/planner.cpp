@@ -1,6 +1,7 @@
 #include "symscene/grasping/planner.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/parallel.hpp"
 #include "grasp_judge.hpp"
@@ -18,7 +19,9 @@ struct ObjectPlan {
     ++summary.rejected.at(static_cast<std::size_t>(rejection.reason));
     rejected.push_back(rejection);
   }
-  void sort_out(const GraspOptions& options);
+  void keep_distinct(const GraspOptions& options);
+  void keep_some_rejected(std::size_t most);
+  void name_reason();
 };
 
 bool is_better(const Grasp& a, const Grasp& b) { return a.quality > b.quality; }
@@ -37,7 +40,7 @@ bool is_near(const Grasp& a, const Grasp& b, const GraspOptions& options) {
 }
 
 /// Keeps the best grasps that differ from each other.
-void ObjectPlan::sort_out(const GraspOptions& options) {
+void ObjectPlan::keep_distinct(const GraspOptions& options) {
   std::stable_sort(grasps.begin(), grasps.end(), is_better);
   std::vector<Grasp> kept;
   for (const Grasp& grasp : grasps) {
@@ -52,10 +55,26 @@ void ObjectPlan::sort_out(const GraspOptions& options) {
   }
   grasps = std::move(kept);
   summary.grasps = grasps.size();
-  if (!grasps.empty() || summary.reason) return;
+}
+
+/// Of each reason at most so many candidates, evenly spread over those that failed by it.
+void ObjectPlan::keep_some_rejected(std::size_t most) {
+  std::array<std::vector<RejectedGrasp>, grasp_rejections> by_reason;
+  for (const RejectedGrasp& rejection : rejected)
+    by_reason.at(static_cast<std::size_t>(rejection.reason)).push_back(rejection);
+  rejected.clear();
+  for (const std::vector<RejectedGrasp>& all : by_reason) {
+    for (const Index i : evenly_spread(static_cast<Index>(all.size()), static_cast<Index>(most)))
+      rejected.push_back(all[i]);
+  }
+}
+
+/// Without a grasp: the bound that most candidates failed.
+void ObjectPlan::name_reason() {
+  if (!grasps.empty()) return;
   const auto most = std::max_element(summary.rejected.begin(), summary.rejected.end());
-  summary.reason = static_cast<GraspRejection>(most - summary.rejected.begin());
-  if (*most == 0) summary.reason = GraspRejection::no_contact;
+  summary.reason = *most == 0 ? GraspRejection::no_contact
+                              : static_cast<GraspRejection>(most - summary.rejected.begin());
 }
 
 std::vector<ClosingLine> closing_lines(const GraspTarget& target,
@@ -109,7 +128,9 @@ ObjectPlan plan_object(const GraspSurroundings& around, std::size_t id, const Gr
         plan.grasps.push_back(verdict.grasp);
     }
   }
-  plan.sort_out(options);
+  plan.keep_distinct(options);
+  plan.name_reason();
+  plan.keep_some_rejected(static_cast<std::size_t>(options.max_rejected));
   return plan;
 }
 

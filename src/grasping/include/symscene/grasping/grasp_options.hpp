@@ -103,6 +103,7 @@ struct GraspOptions {
   double space_margin = 0.25;
   int max_voxels = default_max_voxels;
   int max_grasps = 20;
+  int max_rejected = 20;
   double distinct_distance = 0.015;
   double distinct_angle = radians(25.0);
   GraspCandidateOptions candidates;
@@ -115,6 +116,8 @@ struct GraspOptions {
     visit("max_voxels", self.max_voxels, "", between(4096.0, 1 << 30),
           "voxels of that space; a larger one gets coarser voxels");
     visit("max_grasps", self.max_grasps, "", between(1.0, 1e5), "most grasps per object");
+    visit("max_rejected", self.max_rejected, "", between(0, 100000),
+          "most rejected candidates that an object keeps for each reason; all are counted");
     visit("distinct_distance", self.distinct_distance, "m", at_least(0.0),
           "a grasp is left out if a better one is nearer than this and turned by less than "
           "distinct_angle");
