@@ -7,6 +7,7 @@
   SUBCOMMAND(stitch)                     \
   SUBCOMMAND(segment)                    \
   SUBCOMMAND(masks)                      \
+  SUBCOMMAND(grasp)                      \
   SUBCOMMAND(symmetry)                   \
   SUBCOMMAND(view)                       \
   SUBCOMMAND(info)                       \

@@ -105,7 +105,7 @@ struct ObjectGraspSummary {
   std::size_t candidates = 0;
   std::size_t grasps = 0;
   std::array<std::size_t, grasp_rejections> rejected{};  ///< by reason
-  /// Why the object has no grasp: what stopped the candidates that came farthest; none if it has.
+  /// Why the object has no grasp: the bound that most candidates failed; none if it has one.
   std::optional<GraspRejection> reason = {};
 };
 

@@ -1,0 +1,113 @@
+#include "symscene/io/gripper.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "gripper_json.hpp"
+#include "io/atomic_file.hpp"
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+constexpr const char* gripper_to_write = "gripper to write";
+constexpr const char* palm_size = "palm_size_m";
+constexpr const char* tool_pose = "T_wrist_tool";
+constexpr std::array<const char*, 5> required{"name", "kind", "max_opening_m", "finger_depth_m",
+                                              palm_size};
+
+/// "max_opening" with unit "m" is the member "max_opening_m".
+std::string member_of(const char* field, const char* unit) {
+  return *unit == '\0' ? field : fmt::format("{}_{}", field, unit);
+}
+
+std::set<std::string> known_members() {
+  std::set<std::string> names{"name", "kind", palm_size, tool_pose};
+  const Gripper gripper;
+  Gripper::visit_fields(gripper, [&](const char* field, double, const char* unit, const Range&,
+                                     const char*) { names.insert(member_of(field, unit)); });
+  return names;
+}
+
+void require_members(const JsonCursor& root) {
+  const std::set<std::string> known = known_members();
+  for (const auto& [name, value] : root.members()) {
+    if (!known.contains(name)) value.fail("no member of this name");
+  }
+  for (const char* name : required) root.at(name);
+}
+
+Eigen::Isometry3d pose_of(const JsonCursor& json) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = json.at("position_m").vector3();
+  const std::vector<JsonCursor> items = json.at("orientation_xyzw").items(4);
+  Eigen::Quaterniond orientation(items[3].number(), items[0].number(), items[1].number(),
+                                 items[2].number());
+  if (!(std::abs(orientation.norm() - 1.0) < 1e-3))
+    json.at("orientation_xyzw").fail("a unit quaternion x, y, z, w");
+  pose.linear() = orientation.normalized().toRotationMatrix();
+  return pose;
+}
+
+void read_numbers(const JsonCursor& root, Gripper& gripper) {
+  Gripper::visit_fields(
+      gripper, [&](const char* field, double& value, const char* unit, const Range&, const char*) {
+        if (const auto member = root.find(member_of(field, unit).c_str())) value = member->number();
+      });
+}
+
+}  // namespace
+
+Json pose_json(const Eigen::Isometry3d& pose, const char* what) {
+  Eigen::Quaterniond q(pose.linear());
+  if (q.w() < 0.0) q.coeffs() *= -1.0;
+  Json orientation = Json::array();
+  for (const double value : {q.x(), q.y(), q.z(), q.w()})
+    orientation.push_back(to_json(value, what));
+  return {{"position_m", to_json(Eigen::Vector3d(pose.translation()), what)},
+          {"orientation_xyzw", orientation}};
+}
+
+Json gripper_json(const Gripper& gripper, const char* what) {
+  Json json = {{"name", gripper.name}, {"kind", to_string(gripper.kind)}};
+  Gripper::visit_fields(
+      gripper, [&](const char* field, double value, const char* unit, const Range&, const char*) {
+        json[member_of(field, unit)] = to_json(value, what);
+      });
+  json[palm_size] = to_json(gripper.palm_size, what);
+  json[tool_pose] = pose_json(gripper.T_wrist_tool, what);
+  return json;
+}
+
+Gripper parse_gripper(std::string_view text, const std::string& file) {
+  const Json document = parse_json(text, file);
+  const JsonCursor root(document, file);
+  require_members(root);
+  Gripper gripper;
+  gripper.name = root.at("name").string();
+  const std::optional<GripperKind> kind = gripper_kind_of(root.at("kind").string());
+  if (!kind) root.at("kind").fail("\"parallel\" or \"three_finger\"");
+  gripper.kind = *kind;
+  read_numbers(root, gripper);
+  gripper.palm_size = root.at(palm_size).vector3();
+  if (const auto pose = root.find(tool_pose)) gripper.T_wrist_tool = pose_of(*pose);
+  try {
+    gripper.validate();
+  } catch (const InputError& error) {
+    throw InputError(file + ": " + error.where(), error.expected(), error.found());
+  }
+  return gripper;
+}
+
+Gripper read_gripper(const std::filesystem::path& path) {
+  return parse_gripper(read_file(path), path.string());
+}
+
+std::string format_gripper(const Gripper& gripper) {
+  return format_json(gripper_json(gripper, gripper_to_write)) + "\n";
+}
+
+}  // namespace symscene

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "io/json_cursor.hpp"
+#include "symscene/core/gripper.hpp"
+
+namespace symscene {
+
+/// The gripper as JSON; `what` stands for the file in messages.
+Json gripper_json(const Gripper& gripper, const char* what);
+
+/// {"position_m": [x, y, z], "orientation_xyzw": [x, y, z, w]}, w not negative.
+Json pose_json(const Eigen::Isometry3d& pose, const char* what);
+
+}  // namespace symscene

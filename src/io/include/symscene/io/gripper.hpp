@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "symscene/core/gripper.hpp"
+
+namespace symscene {
+
+/// Parses a gripper file (docs/formats.md): JSON whose members name their units. Members that are
+/// absent keep the defaults of Gripper, except `name`, `kind`, `max_opening_m`, `finger_depth_m`
+/// and `palm_size_m`, which are required. `file` is the name of the file in messages. Throws
+/// InputError if the text is not valid, has an unknown member, or the gripper contradicts itself.
+Gripper parse_gripper(std::string_view text, const std::string& file);
+Gripper read_gripper(const std::filesystem::path& path);
+
+/// The text that parse_gripper() reads. Throws InputError if a number is not finite.
+std::string format_gripper(const Gripper& gripper);
+
+}  // namespace symscene
