@@ -2,6 +2,7 @@
 
 #include "base64.hpp"
 #include "encoding.hpp"
+#include "grasp_payload.hpp"
 #include "scan_payload.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/viewer/page_surface.hpp"
@@ -148,6 +149,7 @@ json make_payload(const SegmentationResult& result, const PageOptions& options) 
           {"objects", objects(result)},
           {"surface", surface(result, options)},
           {"trajectory", trajectory_payload(options.trajectory)},
+          {"grasps", grasp_payload(options.grasps, result.objects.size())},
           {"timings", list(result.timings)},
           {"funnel", list(result.funnel)},
           {"rejected", list(result.rejected)},

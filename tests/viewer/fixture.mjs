@@ -146,9 +146,43 @@ function refusals(random) {
   });
 }
 
+const MEANINGS = { too_wide: 'too wide for the gripper', table: 'the gripper would hit the table', other_object: 'the gripper would hit another object' };
+const GRIPPER = {
+  name: 'panda', kind: 'parallel', max_opening: 0.08, finger_depth: 0.05, finger_width: 0.02, finger_thickness: 0.026,
+  tip_thickness: 0.014, finger_spacing: 0, palm_size: [0.064, 0.208, 0.092],
+};
+
+/** Grasps of the solids thinner than the gripper opens: from above, and four from the side. */
+function graspsOf(solids, gripper) {
+  const [accepted, rejected] = [[], []];
+  const summaries = solids.map(({ at, size, turn = 0, profile }, object) => {
+    const [width, height] = size ? [Math.min(size[0], size[1]), size[2]]
+      : [2 * Math.max(...profile.map(([r]) => r)), Math.max(...profile.map(([, z]) => z))];
+    const across = !size || size[0] <= size[1] ? turn : turn + Math.PI / 2;
+    const closing = [Math.cos(across), Math.sin(across), 0];
+    const top = { object, position: [...at, height + 0.01], closing, approach: [0, 0, -1], opening: width, source: size ? 'box_face' : 'axis_top' };
+    if (width > gripper.max_opening) {
+      rejected.push({ ...top, quality: 0, reason: 'too_wide', value: width, bound: gripper.max_opening });
+      return { candidates: 7, grasps: 0, rejected: { too_wide: 7 }, reason: 'too_wide' };
+    }
+    accepted.push({ ...top, quality: 0.95 - 0.1 * object });
+    const sides = [0, 1, 2, 3].map((k) => {
+      const approach = [Math.cos((k * Math.PI) / 2), Math.sin((k * Math.PI) / 2), 0];
+      const position = [at[0] - 0.05 * approach[0], at[1] - 0.05 * approach[1], height / 2];
+      return { ...top, position, approach, closing: [-approach[1], approach[0], 0], source: 'axis_side' };
+    });
+    sides.forEach((side, k) => accepted.push({ ...side, quality: 0.5 - 0.1 * k }));
+    sides.forEach((side) => rejected.push({ ...side, position: [...side.position.slice(0, 2), 0.01], quality: 0, reason: 'table', value: -0.004, bound: 0.002 }));
+    return { candidates: 25, grasps: 5, rejected: { table: 14, other_object: 6 }, reason: null };
+  });
+  accepted.sort((a, b) => b.quality - a.quality);
+  return { gripper, accepted, rejected, objects: summaries, meanings: MEANINGS };
+}
+
 /** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain;
- * `scan` adds the surface and the camera's path, `closed` the closed surfaces of the objects. */
-export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false, closed = false } = {}) {
+ * `scan` adds the surface and the camera's path, `closed` the closed surfaces of the objects, `grasps` grasps
+ * of a gripper with the given differences from a parallel one. */
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false, closed = false, grasps = null } = {}) {
   const random = randomNumbers(seed);
   const parts = SOLIDS.map((solid) => thin(solid.kind(solid, cell, random), cell));
   const seen = visibleSamples(parts.flat());
@@ -177,7 +211,7 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
   // Masks may overlap: the carton includes a few points of the can in front of it.
   objects[4].points = [...objects[0].points.slice(0, 8), ...objects[4].points];
   const around = scan ? { surface: scannedSurface(SOLIDS), trajectory: sweep() } : {};
-  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, rejected: refusals(random) });
+  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, grasps: grasps && graspsOf(SOLIDS, { ...GRIPPER, ...grasps }), rejected: refusals(random) });
 }
 
 /** A scan in which nothing was found. */

@@ -4,10 +4,12 @@ import { test } from 'node:test';
 import { NO_POINT, coverage } from '../../viewer/src/coverage.js';
 import { overlaps, placeLabels } from '../../viewer/src/declutter.js';
 import { footprint } from '../../viewer/src/footprint.js';
-import { tableFrame } from '../../viewer/src/frame.js';
+import { gripperParts } from '../../viewer/src/gl/grippers.js';
+import { drawnGrasps, failure, graspOf, graspsOfObject } from '../../viewer/src/grasps.js';
+import { moveToTableFrame, tableFrame } from '../../viewer/src/frame.js';
 import { HIDDEN, REST, pointOwners } from '../../viewer/src/ownership.js';
 import { paintClosed } from '../../viewer/src/painting.js';
-import { inkOn, objectColor } from '../../viewer/src/palette.js';
+import { inkOn, objectColor, qualityColor } from '../../viewer/src/palette.js';
 import { decodePayload } from '../../viewer/src/payload.js';
 import { dot, length } from '../../viewer/src/vector.js';
 import { randomNumbers, tabletop } from './fixture.mjs';
@@ -112,4 +114,58 @@ test('the inferred side of a closed surface is lighter than the observed one', (
     assert.equal(owner, 3);
     assert.equal(sum(shade) > sum(objectColor(3)) + 100, !observed(i));
   });
+});
+
+test('grasps move with the scene into the display frame, and stay perpendicular', () => {
+  const payload = tabletop({ grasps: {} });
+  const before = structuredClone(payload.grasps);
+  const scene = decodePayload(payload);
+  const frame = tableFrame(scene);
+  const { accepted, rejected } = moveToTableFrame(scene).grasps;
+  assert.equal(accepted.length + rejected.length, before.accepted.length + before.rejected.length);
+  accepted.forEach((grasp, i) => {
+    assert.deepEqual(grasp.position, frame.point(before.accepted[i].position));
+    assert.ok(Math.abs(dot(grasp.closing, grasp.approach)) < 1e-9 && Math.abs(length(grasp.approach) - 1) < 1e-9);
+  });
+});
+
+test('the drawn grasps are the best of each visible object, or all of the selected one', () => {
+  const { grasps } = tabletop({ grasps: {} });
+  const state = { grasps: true, visible: new Set([0, 1, 3]), selected: null, grasp: null, hoveredGrasp: null };
+  const objects = (changes) => drawnGrasps(grasps, { ...state, ...changes }).map(([key]) => graspOf(grasps, key).object);
+  assert.deepEqual(objects({}), [0, 3]);
+  assert.deepEqual(objects({ grasps: false }), []);
+  assert.deepEqual(objects({ selected: 3 }), [3, 3, 3, 3, 3]);
+  assert.deepEqual(objects({ selected: 1 }), [], 'it has none');
+  assert.deepEqual(objects({ selected: 5 }), [0, 3], 'a hidden object counts as not selected');
+  const [{ key: rejected }] = graspsOfObject(grasps, 3, 'r');
+  for (const changes of [{ grasp: rejected }, { hoveredGrasp: rejected }]) {
+    assert.deepEqual(drawnGrasps(grasps, { ...state, selected: 3, ...changes }).at(-1), [rejected, 'strong']);
+  }
+  const [{ key: foreign }] = graspsOfObject(grasps, 0, 'a');
+  assert.ok(drawnGrasps(grasps, { ...state, selected: 3, grasp: foreign }).every(([key]) => key !== foreign));
+  for (const key of [null, undefined, '', 'a', 'a999', 'x1']) assert.equal(graspOf(grasps, key), null);
+});
+
+test('a gripper has its pads as far apart as the object is wide, and as many fingers as its kind', () => {
+  const gripper = { kind: 'parallel', max_opening: 0.08, finger_spacing: 0 };
+  const places = (kind, opening) => gripperParts({ ...gripper, kind, finger_spacing: 0.05 }, opening)
+    .filter(({ part }) => part !== 'palm').map(({ at }) => at);
+  assert.deepEqual(places('parallel', 0.06), [[0, 0.03, 0], [0, -0.03, 0]]);
+  assert.deepEqual(places('three_finger', 0.06), [[-0.025, 0.03, 0], [0.025, 0.03, 0], [0, -0.03, 0]]);
+  assert.deepEqual(places('parallel', 0.2), [[0, 0.04, 0], [0, -0.04, 0]], 'never wider than it opens');
+});
+
+test('a failed bound is told with its value, lengths in millimetres', () => {
+  assert.equal(failure({ reason: 'too_wide', value: 0.0921, bound: 0.08 }), '92.1 mm > 80.0 mm');
+  assert.equal(failure({ reason: 'friction', value: 0.9, bound: 0.7 }), '0.900 > 0.700');
+  assert.equal(failure({ reason: 'table', value: null, bound: 0.002 }), '– < 2.0 mm');
+});
+
+test('qualities from 0 to 1 have distinct colours, and others those of the ends', () => {
+  const colors = Array.from({ length: 11 }, (_, i) => qualityColor(i / 10).join());
+  assert.equal(new Set(colors).size, 11);
+  assert.deepEqual(qualityColor(-1), qualityColor(0));
+  assert.deepEqual(qualityColor(2), qualityColor(1));
+  assert.deepEqual(qualityColor(null), qualityColor(0));
 });

@@ -97,6 +97,56 @@ TEST(Payload, HoldsTheWarnings) {
             std::string::npos);
 }
 
+/// A grasp of the object of small_result(), and rejected candidates.
+PageGrasps small_grasps(std::size_t rejected) {
+  PageGrasps grasps;
+  grasps.gripper.name = "two fingers";
+  Grasp grasp;
+  grasp.T_world_tool.translation() << 0.1, 0.0, 0.25;
+  grasp.T_world_tool.linear().diagonal() << 1.0, -1.0, -1.0;
+  grasp.quality = 0.75;
+  grasp.source = GraspSource::rim;
+  grasps.plan.grasps = {grasp};
+  for (std::size_t k = 0; k < rejected; ++k)
+    grasps.plan.rejected.push_back({grasp, GraspRejection::table, -0.01, 0.002});
+  ObjectGraspSummary summary;
+  summary.candidates = rejected + 1;
+  summary.grasps = 1;
+  summary.rejected[static_cast<std::size_t>(GraspRejection::table)] = rejected;
+  grasps.plan.objects = {summary};
+  return grasps;
+}
+
+TEST(Payload, HoldsGraspsWithGripperAndReasons) {
+  const std::string json = page_payload(small_result(), {.grasps = small_grasps(1)});
+  EXPECT_NE(json.find(R"("name":"two fingers")"), std::string::npos);
+  EXPECT_NE(json.find(R"("approach":[0.0,0.0,-1.0],"closing":[0.0,-1.0,0.0])"), std::string::npos);
+  EXPECT_NE(json.find(R"("position":[0.1,0.0,0.25],"quality":0.75,"source":"rim")"),
+            std::string::npos);
+  EXPECT_NE(json.find(R"("reason":"table")"), std::string::npos);
+  EXPECT_NE(json.find(R"("rejected":{"table":1})"), std::string::npos);
+  EXPECT_NE(json.find(R"("table":"the gripper would hit the table")"), std::string::npos);
+  EXPECT_NE(page_payload(small_result()).find(R"("grasps":null)"), std::string::npos);
+}
+
+TEST(Payload, CountsAllRejectedGraspsButHoldsAFewOfEachReason) {
+  const std::string json = page_payload(small_result(), {.grasps = small_grasps(1000)});
+  EXPECT_NE(json.find(R"("rejected":{"table":1000})"), std::string::npos);
+  EXPECT_EQ(occurrences(json, R"("bound":0.002)"), 12U);
+}
+
+TEST(Payload, RefusesGraspsThatAreNotOfTheResult) {
+  PageGrasps foreign = small_grasps(1);
+  foreign.plan.rejected[0].grasp.object = 1;
+  EXPECT_THROW(page_payload(small_result(), {.grasps = foreign}), InputError);
+  PageGrasps more = small_grasps(0);
+  more.plan.objects.emplace_back();
+  EXPECT_THROW(page_payload(small_result(), {.grasps = more}), InputError);
+  PageGrasps broken = small_grasps(0);
+  broken.plan.grasps[0].T_world_tool.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(page_payload(small_result(), {.grasps = broken}), InputError);
+}
+
 TEST(Payload, QuantizesCoordinatesUnlessTheBoxIsLarge) {
   SegmentationResult result = small_result(2);
   EXPECT_NE(page_payload(result).find(R"("data":"AAAAAAAA//8AAAAA")"), std::string::npos);

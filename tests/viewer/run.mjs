@@ -23,7 +23,8 @@ const pages = {};
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
-  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
+  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }),
+    threeFingers: tabletop({ grasps: { kind: 'three_finger', finger_spacing: 0.05, max_opening: 0.16 } }), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
   for (const [name, scene] of Object.entries(scenes)) {
     pages[name] = join(folder, `${name}.html`);
     await writePage(pages[name], scene);
@@ -298,6 +299,101 @@ describe('a result with closed surfaces', () => {
     await page.evaluate('symscene.select(7)');
     assert.match(await page.textContent('.object.selected .details'), /Widthat least 7.0 cm \(an end is hidden\)/);
     assert.deepEqual(await layoutProblems(page), []);
+  });
+});
+
+describe('a result with grasps', () => {
+  const path = () => pages.grasps;
+  const row = (id) => `.object:nth-child(${id + 1})`;
+
+  pageTest('draws the gripper at the best grasp of every visible object', path, WINDOW, async (page) => {
+    assert.equal(await pressed(page, '[data-toggle=grasps]'), 'true');
+    const best = await hook(page, 'grasps');
+    assert.equal(best.length, 4, 'the objects that are thin enough');
+    const shown = await hook(page, 'pixels()');
+    await page.keyboard.press('g');
+    assert.deepEqual(await hook(page, 'grasps'), []);
+    const without = await hook(page, 'pixels()');
+    assert.ok(without.filled < shown.filled, 'grippers stand out above the objects');
+    await page.click('[data-toggle=grasps]');
+    assert.equal((await hook(page, 'pixels()')).hash, shown.hash);
+    await page.click(`${row(0)} .eye`);
+    assert.deepEqual(await hook(page, 'grasps'), best.slice(1));
+  });
+
+  pageTest('lists the grasps of an object, best first, and draws the chosen one', path, WINDOW, async (page) => {
+    await page.click(`${row(0)} .pick`);
+    const list = page.locator(`${row(0)} .object-grasps > .grasps .grasp`);
+    const numbers = (await list.allTextContents()).map((text) => Number(text.slice(0, 4)));
+    assert.deepEqual(numbers, [0.95, 0.5, 0.4, 0.3, 0.2]);
+    assert.equal((await hook(page, 'grasps')).length, 5);
+    const hashes = [(await hook(page, 'pixels()')).hash];
+    for (const k of [1, 4]) {
+      await list.nth(k).click();
+      await page.mouse.move(5, 500);
+      const key = await list.nth(k).getAttribute('data-grasp');
+      assert.equal(await hook(page, 'grasp'), key);
+      assert.equal(await list.nth(k).getAttribute('aria-pressed'), 'true');
+      assert.equal((await hook(page, 'grasps')).at(-1), key, 'the chosen one is drawn last');
+      hashes.push((await hook(page, 'pixels()')).hash);
+    }
+    assert.equal(new Set(hashes).size, 3);
+    await list.nth(4).click();
+    assert.equal(await hook(page, 'grasp'), null);
+    assert.deepEqual(await layoutProblems(page), []);
+  });
+
+  pageTest('shows a rejected grasp with its reason and value', path, WINDOW, async (page) => {
+    await page.click(`${row(0)} .pick`);
+    assert.match(await page.textContent(`${row(0)} .object-grasps`), /Rejected, of 25 candidates.*Table.*14.*Other object.*6/s);
+    await page.click(`${row(0)} .reason:has-text("Table") summary`);
+    const rejected = page.locator(`${row(0)} [data-grasp^=r]`).first();
+    assert.match(await rejected.textContent(), /-4\.0 mm < 2\.0 mm/);
+    assert.ok((await hook(page, 'grasps')).every((key) => key.startsWith('a')));
+    await rejected.click();
+    assert.equal((await hook(page, 'grasps')).at(-1), await rejected.getAttribute('data-grasp'));
+    assert.deepEqual(await layoutProblems(page), []);
+  });
+
+  pageTest('says why an object has no grasp', path, WINDOW, async (page) => {
+    assert.match(await page.textContent(`${row(1)} .name`), /no grasp: too wide for the gripper/);
+    await page.click(`${row(1)} .pick`);
+    assert.deepEqual(await hook(page, 'grasps'), []);
+    assert.match(await page.textContent(`${row(1)} .object-grasps`), /210\.0 mm > 80\.0 mm/);
+  });
+
+  pageTest('counts the rejected candidates of all objects by reason', path, WINDOW, async (page) => {
+    const text = await page.textContent('.grasp-section');
+    assert.match(text, /4 of 8 objects.*Gripper panda, which opens 80 mm: 20 grasps of 128 candidates/s);
+    assert.match(text, /The gripper would hit the table56.*Too wide for the gripper28.*another object24/s);
+  });
+
+  pageTest('takes the chosen grasp from the address', path, WINDOW, async (page) => {
+    assert.equal(await hook(page, 'grasp'), 'r2');
+    assert.notEqual(await hook(page, 'selected'), null);
+    assert.equal((await hook(page, 'grasps')).at(-1), 'r2');
+  }, '#grasp=r2');
+
+  pageTest('can leave the grasps out by the address, and ignores an unknown one', path, WINDOW, async (page) => {
+    assert.deepEqual(await hook(page, 'grasps'), []);
+    assert.equal(await hook(page, 'grasp'), null);
+  }, '#grasps=0&grasp=a999');
+
+  pageTest('has nothing that covers another thing on a phone', path, PHONE, async (page) => {
+    await hook(page, 'select(0)');
+    assert.deepEqual(await layoutProblems(page), []);
+  });
+
+  pageTest('draws three fingers', () => pages.threeFingers, WINDOW, async (page) => {
+    assert.equal((await hook(page, 'grasps')).length, 7);
+    const three = await hook(page, 'pixels()');
+    await page.keyboard.press('g');
+    assert.notEqual((await hook(page, 'pixels()')).hash, three.hash);
+  });
+
+  pageTest('is not offered without grasps', () => pages.tabletop, WINDOW, async (page) => {
+    assert.equal(await page.locator('[data-toggle=grasps], .grasp-section').count(), 0);
+    assert.deepEqual(await hook(page, 'grasps'), []);
   });
 });
 

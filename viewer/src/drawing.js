@@ -1,16 +1,19 @@
 // Draws the layers according to the state: cloud, completed objects, surface, symmetries, camera
-// path, table.
+// path, grippers, table.
 import { coverage } from './coverage.js';
+import { Grippers } from './gl/grippers.js';
 import { Shape } from './gl/shape.js';
 import { Splats, sampleSpacing } from './gl/splats.js';
 import { Surface } from './gl/surface.js';
 import { Symmetries } from './gl/symmetries.js';
 import { createTable } from './gl/table.js';
 import { Trajectory } from './gl/trajectory.js';
+import { drawnGrasps, graspOf } from './grasps.js';
 import { paintClosed, paintCloud, paintCompleted, paintSurface } from './painting.js';
 import { objectColor } from './palette.js';
 
 const RADIUS_OF_SPACING = 1.15;
+const GRASP_KEYS = ['grasps', 'visible', 'selected', 'grasp', 'hoveredGrasp'];
 const TABLE_THICKNESS = 0.004; // of its surface, with noise [m]
 const SCHEMES = {
   light: { paper: [232, 235, 240], outline: [24, 28, 36], ink: [60, 70, 90], path: [52, 60, 76], grid: 0.22, shadow: 0.34 },
@@ -61,6 +64,13 @@ function createTrajectory(scene, stage) {
   return trajectory;
 }
 
+function createGrippers(scene, stage) {
+  if (!scene.grasps) return null;
+  const grippers = new Grippers(scene.grasps);
+  stage.overlay.add(grippers.object);
+  return grippers;
+}
+
 export class Drawing {
   constructor(scene, outlines, stage) {
     this.scene = scene;
@@ -75,6 +85,7 @@ export class Drawing {
     this.shapes = createShapes(scene, stage);
     this.surface = createSurface(scene, spacing, stage);
     this.trajectory = createTrajectory(scene, stage);
+    this.grippers = createGrippers(scene, stage);
     this.table = createTable(scene.cloud.positions);
     this.cell = this.table.cell;
     stage.ground.add(this.table.mesh);
@@ -99,6 +110,7 @@ export class Drawing {
     if (['mode', 'visible', 'rest', 'mesh', 'completed'].some((key) => changed.has(key))) this.#paint(state);
     if (this.surface) this.surface.mesh.object.visible = state.mesh;
     if (this.trajectory) this.trajectory.object.visible = state.path;
+    if (this.grippers && GRASP_KEYS.some((key) => changed.has(key))) this.#showGrasps(state);
     const { paper } = SCHEMES[this.scheme];
     const selected = state.visible.has(state.selected) ? state.selected : null;
     for (const layer of [this.cloud, ...this.completed, this.surface?.mesh]) {
@@ -106,6 +118,11 @@ export class Drawing {
     }
     this.stage.setOutlined(selected !== null || state.hovered !== null);
     this.scene.objects.forEach((object) => this.#updateObject(object, state, selected));
+  }
+
+  #showGrasps(state) {
+    this.drawnGrasps = drawnGrasps(this.scene.grasps, state);
+    this.grippers.show(this.drawnGrasps.map(([key, emphasis]) => [graspOf(this.scene.grasps, key), emphasis]));
   }
 
   #paint(state) {

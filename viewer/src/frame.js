@@ -85,12 +85,24 @@ function moveTrajectory(trajectory, frame) {
   trajectory.cameras = trajectory.cameras.map((camera) => moveCamera(camera, frame));
 }
 
-/** Moves every point, camera and symmetry of the scene into the display frame, in place. */
+const moveGrasp = (grasp, frame) => ({
+  ...grasp,
+  position: frame.point(grasp.position),
+  closing: frame.direction(grasp.closing),
+  approach: frame.direction(grasp.approach),
+});
+
+function moveGrasps(grasps, frame) {
+  for (const list of ['accepted', 'rejected']) grasps[list] = grasps[list].map((grasp) => moveGrasp(grasp, frame));
+}
+
+/** Moves every point, camera, grasp and symmetry of the scene into the display frame, in place. */
 export function moveToTableFrame(scene) {
   const frame = tableFrame(scene);
   moveCloud(scene.cloud, frame);
   for (const object of scene.objects) moveObject(object, frame);
   if (scene.surface) mapTriples(scene.surface.positions, frame.point);
   if (scene.trajectory) moveTrajectory(scene.trajectory, frame);
+  if (scene.grasps) moveGrasps(scene.grasps, frame);
   return scene;
 }

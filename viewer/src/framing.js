@@ -1,6 +1,8 @@
 // Points that a view frames: the objects, their surroundings unless far away, and the camera's path
 // if it is drawn.
 import { outlinePoints } from './gl/symmetries.js';
+import { graspsOfObject } from './grasps.js';
+import { add, scale, subtract } from './vector.js';
 
 const AROUND = 1.5; // times the objects' radius
 const NOTHING = [[-0.3, 0, -0.3], [0.3, 0.2, 0.3]]; // a view of the bare table
@@ -18,6 +20,17 @@ export function framePoints(scene, outlines) {
   const distance = (p) => Math.hypot(...p.map((value, axis) => value - middle[axis]));
   const radius = objects.reduce((most, p) => Math.max(most, distance(p)), 0);
   return objects.concat(cloud.filter((p) => distance(p) < AROUND * radius));
+}
+
+/** The far ends of the palms of the grippers that are drawn first. */
+export function gripperPoints({ grasps, objects }) {
+  if (!grasps) return [];
+  const [, length, height] = grasps.gripper.palm_size;
+  const best = objects.map(({ index }) => graspsOfObject(grasps, index, 'a')[0]).filter(Boolean);
+  return best.flatMap(({ grasp: { position, closing, approach } }) => {
+    const end = subtract(position, scale(approach, height));
+    return [-0.5, 0.5].map((side) => add(end, scale(closing, side * length)));
+  });
 }
 
 /** Positions of cameras, thinned because each framing visits all of them. */

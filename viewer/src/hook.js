@@ -53,6 +53,9 @@ export function createHook(app) {
     get mode() { return store.get().mode; },
     get mesh() { return app.drawing.surface !== null && store.get().mesh; },
     get path() { return app.drawing.trajectory !== null && store.get().path; },
+    /** The keys of the drawn grasps: "a3" is the fourth of all accepted ones. */
+    get grasps() { return (app.drawing.drawnGrasps ?? []).map(([key]) => key); },
+    get grasp() { return store.get().grasp; },
     get frames() { return stage.frames; },
     toggle: (key) => app.actions.toggle(key),
     select: (id) => app.actions.select(indexOf(id)),

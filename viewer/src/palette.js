@@ -25,6 +25,16 @@ export const mix = (a, b, t) => a.map((value, i) => Math.round(value + (b[i] - v
 export const lighter = (color) => mix(color, [255, 255, 255], 0.5);
 export const css = (color) => `rgb(${color.join(', ')})`;
 
+// From poor to good, apart for the common colour deficiencies in lightness too.
+const QUALITY = [[178, 48, 40], [238, 119, 51], [235, 190, 60], [90, 180, 120], [0, 128, 110]];
+
+/** The colour of a quality in [0, 1]. */
+export function qualityColor(quality) {
+  const position = Math.min(1, Math.max(0, Number(quality) || 0)) * (QUALITY.length - 1);
+  const lower = Math.min(Math.floor(position), QUALITY.length - 2);
+  return mix(QUALITY[lower], QUALITY[lower + 1], position - lower);
+}
+
 /** Black or white, whichever reads better on `color`. */
 export function inkOn(color) {
   const [r, g, b] = color.map((value) => (value / 255) ** 2.2);

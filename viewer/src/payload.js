@@ -81,6 +81,7 @@ export function decodePayload(payload) {
     cloud: decodeCloud(payload.cloud),
     objects: payload.objects.map(decodeObject),
     warnings: payload.warnings ?? [],
+    grasps: payload.grasps ?? null,
     surface: payload.surface ? decodeSurface(payload.surface) : null,
     trajectory: payload.trajectory ? { ...payload.trajectory, path: decodePositions(payload.trajectory.path) } : null,
   };

@@ -18,7 +18,7 @@ export function createStore(initial) {
   };
 }
 
-export function initialState({ objects, surface }) {
+export function initialState({ objects, surface, grasps }) {
   return {
     mode: objects.length ? 'blend' : 'scan',
     visible: new Set(objects.map((object) => object.index)),
@@ -31,6 +31,9 @@ export function initialState({ objects, surface }) {
     rest: true,
     mesh: Boolean(surface),
     path: false,
+    grasps: Boolean(grasps),
+    grasp: null, // the key of the chosen one
+    hoveredGrasp: null,
   };
 }
 
@@ -59,6 +62,9 @@ export function createActions(store, objects) {
     toggleCompleted: (index) => store.set({ completed: toggled(state().completed, index) }),
     toggleAllCompleted: () => store.set({ completed: state().completed.size ? new Set() : all() }),
     toggle: (key) => store.set({ [key]: !state()[key] }),
+    toggleGrasp: (key) => store.set({ grasp: state().grasp === key ? null : key, grasps: true }),
+    hoverGrasp: (key) => store.set({ hoveredGrasp: key }),
+    hoverGraspWith: (event, key) => { if (event.pointerType === 'mouse') store.set({ hoveredGrasp: key }); },
     setMode: (mode) => store.set({ mode }),
   };
 }

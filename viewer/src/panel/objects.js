@@ -4,12 +4,20 @@ import * as format from '../format.js';
 import { icon } from '../icons.js';
 import { css, inkOn, objectColor } from '../palette.js';
 import { objectDetails } from './details.js';
+import { createGraspList, graspSummary } from './grasps.js';
 
 export function symmetrySummary({ rotational, reflectional }) {
   const parts = [];
   if (rotational.length) parts.push(rotational.length === 1 ? '1 axis' : `${rotational.length} axes`);
   if (reflectional.length) parts.push(format.plural(reflectional.length, 'plane'));
   return parts.join(' · ') || 'no symmetry';
+}
+
+// Why an object has no grasp takes all the room.
+function summary(object, { grasps }) {
+  if (!grasps) return symmetrySummary(object);
+  const text = graspSummary(grasps, object.index);
+  return grasps.objects[object.index].grasps ? `${symmetrySummary(object)} · ${text}` : text;
 }
 
 const iconButton = (name, title, onclick, extra = '') =>
@@ -22,7 +30,7 @@ function scoreMeter(score) {
     h('span', { class: 'number' }, format.fixed(score, 2)));
 }
 
-function createRow(object, scene, actions, extent) {
+function createRow(object, scene, store, actions, extent) {
   const name = `Object ${object.id}`;
   const { index } = object;
   const eye = iconButton('eye', `Show or hide ${name}`, () => actions.toggleVisible(index), 'eye');
@@ -31,7 +39,7 @@ function createRow(object, scene, actions, extent) {
   if (!object.hasCompletion) completed.disabled = true;
   const select = h('button', { class: 'pick', type: 'button', 'aria-expanded': 'false', onclick: () => actions.toggleSelect(index) },
     h('span', { class: 'badge' }, String(object.id)),
-    h('span', { class: 'name' }, name, h('small', {}, symmetrySummary(object))),
+    h('span', { class: 'name' }, name, h('small', { title: summary(object, scene) }, summary(object, scene))),
     scoreMeter(object.score));
   const details = h('div', { class: 'details', hidden: true });
   const color = objectColor(index);
@@ -40,7 +48,10 @@ function createRow(object, scene, actions, extent) {
     onpointerenter: (event) => actions.hoverWith(event, index), onpointerleave: () => actions.hover(null),
   }, h('div', { class: 'row' }, eye, select, completed, solo), details);
   const open = (isOpen) => {
-    if (isOpen && !details.firstChild) details.append(objectDetails(object, scene, extent));
+    if (isOpen && !details.firstChild) {
+      details.append(objectDetails(object, scene, extent));
+      if (scene.grasps) details.append(createGraspList(object, scene.grasps, store, actions));
+    }
     details.hidden = !isOpen;
   };
   return { object, row, eye, eyeOff: icon('eyeOff'), eyeOn: eye.firstChild, completed, solo, select, open };
@@ -62,7 +73,7 @@ function updateRow(entry, state, actions) {
 }
 
 export function createObjectList(scene, store, actions, extents) {
-  const rows = scene.objects.map((object, i) => createRow(object, scene, actions, extents[i]));
+  const rows = scene.objects.map((object, i) => createRow(object, scene, store, actions, extents[i]));
   const chip = (text, onclick) => h('button', { class: 'chip', type: 'button', onclick }, text);
   const section = h('section', { class: 'objects', 'aria-label': 'Objects' },
     h('div', { class: 'section-head' }, h('h2', {}, 'Objects'),

@@ -2,6 +2,7 @@
 import { h } from '../dom.js';
 import * as format from '../format.js';
 import { KEY_HELP } from '../keyboard.js';
+import { createGraspSection } from './grasps.js';
 import { createObjectList } from './objects.js';
 import { createTimes, totalTime } from './times.js';
 import { createWhy } from './why.js';
@@ -97,6 +98,7 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
         'arrows are axes of rotation. Click an object for details.'),
       createLegend(scene),
       hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
+      createGraspSection(scene),
       createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)));
   return panel;
 }

@@ -4,10 +4,18 @@
 #include <string>
 
 #include "symscene/core/depth_frame.hpp"
+#include "symscene/core/grasp.hpp"
+#include "symscene/core/gripper.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/core/triangle_mesh.hpp"
 
 namespace symscene {
+
+/// Grasps of the objects of a result, and the gripper that they are for.
+struct PageGrasps {
+  Gripper gripper;
+  GraspPlan plan;
+};
 
 struct PageOptions {
   // Every field has an initialiser, so that callers may name only some without a warning.
@@ -17,14 +25,15 @@ struct PageOptions {
   std::optional<Eigen::Vector3d> up = std::nullopt;  ///< without a table; default: the world's z
   TriangleMesh surface = {};   ///< reconstructed surface; page_surface() of it is shown
   Trajectory trajectory = {};  ///< path of the camera
+  std::optional<PageGrasps> grasps = std::nullopt;
 
   void validate() const;  // throws InputError
 };
 
 /// A self-contained HTML page that shows the result; it needs no other file and no network. Titles
 /// and notes are escaped. Throws InputError if a position is not finite, an index is not below the
-/// size of the cloud, `completed` or `surfaces` are neither empty nor one per object, or the cloud
-/// does not lie on the surface.
+/// size of the cloud, `completed` or `surfaces` are neither empty nor one per object, the cloud
+/// does not lie on the surface, or grasps are not those of the result's objects.
 std::string render_page(const SegmentationResult& result, const PageOptions& options = {});
 
 }  // namespace symscene
