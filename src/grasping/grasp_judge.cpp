@@ -11,7 +11,7 @@ namespace symscene {
 namespace {
 
 constexpr float hand_spacing = 0.012F;      // of the points at which space is looked up [m]
-constexpr float greatest_distance = 0.02F;  // that is told from others [m]
+constexpr float greatest_distance = 0.01F;  // that is told from others [m]
 constexpr double gravity = 9.81;            // [m/s²]
 constexpr double steep = radians(60.0);     // approaches up to this tilt retreat backwards
 
@@ -136,12 +136,14 @@ void GraspJudge::judge_torque(Verdict& verdict, const Contacts& contacts) const 
   GraspFeatures& features = verdict.grasp.features;
   const Eigen::Vector3d arm =
       target_.solid.centre_of_mass - verdict.grasp.T_world_tool * contacts.middle();
-  features.lever_arm = arm.cross(target_.up).norm();
+  const Eigen::Vector3d torque = arm.cross(-target_.up);  // per weight
+  features.lever_arm = torque.norm();
   // Two disks of half a finger's width under even pressure hold 2 (2/3) μ F r.
   const double held =
       4.0 / 3.0 * gripper_.friction * gripper_.force * (gripper_.finger_width / 2.0);
   const double weight = options_.bounds.density * target_.solid.volume * gravity;
-  features.torque_ratio = weight * features.lever_arm / held;
+  features.torque_ratio =
+      weight * std::abs(torque.dot(verdict.grasp.T_world_tool.linear().col(1))) / held;
   if (features.torque_ratio > options_.bounds.max_torque_ratio)
     fail(verdict, GraspRejection::torque, features.torque_ratio, options_.bounds.max_torque_ratio);
 }

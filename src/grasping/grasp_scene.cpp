@@ -1,3 +1,4 @@
+#include "symscene/core/neighbors.hpp"
 #include "symscene/core/solid.hpp"
 #include "symscene/grasping/planner.hpp"
 
@@ -14,18 +15,27 @@ GraspObject grasp_object(const SegmentationResult& result, std::size_t i) {
           object.solid};
 }
 
-/// The points of the cloud that belong to no object, 5 mm and more above the table.
+/// The points of all objects.
+Points points_of_objects(const SegmentationResult& result) {
+  PointIndices all;
+  for (const SceneObject& object : result.objects)
+    all.insert(all.end(), object.points.begin(), object.points.end());
+  return select(result.cloud, all).positions;
+}
+
+/// The points of the cloud above the table that neither belong to an object nor lie beside one: the
+/// latter are mostly borders of the object.
 Points other_points(const SegmentationResult& result) {
-  constexpr double least_height = 0.005;
-  std::vector<bool> belongs(result.cloud.size(), false);
-  for (const SceneObject& object : result.objects) {
-    for (const Index i : object.points) belongs[i] = true;
-  }
+  constexpr double least_height = 0.01;
+  constexpr float border = 0.012F;
+  const Points belonging = points_of_objects(result);
+  const CellList objects(belonging, border);
   PointIndices others;
   for (Index i = 0; i < result.cloud.size(); ++i) {
-    const Eigen::Vector3d position = result.cloud.position(i).cast<double>();
-    if (!belongs[i] && (!result.table || result.table->signed_distance(position) > least_height))
-      others.push_back(i);
+    const Eigen::Vector3f position = result.cloud.position(i);
+    const bool is_high =
+        !result.table || result.table->signed_distance(position.cast<double>()) > least_height;
+    if (is_high && objects.nearest(position, border).first == CellList::none) others.push_back(i);
   }
   return select(result.cloud, others).positions;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace symscene {
@@ -11,6 +12,7 @@ namespace {
 constexpr double spacing = 0.003;             // of samples within large triangles [m]
 constexpr double longest_small_edge = 0.007;  // of triangles that their corners stand for [m]
 constexpr float block_edge = 0.03F;           // [m]
+constexpr float merged_edge = 0.004F;         // of cubes whose samples of like normals merge [m]
 
 struct Corners {
   Eigen::Vector3f a, b, c;
@@ -83,6 +85,46 @@ void sort_by_block(std::vector<Sample>& samples) {
   samples = std::move(sorted);
 }
 
+/// Which of ±x, ±y and ±z is nearest to a normal.
+int side_of(const Eigen::Vector3f& normal) {
+  int axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  return 2 * axis + (normal[axis] < 0.0F ? 1 : 0);
+}
+
+/// One sample for those in a cube that face the same way, so that both sides of a wall remain.
+std::vector<Sample> merged(const std::vector<Sample>& samples) {
+  struct Part {
+    std::array<int, 4> key;
+    std::size_t sample;
+    bool operator<(const Part& other) const {
+      return std::tie(key, sample) < std::tie(other.key, other.sample);
+    }
+  };
+  std::vector<Part> parts(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Eigen::Array3i cube = (samples[i].position / merged_edge).array().floor().cast<int>();
+    parts[i] = {{cube.x(), cube.y(), cube.z(), side_of(samples[i].area_vector)}, i};
+  }
+  std::sort(parts.begin(), parts.end());
+  std::vector<Sample> means;
+  for (std::size_t begin = 0, end = 0; begin < parts.size(); begin = end) {
+    Sample sum;
+    float weights = 0.0F;
+    for (; end < parts.size() && parts[end].key == parts[begin].key; ++end) {
+      const Sample& sample = samples[parts[end].sample];
+      const float weight = sample.area_vector.norm();
+      sum.position += weight * sample.position;
+      sum.area_vector += sample.area_vector;
+      sum.observed = sum.observed || sample.observed;
+      weights += weight;
+    }
+    sum.position /= weights;
+    means.push_back(sum);
+  }
+  return means;
+}
+
 PointBlock block_of(const Points& positions, Eigen::Index begin, Eigen::Index end) {
   const auto rows = positions.middleRows(begin, end - begin);
   const Eigen::RowVector3f low = rows.colwise().minCoeff();
@@ -150,7 +192,7 @@ SurfaceSamples surface_samples(const ObjectSurface& surface) {
       append_parts(corners, observed, samples);
   }
   std::erase_if(samples, [](const Sample& sample) { return !(sample.area_vector.norm() > 0.0F); });
-  return as_samples(std::move(samples));
+  return as_samples(merged(samples));
 }
 
 SurfaceSamples surface_samples(const Points& points) {

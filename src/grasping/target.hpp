@@ -15,7 +15,7 @@ struct PointBlock {
   Eigen::Index end = 0;
 };
 
-/// Points of a surface about 3 mm apart, each with the area that it stands for, in blocks.
+/// Points of a surface about 4 mm apart, each with the area that it stands for, in blocks.
 struct SurfaceSamples {
   Points positions;  ///< N×3 [m]
   Points normals;    ///< N×3, outwards; of mere points 0×3
@@ -26,7 +26,7 @@ struct SurfaceSamples {
   Eigen::Index size() const { return positions.rows(); }
 };
 
-/// Vertices of triangles with short edges, and points inside the others. Moves with the surface.
+/// Vertices of triangles with short edges, and points inside the others, merged within 4 mm.
 SurfaceSamples surface_samples(const ObjectSurface& surface);
 
 /// Mere points, in blocks.

@@ -36,8 +36,8 @@ struct GraspFeatures {
   double opening_margin = 0.0;  ///< lesser distance of `opening` from the gripper's bounds [m]
   double lever_arm = 0.0;     ///< horizontal distance of the centre of mass from the middle between
                               ///< the contacts [m]
-  double torque_ratio = 0.0;  ///< torque of the weight at that arm, relative to what the friction
-                              ///< of the pads can hold
+  double torque_ratio = 0.0;  ///< torque of the weight about the closing direction, relative to
+                              ///< what the friction of the pads holds
   double clearance = 0.0;     ///< least distance of the open gripper, on its whole way, from the
                               ///< table, other objects and never-seen space [m]
   double own_clearance = 0.0;  ///< the same of the object itself [m]

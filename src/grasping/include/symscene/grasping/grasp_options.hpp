@@ -21,7 +21,7 @@ struct GraspCandidateOptions {
   double max_tilt = radians(100.0);
   double shallow_overhang = 0.01;
   double deep_overhang = 0.03;
-  double min_overhang = 0.005;
+  double min_overhang = 0.002;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -60,7 +60,7 @@ struct GraspBoundOptions {
   double contact_give = 0.002;
   double min_contact_area = 0.05;
   double density = 500.0;
-  double max_torque_ratio = 2.0;
+  double max_torque_ratio = 3.0;
   double table_clearance = 0.002;
   double object_clearance = 0.002;
   double own_clearance = 0.001;
@@ -78,8 +78,10 @@ struct GraspBoundOptions {
           "least touched area of a pad, relative to the square of the finger's width");
     visit("density", self.density, "kg/m3", at_least(0.0),
           "assumed mean density of objects, for the torque of their weight");
-    visit("max_torque_ratio", self.max_torque_ratio, "", at_least(0.0),
-          "greatest torque of the weight, relative to what the friction of the pads holds");
+    visit(
+        "max_torque_ratio", self.max_torque_ratio, "", at_least(0.0),
+        "greatest torque of the weight about the closing direction, relative to what the friction "
+        "of the pads holds");
     visit("table_clearance", self.table_clearance, "m", at_least(0.0),
           "least distance of the gripper from the table");
     visit("object_clearance", self.object_clearance, "m", any_value(),
