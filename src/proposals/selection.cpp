@@ -124,19 +124,25 @@ double median_size(const Candidates& objects, const Indices& among) {
   return static_cast<double>(median(std::move(sizes)).value_or(0));
 }
 
-/// The independent objects of `among` whose scores exceed `min_score` by the greatest sum; those
-/// that do not exceed it are appended to `unlikely`.
-Indices best_above(double min_score, const Candidates& objects, const Indices& among,
-                   const SelectionOptions& options, Indices& unlikely,
-                   std::vector<Rejection>& rejected) {
+/// Which objects a round selects, and what it maximises.
+struct Round {
+  double min_score;  ///< only objects with a higher score
+  double cost;       ///< the sum of the scores minus the cost of each object is maximised
+};
+
+/// The best independent objects of `among`; those that do not exceed `min_score` are appended to
+/// `unlikely`.
+Indices best_of(const Round& round, const Candidates& objects, const Indices& among,
+                const SelectionOptions& options, Indices& unlikely,
+                std::vector<Rejection>& rejected) {
   Indices likely;
   std::vector<double> weights;
   for (const std::size_t i : among) {
-    if (objects[i].score <= min_score) {
+    if (objects[i].score <= round.min_score) {
       unlikely.push_back(i);
       continue;
     }
-    weights.push_back(objects[i].score - min_score);
+    weights.push_back(objects[i].score - round.cost);
     likely.push_back(i);
   }
   return independent_objects(objects, likely, std::move(weights), options, rejected);
@@ -173,8 +179,8 @@ std::vector<std::size_t> select_probable(const std::vector<SelectionCandidate>& 
                                          const SelectionOptions& options,
                                          std::vector<Rejection>& rejected) {
   Indices unlikely, discarded;
-  Indices selected =
-      best_above(options.min_score, objects, all_of(objects), options, unlikely, rejected);
+  Indices selected = best_of({.min_score = options.min_score, .cost = options.min_score}, objects,
+                             all_of(objects), options, unlikely, rejected);
   const double min_score = options.uncovered_ratio * options.min_score;
   const double min_size = options.uncovered_size * median_size(objects, selected);
   Indices uncovered;
@@ -189,7 +195,9 @@ std::vector<std::size_t> select_probable(const std::vector<SelectionCandidate>& 
       rejected.push_back(rejection_of(object, "score", object.score, options.min_score));
     }
   }
-  const Indices more = best_above(min_score, objects, uncovered, options, discarded, rejected);
+  // A cost per object favours an uncertain union over its uncertain parts.
+  const Indices more = best_of({.min_score = min_score, .cost = 0.0}, objects, uncovered, options,
+                               discarded, rejected);
   selected.insert(selected.end(), more.begin(), more.end());
   return selected;
 }

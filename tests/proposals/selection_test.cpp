@@ -264,6 +264,21 @@ TEST(Probable, ChoosesUncoveredObjectsOfAnySizeWithoutLikelierOnes) {
   EXPECT_EQ(selected[0].points, range(0, 100));
 }
 
+TEST(Probable, UncertainPartsOutweighTheirUncertainUnion) {
+  // With a cost of min_score per object the union would win: 0.38 - 0.2 against 0.04 + 0.03 + 0.01.
+  SelectionOptions options;
+  options.min_score = 0.4;
+  options.uncovered_ratio = 0.5;
+  std::vector<Rejection> rejected;
+  const auto selected = probable({object(range(0, 300), 0.38), object(range(0, 100), 0.24),
+                                  object(range(100, 200), 0.23), object(range(200, 300), 0.21)},
+                                 options, rejected);
+  ASSERT_EQ(selected.size(), 3U);
+  EXPECT_EQ(selected[0].points, range(0, 100));
+  ASSERT_EQ(rejected.size(), 1U);
+  EXPECT_EQ(rejected[0].points.size(), 300U);
+}
+
 TEST(Probable, KeepsTheOrder) {
   std::vector<Rejection> rejected;
   const auto selected = probable({object(range(50, 60), 0.4), object(range(0, 10), 0.9),

@@ -29,11 +29,12 @@ std::vector<std::size_t> select_consistent(const std::vector<SelectionCandidate>
 
 /// Chooses the subset that maximises sum(score - min_score) such that no two members share more
 /// than `max_overlap` of the smaller one's points. This is the greatest expected gain if a wrong
-/// object costs `min_score`. Where this subset leaves points uncovered, less likely objects are
-/// chosen in the same way with a bound of uncovered_ratio * min_score, unless they are fragments
-/// (`uncovered_size`): what stands on a table belongs to some object. The others are rejected with
-/// the reason "score" or "overlap". Returns ascending indices, then those of the less likely
-/// objects.
+/// object costs `min_score`. Where this subset leaves points uncovered, less likely objects above
+/// uncovered_ratio * min_score are chosen in the same way, unless they are fragments
+/// (`uncovered_size`): what stands on a table belongs to some object. They maximise sum(score), as
+/// a cost per object would favour an uncertain union over its uncertain parts. The others are
+/// rejected with the reason "score" or "overlap". Returns ascending indices, then those of the less
+/// likely objects.
 std::vector<std::size_t> select_probable(const std::vector<SelectionCandidate>& objects,
                                          const SelectionOptions& options,
                                          std::vector<Rejection>& rejected);
