@@ -22,7 +22,7 @@ struct Arguments {
   std::string share = "all";
   std::string kind = "packed";
   std::string method = "symscene";
-  std::string table = "none";
+  std::string table = "scale";
   std::string attempts;
   int rounds = 100;
   int first = 0;
@@ -76,6 +76,11 @@ void print_attempt(const ClutterAttempt& a) {
   std::fflush(stdout);
 }
 
+void print_round(const ClutterRound& round) {
+  fmt::print("  {}, {} of {} removed; left: {}; reasons: {}\n", to_string(round.end), round.removed,
+             round.placed, fmt::join(round.left_objects, ", "), fmt::join(round.reasons, ", "));
+}
+
 int run(const Arguments& arguments) {
   if (!has_physics()) {
     fmt::print(stderr, "this build has no physics: libmujoco-dev would add it\n");
@@ -91,8 +96,10 @@ int run(const Arguments& arguments) {
   ClutterObserver observer;
   if (arguments.verbose) observer.after = print_attempt;
   std::vector<ClutterRound> rounds;
-  for (int round = arguments.first; round < arguments.first + arguments.rounds; ++round)
+  for (int round = arguments.first; round < arguments.first + arguments.rounds; ++round) {
     rounds.push_back(run_clutter_round(objects, arguments.options, round, observer));
+    if (arguments.verbose) print_round(rounds.back());
+  }
   fmt::print("{}", format_clutter_report(rounds));
   if (!arguments.attempts.empty())
     write_file_atomically(arguments.attempts, format_attempts_csv(rounds));

@@ -126,6 +126,8 @@ ClutterRound run_clutter_round(std::span<const ClutterObject> objects,
     Random random(options.seed, static_cast<std::uint64_t>(round));
     ClutterWorld world(objects, options.kind, options.objects, next_seed(random), options.physics);
     play(world, options, round, random, observer, result);
+    for (const std::size_t item : world.present())
+      result.left_objects.push_back(world.object(item).name);
   } catch (const PhysicsDiverged&) {
     result.end = RoundEnd::diverged;
   }

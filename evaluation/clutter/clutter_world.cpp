@@ -87,7 +87,7 @@ ClutterWorld::ClutterWorld(std::span<const ClutterObject> objects, ClutterKind k
   std::vector<WeighedBody> bodies;
   for (std::size_t i = 0; i < items_.size(); ++i)
     bodies.push_back({&parts_[i], objects[items_[i].object].mass});
-  world_.emplace(bodies, panda_hand_shape(), tray(), options);
+  world_.emplace(bodies, panda_parallel_hand(), tray(), options);
   is_pile ? drop_into_tray() : set_upright(count);
 }
 

@@ -115,7 +115,7 @@ std::vector<Grasp> random_antipodal_grasps(const ClutterWorld& world, const Grip
   constexpr int attempts = 2000;
   for (int k = 0; k < attempts && grasps.size() < proposals; ++k) {
     const Index i = random.below(static_cast<std::uint32_t>(surface.size()));
-    const Eigen::Vector3d closing = -surface.normal(i).cast<double>();
+    const Eigen::Vector3d closing = -surface.normal(i).cast<double>().normalized();
     const std::optional<Index> other = opposite_point(surface, i, closing, gripper.max_opening);
     if (!other) continue;
     const Eigen::Vector3d a = surface.position(i).cast<double>();

@@ -17,7 +17,7 @@ std::vector<TriangleMesh> present_surfaces(const ClutterWorld& world);
 /// from a random direction.
 std::vector<Grasp> random_grasps(const ClutterWorld& world, const Gripper& gripper, Random random);
 
-/// Grasps across two opposite points of a surface whose normals lie in the friction cone, by
+/// Grasps across two opposite points of a surface whose normals lie within 20 degrees of it, by
 /// uniformly distributed points and directions of approach from above or the side. Nothing is said
 /// of collisions.
 std::vector<Grasp> random_antipodal_grasps(const ClutterWorld& world, const Gripper& gripper,

@@ -70,7 +70,7 @@ std::string describe_fixed(std::span<const FixedBox> fixed, const std::string& f
 
 /// A finger as a child of the palm. While it moves freely its damping balances its force.
 std::string describe_finger(const char* name, double side, const ConvexParts& parts,
-                            const HandShape& hand, const GraspWorldOptions& options) {
+                            const ParallelHand& hand, const GraspWorldOptions& options) {
   return fmt::format(
       "<body name=\"{0}\"><joint name=\"{0}\" type=\"slide\" axis=\"0 {1} 0\" limited=\"true\" "
       "range=\"0 {2}\" damping=\"{3}\"/>{4}</body>\n",
@@ -82,7 +82,7 @@ std::string describe_finger(const char* name, double side, const ConvexParts& pa
 
 /// The carriage slides along the axes of the world; the palm's orientation in it is set when the
 /// hand is put.
-std::string describe_hand(const HandShape& hand, const GraspWorldOptions& options) {
+std::string describe_hand(const ParallelHand& hand, const GraspWorldOptions& options) {
   const double mass = hand.palm_mass + 2.0 * hand.finger_mass;
   const double damping = 2.0 * std::sqrt(options.hand_stiffness * mass);  // critical
   std::string text =
@@ -102,7 +102,7 @@ std::string describe_hand(const HandShape& hand, const GraspWorldOptions& option
   return text + "</body></body>\n";
 }
 
-std::string describe_forces(const HandShape& hand, const GraspWorldOptions& options) {
+std::string describe_forces(const ParallelHand& hand, const GraspWorldOptions& options) {
   std::string text =
       "<equality><joint joint1=\"left\" joint2=\"right\" solref=\"0.01 1\"/></equality>\n"
       "<actuator>\n";
@@ -117,7 +117,7 @@ std::string describe_forces(const HandShape& hand, const GraspWorldOptions& opti
   return text + "</actuator>\n";
 }
 
-std::string describe_world(std::span<const WeighedBody> bodies, const HandShape& hand,
+std::string describe_world(std::span<const WeighedBody> bodies, const ParallelHand& hand,
                            std::span<const FixedBox> fixed, const GraspWorldOptions& options) {
   std::string text = describe_options(options) + "<asset>\n";
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -144,7 +144,7 @@ void weigh(mjModel& model, int body, double mass) {
 }  // namespace
 
 struct GraspWorld::Implementation : MujocoWorld {
-  HandShape hand;
+  ParallelHand hand;
   bool hand_is_there = false;
 
   int carriage() const { return static_cast<int>(is_there.size()) + 1; }
@@ -203,7 +203,7 @@ struct GraspWorld::Implementation : MujocoWorld {
   }
 };
 
-GraspWorld::GraspWorld(std::span<const WeighedBody> bodies, const HandShape& hand,
+GraspWorld::GraspWorld(std::span<const WeighedBody> bodies, const ParallelHand& hand,
                        std::span<const FixedBox> fixed, const GraspWorldOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
   options.validate();
@@ -323,7 +323,7 @@ void GraspWorld::advance(double seconds) {
 namespace symscene {
 
 struct GraspWorld::Implementation {};
-GraspWorld::GraspWorld(std::span<const WeighedBody>, const HandShape&, std::span<const FixedBox>,
+GraspWorld::GraspWorld(std::span<const WeighedBody>, const ParallelHand&, std::span<const FixedBox>,
                        const GraspWorldOptions&) {
   throw InputError("this build of SymScene",
                    "physics (the package libmujoco-dev, then configure and build again)", "none");

@@ -32,7 +32,7 @@ class GraspExecutionTest : public ::testing::Test {
   GraspOutcome grasp_cube(const Eigen::Isometry3d& T_table_tool, double mass = 0.1) {
     const ClutterObject cube = box_object("cube", {edge, edge, edge});
     const std::vector<WeighedBody> bodies{{&cube.parts, mass}};
-    world_.emplace(bodies, panda_hand_shape());
+    world_.emplace(bodies, panda_parallel_hand());
     world_->put(0, Eigen::Isometry3d(Eigen::Translation3d(0, 0, 0.5 * edge)));
     world_->advance(0.3);
     return execute_grasp(*world_, T_table_tool);

@@ -41,7 +41,7 @@ class GraspWorldTest : public ::testing::Test {
   /// A cube at rest on the table.
   GraspWorld world_with_cube(double mass = 0.2) const {
     const std::vector<WeighedBody> bodies{{&cube_, mass}};
-    GraspWorld world(bodies, panda_hand_shape());
+    GraspWorld world(bodies, panda_parallel_hand());
     world.put(0, at(0, 0, 0.5 * cube_edge));
     world.advance(0.5);
     return world;
@@ -122,7 +122,7 @@ TEST_F(GraspWorldTest, TheHandTouchesTheTableAndBodies) {
 TEST_F(GraspWorldTest, FixedBoxesAreThereWhileTheyAreShown) {
   const std::vector<WeighedBody> bodies{{&cube_, 0.2}};
   const std::vector<FixedBox> fixed{{{-0.1, -0.1, 0.0}, {0.1, 0.1, 0.1}}};
-  GraspWorld world(bodies, panda_hand_shape(), fixed);
+  GraspWorld world(bodies, panda_parallel_hand(), fixed);
   world.put(0, at(0, 0, 0.15));
   world.show_fixed(true);
   world.advance(1.0);
@@ -134,7 +134,7 @@ TEST_F(GraspWorldTest, FixedBoxesAreThereWhileTheyAreShown) {
 
 TEST_F(GraspWorldTest, ABodyTouchesWhatItPenetrates) {
   const std::vector<WeighedBody> bodies{{&cube_, 0.2}, {&cube_, 0.2}};
-  GraspWorld world(bodies, panda_hand_shape());
+  GraspWorld world(bodies, panda_parallel_hand());
   world.put(0, at(0, 0, 0.1));
   EXPECT_FALSE(world.touches(0));
   world.put(1, at(0.03, 0, 0.1));
@@ -159,8 +159,8 @@ TEST_F(GraspWorldTest, TheSameCallsGiveTheSamePosesToTheLastBit) {
 
 TEST_F(GraspWorldTest, RefusesWhatCannotBe) {
   const std::vector<WeighedBody> weightless{{&cube_, 0.0}};
-  EXPECT_THROW(GraspWorld(weightless, panda_hand_shape()), InputError);
-  HandShape hand = panda_hand_shape();
+  EXPECT_THROW(GraspWorld(weightless, panda_parallel_hand()), InputError);
+  ParallelHand hand = panda_parallel_hand();
   hand.max_opening = 0.0;
   const std::vector<WeighedBody> bodies{{&cube_, 0.1}};
   EXPECT_THROW(GraspWorld(bodies, hand), InputError);

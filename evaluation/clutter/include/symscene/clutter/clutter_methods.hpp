@@ -44,7 +44,7 @@ const char* to_string(TableKnowledge knowledge);
 TableKnowledge parse_table_knowledge(const std::string& text);
 
 struct ClutterMethodOptions {
-  TableKnowledge table = TableKnowledge::none;
+  TableKnowledge table = TableKnowledge::scale;
   ViewSceneOptions view;                 ///< of one view
   ReconstructionOptions reconstruction;  ///< of several views
   PipelineOptions pipeline;

@@ -53,6 +53,7 @@ struct ClutterRound {
   int removed = 0;
   int left = 0;  ///< objects at the end; others fell off the table
   RoundEnd end = RoundEnd::cleared;
+  std::vector<std::string> left_objects;  ///< their names
   std::vector<std::string> reasons;  ///< why objects have no grasp, where no grasp ended the round
   std::size_t outside = 0;  ///< grasps outside the grasp volume, where no grasp ended the round
   std::vector<ClutterAttempt> attempts;

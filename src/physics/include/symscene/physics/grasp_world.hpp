@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "symscene/core/options.hpp"
-#include "symscene/physics/hand_shape.hpp"
+#include "symscene/physics/parallel_hand.hpp"
 
 namespace symscene {
 
@@ -70,7 +70,7 @@ class GraspWorld {
  public:
   /// Copies what it is given. Throws InputError if an option or a mass is out of its range, the
   /// bodies cannot be simulated, or this build has no physics.
-  GraspWorld(std::span<const WeighedBody> bodies, const HandShape& hand,
+  GraspWorld(std::span<const WeighedBody> bodies, const ParallelHand& hand,
              std::span<const FixedBox> fixed = {}, const GraspWorldOptions& options = {});
   ~GraspWorld();
   GraspWorld(GraspWorld&&) noexcept;

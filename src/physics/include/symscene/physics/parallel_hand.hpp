@@ -7,7 +7,7 @@ namespace symscene {
 /// A parallel hand as the physics sees it. Tool frame: the origin lies midway between the open
 /// fingers where they leave the palm, z points to the fingertips, y is the direction in which the
 /// fingers close.
-struct HandShape {
+struct ParallelHand {
   ConvexParts palm;    ///< in the tool frame [m]
   ConvexParts finger;  ///< of the closed hand, the one that opens along +y, in the tool frame [m].
                        ///< The other is turned by half a turn about z
@@ -24,6 +24,6 @@ struct HandShape {
 /// The hand of Franka Emika's Panda as the clutter-removal benchmark of VGN has it: the hulls of
 /// its collision shapes, the tool frame 62 mm along z from the frame of the hand, fingertips 50 mm
 /// beyond it.
-HandShape panda_hand_shape();
+ParallelHand panda_parallel_hand();
 
 }  // namespace symscene

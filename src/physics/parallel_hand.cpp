@@ -1,4 +1,4 @@
-#include "symscene/physics/hand_shape.hpp"
+#include "symscene/physics/parallel_hand.hpp"
 
 #include <array>
 #include <span>
@@ -23,7 +23,7 @@ Points hull(std::span<const std::array<float, 3>> corners, float height) {
 
 }  // namespace
 
-void HandShape::validate() const {
+void ParallelHand::validate() const {
   require_option(!palm.empty(), "palm", "at least one part", 0.0);
   require_option(!finger.empty(), "finger", "at least one part", 0.0);
   require_option(max_opening > 0.0, "max_opening", "more than 0", max_opening);
@@ -33,7 +33,7 @@ void HandShape::validate() const {
   require_option(speed > 0.0, "speed", "more than 0", speed);
 }
 
-HandShape panda_hand_shape() {
+ParallelHand panda_parallel_hand() {
   // Corners of the collision meshes, without those that change their hulls by less than 2 mm.
   constexpr std::array<std::array<float, 3>, 22> palm{{
       {-0.0170F, -0.0920F, 0.0640F}, {0.0170F, -0.0920F, 0.0640F},  {0.0170F, 0.0920F, 0.0640F},
