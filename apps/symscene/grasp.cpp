@@ -1,18 +1,17 @@
 #include <memory>
-#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "commands.hpp"
 #include "grasp_table.hpp"
+#include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
+#include "result_page.hpp"
 #include "segment_input.hpp"
 #include "session.hpp"
-#include "symscene/grasping/gripper.hpp"
 #include "symscene/grasping/planner.hpp"
 #include "symscene/io/grasps.hpp"
-#include "symscene/io/gripper.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
@@ -22,69 +21,91 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A built-in gripper, or one of a file.
-Gripper chosen_gripper(const std::string& choice) {
-  if (fs::path(choice).extension() == ".json") return read_gripper(choice);
-  return named_gripper(choice);
-}
+/// Segmented objects, as the planner and as the page sees them.
+struct SegmentedInput {
+  GraspScene scene;
+  SegmentationResult result;
+  Surroundings around;  ///< empty without a page
+};
 
 struct GraspCommand {
   SharedOptions shared;
   GraspOptions options;
   SegmentSource source;
-  fs::path scene;
-  std::string gripper = "panda";
+  fs::path scene, page;
+  GripperChoice gripper;
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
   bool input_is_result() const { return fs::exists(source.path / "objects.json"); }
 
   /// The objects of a result, with the free space of its scene if that is given.
-  GraspScene of_result(StageTimer& timer, Session& session) const {
+  SegmentedInput of_result(StageTimer& timer, Session& session) const {
     return timer.time("read", [&] {
-      const SegmentationResult result = read_result(source.path);
-      if (!scene.empty()) {
+      SegmentedInput input;
+      input.result = read_result(source.path);
+      if (!page.empty()) input.around = read_result_surroundings(source.path);
+      if (scene.empty()) {
+        session.warn(
+            fmt::format("{}: a result holds no occupancy, so that space which was never "
+                        "seen counts as free; --scene names its scene",
+                        source.path.string()));
+        input.scene = grasp_scene(input.result, nullptr, options);
+      } else {
         const Scene around = read_scene(scene);
-        return grasp_scene(result, &around, options);
+        input.scene = grasp_scene(input.result, &around, options);
       }
-      session.warn(
-          fmt::format("{}: a result holds no occupancy, so that space which was never "
-                      "seen counts as free; --scene names its scene",
-                      source.path.string()));
-      return grasp_scene(result, nullptr, options);
+      return input;
     });
   }
 
   /// The objects that segmentation with default options finds.
-  GraspScene of_scene(StageTimer& timer, Session& session) const {
+  SegmentedInput of_scene(StageTimer& timer, Session& session) const {
     if (!scene.empty()) throw InputError("--scene", "a result folder as input", "a scene");
-    const SegmentInput input =
-        timer.time("read", [&] { return source.read(SegmentOptions{}, session); });
-    const SegmentationResult result = timer.time(
-        "segment", [&] { return naming(source.path, [&] { return segment_scene(input.scene); }); });
-    session.warn(std::span(result.warnings).subspan(input.scene.warnings.size()));
-    return grasp_scene(result, &input.scene, options);
+    SegmentInput read = timer.time("read", [&] { return source.read(SegmentOptions{}, session); });
+    SegmentedInput input;
+    input.result = timer.time(
+        "segment", [&] { return naming(source.path, [&] { return segment_scene(read.scene); }); });
+    session.warn(std::span(input.result.warnings).subspan(read.scene.warnings.size()));
+    input.scene = grasp_scene(input.result, &read.scene, options);
+    if (!page.empty()) {
+      input.around = {surface_around(read.surface, input.result, source.path, session),
+                      std::move(read.trajectory)};
+    }
+    return input;
+  }
+
+  void check_outputs() const {
+    require_not_input(shared.output, source.path);
+    if (!scene.empty()) require_not_input(shared.output, scene);
+    if (page.empty()) return;
+    require_not_input(page, source.path);
+    require_not_input(page, shared.output);
+    if (!scene.empty()) require_not_input(page, scene);
   }
 
   void run() {
     configure();
-    require_not_input(shared.output, source.path);
-    if (!scene.empty()) require_not_input(shared.output, scene);
-    const Gripper hand = chosen_gripper(gripper);  // before the work
+    check_outputs();
+    const Gripper hand = gripper.gripper();  // before the work
     Session session("grasp", shared);
     StageTimer timer(session.on_begin());
-    const GraspScene input =
-        input_is_result() ? of_result(timer, session) : of_scene(timer, session);
-    GraspPlan plan = plan_grasps(input, hand, options);
-    std::vector<StageTime> times = timer.stages();
-    times.insert(times.end(), plan.timings.begin(), plan.timings.end());
-    write_file_atomically(shared.output, format_grasps_json(plan, hand));
+    SegmentedInput input = input_is_result() ? of_result(timer, session) : of_scene(timer, session);
+    const GraspPlan plan = plan_grasps(input.scene, hand, options);
+    for (const StageTime& stage : plan.timings) timer.add(stage.stage, stage.seconds);
+    timer.time("write", [&] {
+      write_file_atomically(shared.output, format_grasps_json(plan, hand));
+      if (!page.empty()) {
+        write_result_page(page, source.path, input.result, std::move(input.around),
+                          PageGrasps{hand, plan});
+      }
+    });
     session.print_line(format_grasps(plan));
     session.finish({{"output", shared.output},
                     {"objects", plan.objects.size()},
                     {"grasps", plan.grasps.size()},
                     {"graspable", graspable_objects(plan)}},
-                   times);
+                   timer.stages());
   }
 };
 
@@ -99,11 +120,10 @@ void add_grasp(CommandLine& line) {
                   "scene folder, depth image, folder with one frame, or cloud, which is segmented "
                   "first; or result folder");
   arguments.required_output(state->shared, "JSON file to write");
-  arguments.text("--gripper", state->gripper,
-                 fmt::format("{}, or a JSON file that describes a gripper (default panda)",
-                             fmt::join(gripper_names(), ", ")));
+  state->gripper.add_to(arguments);
   arguments.folder("--scene", state->scene,
                    "scene folder of a result: what was never seen counts as occupied");
+  arguments.file("--page", state->page, "also write a page that shows the grasps");
   arguments.sequence_options(state->source.sequence);
   state->source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
   state->source.sensor.add_to(arguments);

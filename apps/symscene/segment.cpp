@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "io/atomic_file.hpp"
 #include "mask_images.hpp"
+#include "result_page.hpp"
 #include "results.hpp"
 #include "score_models.hpp"
 #include "segment_input.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/pipeline/pipeline.hpp"
-#include "symscene/viewer/page.hpp"
-#include "symscene/viewer/page_surface.hpp"
 
 namespace symscene::app {
 namespace {
@@ -64,13 +62,7 @@ struct Segment {
     if (around.surface.triangles.rows() != 0) extras.surface = &around.surface;
     if (!around.trajectory.empty()) extras.trajectory = &around.trajectory;
     write_result(absolute(shared.output), result, extras);
-    if (page.empty()) return;
-    PageOptions page_options;
-    page_options.title = folder_name(source.path);
-    page_options.table = result.table;
-    page_options.surface = std::move(around.surface);
-    page_options.trajectory = std::move(around.trajectory);
-    write_file_atomically(page, render_page(result, page_options));
+    if (!page.empty()) write_result_page(page, source.path, result, std::move(around));
   }
 
   void require_frame(const SegmentInput& input) const {
@@ -97,18 +89,6 @@ struct Segment {
     return nothing;
   }
 
-  /// The part of the surface around the objects; empty, with a warning, if it does not belong here.
-  TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResult& result,
-                              Session& session) const {
-    if (surface.vertices.rows() == 0 || result.cloud.empty()) return {};
-    try {
-      return naming(source.path / "mesh.ply", [&] { return page_surface(surface, result); });
-    } catch (const InputError& error) {
-      session.warn(fmt::format("{}; it is left out", error.what()));
-      return {};
-    }
-  }
-
   void run() {
     configure();
     source.table.table();  // before the work
@@ -121,8 +101,8 @@ struct Segment {
     session.warn(std::span(result.warnings).subspan(input.scene.warnings.size()));
     result.timings.insert(result.timings.begin(), input.stages.begin(), input.stages.end());
     session.on_begin()("write");
-    write_outputs(result,
-                  {surface_around(input.surface, result, session), std::move(input.trajectory)});
+    write_outputs(result, {surface_around(input.surface, result, source.path, session),
+                           std::move(input.trajectory)});
     write_masks(input, result);
     session.print_line(format_objects(result));
     std::vector<ReportMember> members{{"output", shared.output},

@@ -76,10 +76,6 @@ void add_end_grasps(const BoundingCylinder& cylinder, const Eigen::Vector3d& out
   }
 }
 
-CylinderBox swept_box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance) {
-  return {low - distance * Eigen::Vector3d::UnitZ(), high};
-}
-
 }  // namespace
 
 std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylinder,
@@ -92,48 +88,22 @@ std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylin
   return candidates;
 }
 
-std::vector<CylinderBox> swept_boxes(const Gripper& gripper) {
-  const double way = gripper.approach_distance;
-  const Eigen::Vector3d half_palm(0.5 * gripper.palm_size.x(), 0.5 * gripper.palm_size.y(), 0.0);
-  std::vector<CylinderBox> boxes{
-      swept_box(-half_palm - gripper.palm_size.z() * Eigen::Vector3d::UnitZ(), half_palm, way)};
-  const double inner = 0.5 * gripper.max_opening, outer = inner + gripper.finger_thickness;
-  const double half_width = 0.5 * gripper.finger_width;
-  const auto add_finger = [&](double x, double y_low, double y_high) {
-    boxes.push_back(swept_box({x - half_width, y_low, 0.0},
-                              {x + half_width, y_high, gripper.finger_depth}, way));
-  };
-  add_finger(-0.5 * gripper.finger_spacing, inner, outer);
-  if (gripper.kind == GripperKind::three_finger)
-    add_finger(0.5 * gripper.finger_spacing, inner, outer);
-  add_finger(0.0, -outer, -inner);
+std::vector<HandBox> swept_hand(const Gripper& gripper) {
+  const HandShape hand = hand_shape(gripper, gripper.max_opening, gripper.approach_distance);
+  std::vector<HandBox> boxes = hand.palm;
+  boxes.insert(boxes.end(), hand.fingers.begin(), hand.fingers.end());
   return boxes;
 }
 
-double height_above(const Plane& plane, const Eigen::Isometry3d& T_world_tool,
-                    std::span<const CylinderBox> boxes) {
-  const Eigen::Vector3d up_tool = T_world_tool.linear().transpose() * plane.normal;
-  double least = std::numeric_limits<double>::infinity();
-  for (const CylinderBox& box : boxes) {
-    const double lowest = up_tool.dot(box.center()) - 0.5 * up_tool.cwiseAbs().dot(box.sizes());
-    least = std::min(least, plane.signed_distance(T_world_tool.translation()) + lowest);
-  }
-  return least;
-}
-
 double depth_of_points(const Points& points_world, const Eigen::Isometry3d& T_world_tool,
-                       std::span<const CylinderBox> boxes) {
+                       std::span<const HandBox> boxes) {
   const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
-  double deepest = 0.0;
+  float least = 0.0F;
   for (Eigen::Index i = 0; i < points_world.rows(); ++i) {
-    const Eigen::Vector3d point =
-        (T_tool_world * Eigen::Vector3f(points_world.row(i).transpose())).cast<double>();
-    for (const CylinderBox& box : boxes) {
-      const double depth = std::min((point - box.min()).minCoeff(), (box.max() - point).minCoeff());
-      deepest = std::max(deepest, depth);
-    }
+    const Eigen::Vector3f point = T_tool_world * Eigen::Vector3f(points_world.row(i).transpose());
+    for (const HandBox& box : boxes) least = std::min(least, box.distance(point));
   }
-  return deepest;
+  return -double{least};
 }
 
 }  // namespace symscene

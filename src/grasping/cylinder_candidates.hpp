@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "hand_shape.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 
 namespace symscene {
@@ -20,19 +21,11 @@ std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylin
                                                    const Gripper& gripper,
                                                    const CylinderGraspOptions& options);
 
-/// A box in the tool frame.
-using CylinderBox = Eigen::AlignedBox3d;
-
-/// The boxes that the palm and the fingers of the open gripper pass through on their straight way
-/// to the grasp. Fingers are as thick as at the palm.
-std::vector<CylinderBox> swept_boxes(const Gripper& gripper);
-
-/// The least signed distance of the boxes from the plane. [m]
-double height_above(const Plane& plane, const Eigen::Isometry3d& T_world_tool,
-                    std::span<const CylinderBox> boxes);
+/// The boxes that the open gripper sweeps on its straight way to the grasp, in the tool frame.
+std::vector<HandBox> swept_hand(const Gripper& gripper);
 
 /// The greatest depth of a point in a box, from its nearest face; 0 if none is inside. [m]
 double depth_of_points(const Points& points_world, const Eigen::Isometry3d& T_world_tool,
-                       std::span<const CylinderBox> boxes);
+                       std::span<const HandBox> boxes);
 
 }  // namespace symscene

@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "cylinder_candidates.hpp"
+#include "hand_collision.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 
 namespace symscene {
@@ -46,10 +47,10 @@ class Surroundings {
     }
   }
 
-  std::optional<Refusal> refusal(const Grasp& grasp, std::span<const CylinderBox> swept,
+  std::optional<Refusal> refusal(const Grasp& grasp, std::span<const HandBox> swept,
                                  const CylinderGraspOptions& options) const {
     if (table_) {
-      const double height = height_above(*table_, grasp.T_world_tool, swept);
+      const double height = height_over(*table_, grasp.T_world_tool, swept);
       if (height < options.table_clearance)
         return Refusal{GraspRejection::table, height, options.table_clearance};
     }
@@ -86,7 +87,7 @@ ClusterGrasps grasps_of(const CylinderScene& scene, std::size_t id, const Grippe
   const BoundingCylinder& cylinder = *cluster.cylinder;
   const Eigen::Vector3d up = scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ();
   const Surroundings around(scene, cluster.points);
-  const std::vector<CylinderBox> swept = swept_boxes(gripper);
+  const std::vector<HandBox> swept = swept_hand(gripper);
   const std::optional<Refusal> unfit = misfit(cylinder, gripper, options);
   for (const CylinderCandidate& candidate : cylinder_candidates(cylinder, gripper, options)) {
     const Grasp grasp{.object = static_cast<int>(id),
@@ -120,7 +121,7 @@ ObjectGraspSummary summary_of(const ClusterGrasps& cluster) {
   for (const RejectedGrasp& rejected : cluster.rejected)
     ++summary.rejected[static_cast<std::size_t>(rejected.reason)];
   if (summary.candidates == 0) {
-    summary.reason = GraspRejection::no_surface;
+    summary.reason = GraspRejection::no_axis;
   } else if (summary.grasps == 0) {
     summary.reason = main_reason(summary);
   }

@@ -7,7 +7,7 @@ namespace {
 TEST_F(Command, HelpsWithAnExampleForEverySubcommand) {
   EXPECT_NE(run("--help").out.find("segment"), std::string::npos);
   for (const char* command : {"simulate", "dataset", "reconstruct", "stitch", "segment", "symmetry",
-                              "evaluate", "masks", "view", "info", "options"}) {
+                              "evaluate", "masks", "cylinders", "view", "info", "options"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_EQ(help.err, "") << command;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "grasping/cylinder_candidates.hpp"
+#include "grasping/hand_collision.hpp"
 #include "surfaces.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
@@ -180,10 +181,11 @@ TEST(CylinderGrasps, StayAboveTheTable) {
   const BoundingCylinder cylinder{{0.0, 0.0, 0.05}, Eigen::Vector3d::UnitZ(), 0.03, 0.1};
   const Gripper panda = panda_hand();
   const GraspPlan plan = cylinder_grasps(known_cylinder(cylinder, Plane{}), panda);
-  const std::vector<ToolBox> boxes = swept_boxes(panda);
+  const std::vector<HandBox> boxes = swept_hand(panda);
   ASSERT_FALSE(plan.grasps.empty());
   for (const Grasp& grasp : plan.grasps)
-    EXPECT_GE(height_above(Plane{}, grasp.T_world_tool, boxes), 0.002);
+    EXPECT_GE(height_over(Plane{}, grasp.T_world_tool, boxes),
+              CylinderGraspOptions{}.table_clearance);
   EXPECT_GT(count_of(plan, 0, GraspRejection::table), 0U);
   for (const RejectedGrasp& rejected : plan.rejected) EXPECT_LT(rejected.value, rejected.bound);
   // Without a table the same cylinder has more, also from below.
@@ -197,7 +199,7 @@ TEST(CylinderGrasps, MissThePointsOfOtherClusters) {
   ASSERT_EQ(cylinders.clusters.size(), 2U);
   const Gripper panda = panda_hand();
   const GraspPlan plan = cylinder_grasps(cylinders, panda);
-  const std::vector<ToolBox> boxes = swept_boxes(panda);
+  const std::vector<HandBox> boxes = swept_hand(panda);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_GT(plan.objects.at(i).grasps, 0U);
     EXPECT_GT(count_of(plan, i, GraspRejection::other_object), 0U);
@@ -245,7 +247,7 @@ TEST(CylinderGrasps, GiveNoneForAClusterWithoutACylinder) {
   EXPECT_TRUE(plan.grasps.empty());
   ASSERT_EQ(plan.objects.size(), 1U);
   EXPECT_EQ(plan.objects[0].candidates, 0U);
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::no_surface);
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::no_axis);
 }
 
 TEST(CylinderGrasps, RefuseAnInvalidGripperAndInvalidOptions) {

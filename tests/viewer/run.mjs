@@ -356,9 +356,10 @@ describe('a result with grasps', () => {
   });
 
   pageTest('says why an object has no grasp', path, WINDOW, async (page) => {
-    assert.match(await page.textContent(`${row(1)} .name`), /no grasp: too wide for the gripper/);
+    assert.match(await page.textContent(`${row(1)} .name`), /no grasp: too wide$/);
     await page.click(`${row(1)} .pick`);
     assert.deepEqual(await hook(page, 'grasps'), []);
+    assert.match(await page.textContent(`${row(1)} .object-grasps h3`), /No grasp: too wide for the gripper/);
     assert.match(await page.textContent(`${row(1)} .object-grasps`), /210\.0 mm > 80\.0 mm/);
   });
 

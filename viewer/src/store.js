@@ -25,7 +25,7 @@ export function initialState({ objects, surface, grasps }) {
     completed: new Set(),
     selected: null,
     hovered: null,
-    planes: true,
+    planes: !grasps, // grippers between the sheets would be hard to see
     axes: true,
     labels: true,
     rest: true,

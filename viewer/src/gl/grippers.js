@@ -8,9 +8,9 @@ import { cross } from '../vector.js';
 const REJECTED = [138, 144, 154];
 // Palms are paler than fingers, because they would hide the objects.
 const LOOKS = {
-  strong: { palm: 0.6, finger: 1, width: 2, edge: 1 },
-  normal: { palm: 0.2, finger: 0.85, width: 1.3, edge: 0.8 },
-  faint: { palm: 0.03, finger: 0.15, width: 1, edge: 0.3 },
+  strong: { palm: 0.6, finger: 1, width: 2, edge: 1, behind: 0.45 }, // edges also behind the surface
+  normal: { palm: 0.2, finger: 0.85, width: 1.3, edge: 0.8, behind: 0 },
+  faint: { palm: 0.03, finger: 0.15, width: 1, edge: 0.3, behind: 0 },
 };
 const EDGES = [0, 1, 2, 3].flatMap((i) => {
   const next = (i + 1) % 4;
@@ -77,14 +77,17 @@ export class Grippers {
   #look(color, emphasis) {
     const key = `${color} ${emphasis}`;
     if (!this.looks.has(key)) {
-      const { palm, finger, width, edge } = LOOKS[emphasis];
+      const { palm, finger, width, edge, behind } = LOOKS[emphasis];
       const fill = (opacity) => new THREE.MeshLambertMaterial({
         color: css(color), opacity, transparent: opacity < 1, depthWrite: opacity === 1, flatShading: true,
+      });
+      const line = (opacity, depthTest) => new LineMaterial({
+        color: new THREE.Color(css(mix(color, [0, 0, 0], 0.45))), linewidth: width, opacity, transparent: true, depthTest, depthWrite: false,
       });
       this.looks.set(key, {
         palm: fill(palm),
         finger: fill(finger),
-        line: new LineMaterial({ color: new THREE.Color(css(mix(color, [0, 0, 0], 0.45))), linewidth: width, opacity: edge, transparent: true, depthWrite: false }),
+        lines: [line(edge, true), ...(behind ? [line(behind, false)] : [])],
       });
     }
     return this.looks.get(key);
@@ -92,11 +95,11 @@ export class Grippers {
 
   #build(grasp, emphasis) {
     const color = grasp.reason === undefined ? qualityColor(grasp.quality) : REJECTED;
-    const { palm, finger, line } = this.#look(color, emphasis);
+    const { palm, finger, lines } = this.#look(color, emphasis);
     const tool = new THREE.Group();
     for (const { part, at } of gripperParts(this.grasps.gripper, grasp.opening)) {
       const { geometry, edges } = this.solids[part];
-      const children = [new THREE.Mesh(geometry, part === 'palm' ? palm : finger), segments(edges, line, 8)];
+      const children = [new THREE.Mesh(geometry, part === 'palm' ? palm : finger), ...lines.map((line) => segments(edges, line, 8))];
       children.forEach((child) => child.position.set(...at));
       tool.add(...children);
     }

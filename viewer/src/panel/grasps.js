@@ -9,11 +9,16 @@ const MOST_ROWS = 12;
 const mark = (color) => h('span', { class: 'quality', style: { '--color': css(color) } });
 const millimetres = (length) => `${format.fixed(1000 * length, 0)} mm`;
 
-/** Of the row of an object: how many grasps it has, or why none. */
+/** How many grasps an object has, or why none: the name of the reason, which fits its row. */
 export function graspSummary(grasps, index) {
   const { grasps: count, reason } = grasps.objects[index];
   if (count > 0) return format.plural(count, 'grasp');
-  return reason ? `no grasp: ${reasonText(grasps, reason)}` : 'no grasp';
+  return reason ? `no grasp: ${format.words(reason).toLowerCase()}` : 'no grasp';
+}
+
+function heading(grasps, { grasps: count, reason }) {
+  if (count > 0) return format.plural(count, 'grasp');
+  return reason ? `No grasp: ${reasonText(grasps, reason)}` : 'No grasp';
 }
 
 function graspButton({ key, grasp }, actions, ...content) {
@@ -55,7 +60,7 @@ export function createGraspList(object, grasps, store, actions) {
   const accepted = graspsOfObject(grasps, object.index, 'a');
   const rejected = graspsOfObject(grasps, object.index, 'r');
   const element = h('section', { class: 'object-grasps', 'aria-label': `Grasps of object ${object.id}` },
-    h('h3', {}, summary.grasps ? format.plural(summary.grasps, 'grasp') : format.words(graspSummary(grasps, object.index))),
+    h('h3', {}, heading(grasps, summary)),
     createRows(accepted, summary.grasps, acceptedRow, actions),
     byCount(summary.rejected).length > 0 && h('h3', {}, `Rejected, of ${format.plural(summary.candidates, 'candidate')}`),
     byCount(summary.rejected).map((group) =>
@@ -63,6 +68,7 @@ export function createGraspList(object, grasps, store, actions) {
   const buttons = [...element.querySelectorAll('[data-grasp]')];
   store.subscribe(({ grasp }) => {
     for (const button of buttons) setPressed(button, button.dataset.grasp === grasp);
+    buttons.find((button) => button.dataset.grasp === grasp)?.closest('details')?.setAttribute('open', '');
   });
   return element;
 }

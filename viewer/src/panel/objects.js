@@ -17,7 +17,7 @@ export function symmetrySummary({ rotational, reflectional }) {
 function summary(object, { grasps }) {
   if (!grasps) return symmetrySummary(object);
   const text = graspSummary(grasps, object.index);
-  return grasps.objects[object.index].grasps ? `${symmetrySummary(object)} · ${text}` : text;
+  return grasps.objects[object.index].grasps > 0 ? `${symmetrySummary(object)} · ${text}` : text;
 }
 
 const iconButton = (name, title, onclick, extra = '') =>

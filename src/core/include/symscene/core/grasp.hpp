@@ -74,6 +74,7 @@ struct Grasp {
 /// The bound that a candidate failed.
 enum class GraspRejection : std::uint8_t {
   no_surface,     ///< the object has no closed surface, or one without volume
+  no_axis,        ///< no axis of symmetry, where grasps need one
   too_wide,       ///< wider than the gripper opens [m]
   too_thin,       ///< thinner than the gripper closes [m]
   no_contact,     ///< a pad touches too little of the object [share of the pad]
@@ -87,7 +88,7 @@ enum class GraspRejection : std::uint8_t {
   low_quality,    ///< the quality is too low
   outranked       ///< valid, but a better grasp of the object is near, or there are enough of them
 };
-constexpr std::size_t grasp_rejections = 13;
+constexpr std::size_t grasp_rejections = 14;
 /// The name of the enumerator, and a phrase for people.
 const char* to_string(GraspRejection reason);
 const char* description(GraspRejection reason);

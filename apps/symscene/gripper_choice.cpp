@@ -1,0 +1,22 @@
+#include "gripper_choice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "symscene/grasping/gripper.hpp"
+#include "symscene/io/gripper.hpp"
+
+namespace symscene::app {
+
+void GripperChoice::add_to(Arguments& arguments) {
+  arguments.text("--gripper", name,
+                 fmt::format("{}, or a JSON file that describes a gripper (default panda)",
+                             fmt::join(gripper_names(), ", ")));
+}
+
+Gripper GripperChoice::gripper() const {
+  if (std::filesystem::path(name).extension() == ".json") return read_gripper(name);
+  return named_gripper(name);
+}
+
+}  // namespace symscene::app

@@ -1,0 +1,35 @@
+#include "result_page.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+#include "symscene/viewer/page_surface.hpp"
+
+namespace symscene::app {
+
+TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResult& result,
+                            const std::filesystem::path& source, Session& session) {
+  if (surface.vertices.rows() == 0 || result.cloud.empty()) return {};
+  try {
+    return naming(source / "mesh.ply", [&] { return page_surface(surface, result); });
+  } catch (const InputError& error) {
+    session.warn(fmt::format("{}; it is left out", error.what()));
+    return {};
+  }
+}
+
+void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,
+                       const SegmentationResult& result, Surroundings around,
+                       std::optional<PageGrasps> grasps) {
+  PageOptions options;
+  options.title = folder_name(source);
+  options.table = result.table;
+  options.surface = std::move(around.surface);
+  options.trajectory = std::move(around.trajectory);
+  options.grasps = std::move(grasps);
+  write_file_atomically(page, render_page(result, options));
+}
+
+}  // namespace symscene::app

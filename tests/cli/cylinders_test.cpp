@@ -1,0 +1,87 @@
+// `symscene cylinders`, and the pages of grasps, run as processes.
+#include "cli/small_scene.hpp"
+
+namespace symscene::testing {
+namespace {
+
+TEST_F(Command, FitsCylindersToTheClustersOfASceneAndGraspsThem) {
+  const Outcome outcome = run("cylinders scene --gripper reflex -o cylinders.json -v --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json document = nlohmann::json::parse(contents(file("cylinders.json")));
+  EXPECT_EQ(document.at("version"), 1);
+  EXPECT_EQ(document.at("gripper").at("name"), "reflex");
+  const nlohmann::json& clusters = document.at("clusters");
+  ASSERT_FALSE(clusters.empty());
+  std::size_t found = 0;
+  for (std::size_t id = 0; id < clusters.size(); ++id) {
+    EXPECT_EQ(clusters[id].at("id"), id);
+    EXPECT_GT(clusters[id].at("points"), 0);
+    EXPECT_NE(clusters[id].contains("cylinder"), clusters[id].contains("reason"));
+    if (!clusters[id].contains("cylinder")) continue;
+    ++found;
+    EXPECT_GT(clusters[id].at("cylinder").at("radius"), 0.0);
+    EXPECT_GT(clusters[id].at("cylinder").at("height"), 0.0);
+  }
+  EXPECT_EQ(document.at("objects").size(), clusters.size());
+  for (const nlohmann::json& grasp : document.at("grasps")) {
+    const nlohmann::json& cluster = clusters.at(grasp.at("object").get<std::size_t>());
+    EXPECT_EQ(grasp.at("source"), "cylinder");
+    EXPECT_EQ(grasp.at("opening_m"), 2.0 * cluster.at("cylinder").at("radius").get<double>());
+  }
+  EXPECT_NE(outcome.out.find(" id  points   radius   height  grasps"), std::string::npos);
+  EXPECT_NE(outcome.out.find("axes and cylinders"), std::string::npos);
+  const nlohmann::json report = last_line(outcome.out);
+  EXPECT_EQ(report.at("clusters"), clusters.size());
+  EXPECT_EQ(report.at("cylinders"), found);
+  EXPECT_EQ(report.at("grasps"), document.at("grasps").size());
+}
+
+TEST_F(Command, FitsTheSameCylindersForAnyNumberOfThreads) {
+  for (const char* threads : {"1", "8"}) {
+    ASSERT_EQ(
+        run(std::string("cylinders scene -o cylinders") + threads + ".json --threads " + threads)
+            .code,
+        0);
+  }
+  EXPECT_EQ(contents(file("cylinders1.json")), contents(file("cylinders8.json")));
+}
+
+TEST_F(Command, KeepsTheBoundThatTheAxisOfAClusterFails) {
+  write(file("strict.json"), R"({"axis": {"max_symmetry_residual": 0.0}})");
+  const Outcome outcome = run("cylinders scene -o strict_cylinders.json --config strict.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json document = nlohmann::json::parse(contents(file("strict_cylinders.json")));
+  for (const nlohmann::json& cluster : document.at("clusters")) {
+    EXPECT_EQ(cluster.at("reason"), "symmetry");
+    EXPECT_GE(cluster.at("value"), 0.0);
+    EXPECT_EQ(cluster.at("bound"), 0.0);
+  }
+  for (const nlohmann::json& object : document.at("objects"))
+    EXPECT_EQ(object.at("reason"), "no_axis");
+  EXPECT_TRUE(document.at("grasps").empty());
+  EXPECT_NE(outcome.out.find("the normals do not lie in planes through the axis"),
+            std::string::npos);
+}
+
+TEST_F(Command, ShowsGraspsOnAPage) {
+  ASSERT_EQ(run("cylinders scene -o paged.json --page cylinders.html").code, 0);
+  ASSERT_EQ(run("grasp scene -o scene_grasps.json --page scene.html").code, 0);
+  ASSERT_EQ(run("grasp result --scene scene -o result_grasps.json --page result.html").code, 0);
+  for (const char* page : {"cylinders.html", "scene.html", "result.html"}) {
+    const std::string html = contents(file(page));
+    EXPECT_NE(html.find(R"("grasps":{"accepted":[)"), std::string::npos) << page;
+    EXPECT_NE(html.find(R"("name":"panda")"), std::string::npos) << page;
+  }
+}
+
+TEST_F(Command, RefusesPagesAndGrippersThatCannotBe) {
+  expect_refusal("cylinders scene -o new.json --gripper claw", 1, "panda");
+  expect_refusal("cylinders scene -o new.json --gripper nothing.json", 1, "nothing.json");
+  expect_refusal("cylinders scene -o scene/cloud.ply", 1, "cloud.ply");
+  expect_refusal("cylinders scene -o new.json --page new.json", 1, "new.json");
+  expect_refusal("cylinders nowhere -o new.json", 1, "nowhere");
+  expect_refusal("grasp result -o new.json --page result/objects.json", 1, "objects.json");
+}
+
+}  // namespace
+}  // namespace symscene::testing
