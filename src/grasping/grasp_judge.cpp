@@ -10,10 +10,11 @@
 namespace symscene {
 namespace {
 
-constexpr float hand_spacing = 0.012F;      // of the points at which space is looked up [m]
-constexpr float greatest_distance = 0.01F;  // that is told from others [m]
-constexpr double gravity = 9.81;            // [m/s²]
-constexpr double steep = radians(60.0);     // approaches up to this tilt retreat backwards
+constexpr float hand_spacing = 0.012F;       // of the points at which space is looked up [m]
+constexpr float greatest_distance = 0.01F;   // that is told from others [m]
+constexpr double greatest_tolerance = 0.05;  // of the measured depth [m]
+constexpr double gravity = 9.81;             // [m/s²]
+constexpr double steep = radians(60.0);      // approaches up to this tilt retreat backwards
 
 void fail(GraspJudge::Verdict& verdict, GraspRejection reason, double value, double bound) {
   verdict.reason = reason;
@@ -62,7 +63,8 @@ GraspJudge::GraspJudge(const GraspSurroundings& around, const GraspTarget& targe
       gripper_(gripper),
       options_(options),
       swept_(hand_shape(gripper, gripper.max_opening, gripper.approach_distance)),
-      points_(sample_hand(swept_, hand_spacing)),
+      finger_points_(sample_boxes(swept_.fingers, hand_spacing)),
+      palm_points_(sample_boxes(swept_.palm, hand_spacing)),
       obstacles_(reachable_obstacles(around, target, swept_.reach)) {}
 
 GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose) const {
@@ -119,6 +121,8 @@ void GraspJudge::judge_contacts(Verdict& verdict, const Contacts& contacts) cons
   const double narrower = gripper_.max_opening - verdict.grasp.opening;
   const double wider = verdict.grasp.opening - gripper_.min_opening;
   features.opening_margin = gripper_.min_opening > 0.0 ? std::min(narrower, wider) : narrower;
+  const double along = std::abs(target_.seen_from.dot(verdict.grasp.T_world_tool.linear().col(1)));
+  features.depth_tolerance = std::min(greatest_tolerance, 0.5 * narrower / std::max(along, 1e-6));
   const GraspBoundOptions& bounds = options_.bounds;
   if (narrower < bounds.opening_clearance) {
     fail(verdict, GraspRejection::too_wide, verdict.grasp.opening,
@@ -177,21 +181,23 @@ void GraspJudge::require_clear_way(Verdict& verdict) const {
   grasp.features.own_clearance = own;
 }
 
+double GraspJudge::unknown_share(const Eigen::Matrix3Xf& points,
+                                 const Eigen::Isometry3f& T_world_tool) const {
+  Eigen::Index blocked = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3f p = T_world_tool * Eigen::Vector3f(points.col(i));
+    if (around_.unknown->blocks(p, target_.object)) ++blocked;
+  }
+  return static_cast<double>(blocked) / static_cast<double>(points.cols());
+}
+
 void GraspJudge::require_seen_space(Verdict& verdict) const {
   if (!around_.unknown) return;
   const Eigen::Isometry3f T_world_tool = verdict.grasp.T_world_tool.cast<float>();
-  const auto limit =
-      static_cast<Eigen::Index>(options_.bounds.max_unknown * static_cast<double>(points_.cols()));
-  Eigen::Index blocked = 0;
-  for (Eigen::Index i = 0; i < points_.cols(); ++i) {
-    const Eigen::Vector3f p = T_world_tool * Eigen::Vector3f(points_.col(i));
-    if (around_.unknown->blocks(p, target_.object)) ++blocked;
-  }
-  if (blocked > limit) {
-    fail(verdict, GraspRejection::never_seen,
-         static_cast<double>(blocked) / static_cast<double>(points_.cols()),
-         options_.bounds.max_unknown);
-  }
+  const double share = std::max(unknown_share(finger_points_, T_world_tool),
+                                unknown_share(palm_points_, T_world_tool));
+  if (share > options_.bounds.max_unknown)
+    fail(verdict, GraspRejection::never_seen, share, options_.bounds.max_unknown);
 }
 
 void GraspJudge::require_clear_lift(Verdict& verdict) const {

@@ -43,6 +43,7 @@ class GraspJudge {
   void require_clear_way(Verdict& verdict) const;
   void require_clear_lift(Verdict& verdict) const;
   void require_seen_space(Verdict& verdict) const;
+  double unknown_share(const Eigen::Matrix3Xf& points, const Eigen::Isometry3f& T_world_tool) const;
   float distance_from(const SurfaceSamples& samples, const Eigen::Isometry3d& T_world_tool,
                       const HandShape& shape, double enough) const;
 
@@ -50,8 +51,9 @@ class GraspJudge {
   const GraspTarget& target_;
   const Gripper& gripper_;
   const GraspOptions& options_;
-  HandShape swept_;           ///< the open gripper on its way to the grasp
-  Eigen::Matrix3Xf points_;   ///< of the swept gripper, in the tool frame
+  HandShape swept_;                 ///< the open gripper on its way to the grasp
+  Eigen::Matrix3Xf finger_points_;  ///< in the swept fingers, tool frame
+  Eigen::Matrix3Xf palm_points_;
   SurfaceSamples obstacles_;  ///< what the gripper can reach of other objects
 };
 

@@ -44,9 +44,9 @@ HandShape hand_shape(const Gripper& gripper, double opening, double way) {
   return shape;
 }
 
-Eigen::Matrix3Xf sample_hand(const HandShape& shape, float spacing) {
+Eigen::Matrix3Xf sample_boxes(const std::vector<HandBox>& boxes, float spacing) {
   std::vector<Eigen::Vector3f> points;
-  const auto add = [&](const HandBox& box) {
+  for (const HandBox& box : boxes) {
     const Eigen::Array3i steps = (2.0F * box.half / spacing).array().ceil().max(1.0F).cast<int>();
     for (int i = 0; i <= steps.x(); ++i) {
       for (int j = 0; j <= steps.y(); ++j) {
@@ -58,9 +58,7 @@ Eigen::Matrix3Xf sample_hand(const HandShape& shape, float spacing) {
         }
       }
     }
-  };
-  std::for_each(shape.fingers.begin(), shape.fingers.end(), add);
-  std::for_each(shape.palm.begin(), shape.palm.end(), add);
+  }
   return Eigen::Map<const Eigen::Matrix3Xf>(points.front().data(), 3,
                                             static_cast<Eigen::Index>(points.size()));
 }

@@ -35,7 +35,7 @@ struct HandShape {
 /// `way`: how far the gripper comes from along −z; the boxes are those that it sweeps. [m]
 HandShape hand_shape(const Gripper& gripper, double opening, double way);
 
-/// Points in the swept gripper, at most `spacing` apart, on and inside its boxes.
-Eigen::Matrix3Xf sample_hand(const HandShape& shape, float spacing);
+/// Points on and inside boxes, at most `spacing` apart.
+Eigen::Matrix3Xf sample_boxes(const std::vector<HandBox>& boxes, float spacing);
 
 }  // namespace symscene

@@ -69,12 +69,16 @@ void ObjectPlan::keep_some_rejected(std::size_t most) {
   }
 }
 
-/// Without a grasp: the bound that most candidates failed.
+/// Without a grasp: the last bound, in the order of GraspRejection, that a tenth of the candidates
+/// failed. What fails by an earlier one is often hopeless for other reasons, as grasps from the
+/// side are of a flat object.
 void ObjectPlan::name_reason() {
   if (!grasps.empty()) return;
-  const auto most = std::max_element(summary.rejected.begin(), summary.rejected.end());
-  summary.reason = *most == 0 ? GraspRejection::no_contact
-                              : static_cast<GraspRejection>(most - summary.rejected.begin());
+  summary.reason = GraspRejection::no_contact;
+  for (std::size_t i = 0; i < grasp_rejections; ++i) {
+    if (summary.rejected.at(i) > 0 && 10 * summary.rejected.at(i) >= summary.candidates)
+      summary.reason = static_cast<GraspRejection>(i);
+  }
 }
 
 std::vector<ClosingLine> closing_lines(const GraspTarget& target,
@@ -110,7 +114,7 @@ ObjectPlan plan_object(const GraspSurroundings& around, std::size_t id, const Gr
   ObjectPlan plan;
   plan.summary.reason = reason_against(around, id);
   if (plan.summary.reason) return plan;
-  const GraspTarget target = grasp_target(around.scene, id, around.objects[id]);
+  const GraspTarget target = grasp_target(around.scene, id, around.objects);
   const GraspJudge judge(around, target, gripper, options);
   const double widest = gripper.max_opening - options.bounds.opening_clearance;
   for (const ClosingLine& line : closing_lines(target, options.candidates)) {

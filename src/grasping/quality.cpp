@@ -17,8 +17,8 @@ struct Term {
 };
 
 // Set by hand, not fitted: each bound is where more of the feature no longer helps.
-constexpr double bias = -2.5;
-constexpr std::array<Term, 11> terms{{
+constexpr double bias = -3.5;
+constexpr std::array<Term, 12> terms{{
     {&GraspFeatures::cone_margin, 0.0, 0.5, 1.5},
     {&GraspFeatures::cone_share, 0.5, 1.0, 1.0},
     {&GraspFeatures::contact_area, 0.0, 0.3, 1.0},
@@ -28,6 +28,7 @@ constexpr std::array<Term, 11> terms{{
     {&GraspFeatures::torque_ratio, 0.0, 1.0, -0.5},
     {&GraspFeatures::clearance, 0.0, 0.01, 1.0},
     {&GraspFeatures::own_clearance, 0.0, 0.01, 0.7},
+    {&GraspFeatures::depth_tolerance, 0.0, 0.04, 1.5},
     {&GraspFeatures::observed, 0.0, 1.0, 0.5},
     {&GraspFeatures::tilt, 0.5, 1.6, -0.3},
 }};

@@ -11,6 +11,8 @@ namespace {
 struct Wall {
   double inner = std::numeric_limits<double>::infinity();  ///< least radius of the inside [m]
   double outer = 0.0;                                      ///< greatest radius of the outside [m]
+  /// Sum of the outside's normals and the negative ones of the inside.
+  Eigen::Vector3d normals = Eigen::Vector3d::Zero();
 
   double width() const { return outer - inner; }
 };
@@ -40,9 +42,12 @@ Wall wall_towards(const SurfaceSamples& samples, const Rim& rim, const Eigen::Ve
     const double below = -p.dot(rim.axis);
     if (radius <= 0.0 || below > options.rim_depth || std::abs(p.dot(across)) > options.rim_window)
       continue;
-    const double facing = samples.normals.row(i).dot(radial.cast<float>().transpose());
-    if (facing < -0.5) wall.inner = std::min(wall.inner, radius);
-    if (facing > 0.5) wall.outer = std::max(wall.outer, radius);
+    const Eigen::Vector3d normal = samples.normals.row(i).transpose().cast<double>();
+    const double facing = normal.dot(radial);
+    if (std::abs(facing) < 0.5) continue;
+    if (facing < 0.0) wall.inner = std::min(wall.inner, radius);
+    if (facing > 0.0) wall.outer = std::max(wall.outer, radius);
+    wall.normals += std::copysign(1.0, facing) * (normal - normal.dot(across) * across);
   }
   return wall;
 }
@@ -65,7 +70,7 @@ std::vector<ClosingLine> rim_lines(const GraspTarget& target,
       if (!(wall.width() > 0.0) || wall.width() > options.max_wall) continue;
       lines.push_back({rim.point - options.rim_depth / 2.0 * rim.axis +
                            0.5 * (wall.inner + wall.outer) * radial,
-                       radial, wall.width(), GraspSource::rim});
+                       wall.normals.normalized(), wall.width(), GraspSource::rim});
     }
   }
   return lines;

@@ -165,19 +165,6 @@ SurfaceSamples as_samples(std::vector<Sample> list) {
   return samples;
 }
 
-/// The mean normal of what was seen; zero if that is nothing or closed.
-Eigen::Vector3d mean_seen_normal(const SurfaceSamples& samples) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double area = 0.0;
-  for (Eigen::Index i = 0; i < samples.size(); ++i) {
-    if (samples.observed[static_cast<std::size_t>(i)] == 0) continue;
-    sum += samples.areas[i] * samples.normals.row(i).transpose().cast<double>();
-    area += samples.areas[i];
-  }
-  constexpr double least_mean = 0.1;
-  return sum.norm() > least_mean * area ? sum.normalized() : Eigen::Vector3d::Zero();
-}
-
 }  // namespace
 
 SurfaceSamples surface_samples(const ObjectSurface& surface) {
@@ -202,11 +189,27 @@ SurfaceSamples surface_samples(const Points& points) {
   return as_samples(std::move(samples));
 }
 
-GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples) {
+Eigen::Vector3d mean_seen_normal(std::span<const SurfaceSamples> surfaces) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0.0;
+  for (const SurfaceSamples& samples : surfaces) {
+    for (Eigen::Index i = 0; i < samples.size(); ++i) {
+      if (samples.observed[static_cast<std::size_t>(i)] == 0) continue;
+      sum += samples.areas[i] * samples.normals.row(i).transpose().cast<double>();
+      area += samples.areas[i];
+    }
+  }
+  // That of a sphere from one side is 1/2.
+  constexpr double least_mean = 0.25;
+  return sum.norm() > least_mean * area ? sum.normalized() : Eigen::Vector3d::Zero();
+}
+
+GraspTarget grasp_target(const GraspScene& scene, std::size_t id,
+                         const std::vector<SurfaceSamples>& samples) {
   const GraspObject& object = scene.objects[id];
   return {static_cast<int>(id),
           object,
-          samples,
+          samples[id],
           object.solid ? *object.solid : solid_properties(object.surface.mesh),
           scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ(),
           mean_seen_normal(samples)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "symscene/grasping/planner.hpp"
@@ -39,10 +40,15 @@ struct GraspTarget {
   const SurfaceSamples& samples;
   SolidProperties solid;
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< away from the table
-  /// Mean of the normals that were seen: roughly towards the camera; zero if that is not known.
+  /// From where the object was seen, a unit vector; zero if that is not known.
   Eigen::Vector3d seen_from = Eigen::Vector3d::Zero();
 };
 
-GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples);
+/// The mean of the normals that were seen, as a unit vector: roughly the direction from the surface
+/// to the camera. Zero for a surface that was seen from many sides.
+Eigen::Vector3d mean_seen_normal(std::span<const SurfaceSamples> surfaces);
+
+GraspTarget grasp_target(const GraspScene& scene, std::size_t id,
+                         const std::vector<SurfaceSamples>& samples);
 
 }  // namespace symscene

@@ -2,29 +2,84 @@
 
 #include <gtest/gtest.h>
 
-#include "simulation/shapes.hpp"
-#include "symscene/grasping/gripper.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface_sampling.hpp"
+#include "grasp_scenes.hpp"
+#include "grasping/hand_shape.hpp"
+#include "symscene/core/error.hpp"
+#include "threads.hpp"
 
 namespace symscene {
 namespace {
 
-ObjectSurface seen_all_over(const TriangleMesh& mesh) {
-  return {mesh, std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.triangles.rows()), 1)};
+using testing::box_at;
+using testing::clutter;
+using testing::cylinder_at;
+using testing::on_table;
+
+std::vector<Grasp> grasps_of(const GraspPlan& plan, int object) {
+  std::vector<Grasp> grasps;
+  for (const Grasp& grasp : plan.grasps) {
+    if (grasp.object == object) grasps.push_back(grasp);
+  }
+  return grasps;
 }
 
-/// Objects on the table z = 0.
-GraspScene on_table(const std::vector<TriangleMesh>& meshes) {
-  GraspScene scene;
-  scene.table = Plane{};
-  for (const TriangleMesh& mesh : meshes) {
-    scene.objects.emplace_back();
-    scene.objects.back().surface = seen_all_over(mesh);
+/// The swept boxes of the open gripper.
+std::vector<HandBox> swept_boxes(const Gripper& gripper) {
+  const HandShape shape = hand_shape(gripper, gripper.max_opening, gripper.approach_distance);
+  std::vector<HandBox> boxes = shape.fingers;
+  boxes.insert(boxes.end(), shape.palm.begin(), shape.palm.end());
+  return boxes;
+}
+
+/// How deep a point of the surface lies in the boxes. [m]
+double penetration(const TriangleMesh& mesh, const Grasp& grasp,
+                   const std::vector<HandBox>& boxes) {
+  const PointCloud points = sample_surface(mesh, 20000);
+  const Eigen::Isometry3f T_tool_world = grasp.T_world_tool.inverse().cast<float>();
+  double deepest = 0.0;
+  for (Index i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f p = T_tool_world * points.position(i);
+    for (const HandBox& box : boxes)
+      deepest = std::max(deepest, -static_cast<double>(box.distance(p)));
+  }
+  return deepest;
+}
+
+GraspScene moved(GraspScene scene, const Eigen::Isometry3d& motion) {
+  scene.table = transformed(*scene.table, motion);
+  for (GraspObject& object : scene.objects) {
+    object.surface.mesh = transformed(object.surface.mesh, motion);
+    for (ObjectAxis& axis : object.axes) {
+      axis.axis.point = motion * axis.axis.point;
+      axis.axis.direction = motion.linear() * axis.axis.direction;
+    }
   }
   return scene;
 }
 
+/// Reflected by the plane x = 0; triangles turn so that normals point outwards.
+GraspScene reflected(GraspScene scene) {
+  for (GraspObject& object : scene.objects) {
+    TriangleMesh& mesh = object.surface.mesh;
+    mesh.vertices.col(0) *= -1.0F;
+    if (mesh.normals.rows() > 0) mesh.normals.col(0) *= -1.0F;
+    mesh.triangles.col(1).swap(mesh.triangles.col(2));
+    for (ObjectAxis& axis : object.axes) axis.axis.point.x() *= -1.0;
+  }
+  return scene;
+}
+
+double best_quality(const GraspPlan& plan, int object) {
+  const std::vector<Grasp> grasps = grasps_of(plan, object);
+  return grasps.empty() ? 0.0 : grasps.front().quality;
+}
+
 TEST(PlanGrasps, GraspsABoxAcrossItsNarrowSide) {
-  const GraspPlan plan = plan_grasps(on_table({make_box({0.05, 0.12, 0.1}, 0.005)}), panda_hand());
+  const GraspPlan plan = plan_grasps(on_table({box_at({0.05, 0.12, 0.1}, 0.0, 0.0)}), panda_hand());
   ASSERT_FALSE(plan.grasps.empty());
   for (const Grasp& grasp : plan.grasps) {
     EXPECT_NEAR(grasp.opening, 0.05, 0.002);
@@ -32,9 +87,213 @@ TEST(PlanGrasps, GraspsABoxAcrossItsNarrowSide) {
   }
 }
 
+GraspOptions without_antipodal() {
+  GraspOptions options;
+  options.candidates.surface_points = 0;
+  return options;
+}
+
+TEST(PlanGrasps, ClosesAcrossTheAxisOfACylinderAtItsDiameter) {
+  const GraspPlan plan =
+      plan_grasps(on_table({cylinder_at(0.03, 0.12, 0.1, 0.1)}), panda_hand(), without_antipodal());
+  std::size_t across_axis = 0;
+  for (const Grasp& grasp : plan.grasps) {
+    if (grasp.source != GraspSource::axis_side && grasp.source != GraspSource::axis_top) continue;
+    ++across_axis;
+    EXPECT_NEAR(grasp.opening, 0.06, 0.002);
+    EXPECT_NEAR(grasp.T_world_tool.linear()(2, 1), 0.0, 1e-6);
+  }
+  EXPECT_GE(across_axis, 3);
+}
+
+TEST(PlanGrasps, GraspsABowlThatIsTooWideAtItsRim) {
+  const GraspPlan plan =
+      plan_grasps(on_table({testing::bowl(0.08)}), panda_hand(), without_antipodal());
+  const auto is_rim = [](const Grasp& grasp) { return grasp.source == GraspSource::rim; };
+  ASSERT_TRUE(std::any_of(plan.grasps.begin(), plan.grasps.end(), is_rim));
+  for (const Grasp& grasp : plan.grasps) EXPECT_LT(grasp.opening, 0.02);
+}
+
+TEST(PlanGrasps, GivesAMirrorPlaneAGraspThroughTheCentreOfMass) {
+  GraspObject object = box_at({0.05, 0.12, 0.1}, 0.0, 0.0);
+  object.planes.push_back({{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}, 0.01});
+  const GraspPlan plan = plan_grasps(on_table({object}), panda_hand(), without_antipodal());
+  ASSERT_FALSE(plan.grasps.empty());
+  EXPECT_EQ(plan.grasps.front().source, GraspSource::mirror_plane);
+  EXPECT_LT(plan.grasps.front().features.lever_arm, 0.03);
+}
+
+TEST(PlanGrasps, PenetratesNeitherTableNorObjects) {
+  const GraspScene scene = clutter();
+  for (const Gripper& gripper : {panda_hand(), reflex_gripper()}) {
+    const std::vector<HandBox> boxes = swept_boxes(gripper);
+    for (const Grasp& grasp : plan_grasps(scene, gripper).grasps) {
+      for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        EXPECT_LT(penetration(scene.objects[i].surface.mesh, grasp, boxes), 0.001)
+            << gripper.name << ", object " << i << " by a grasp of " << grasp.object;
+      }
+      for (const HandBox& box : boxes) {
+        const Eigen::Vector3d corner = grasp.T_world_tool * (box.centre + box.half).cast<double>();
+        EXPECT_GT(corner.z(), 0.0);
+      }
+    }
+  }
+}
+
+TEST(PlanGrasps, ClosesOnNormalsInTheFrictionCone) {
+  const Gripper gripper = panda_hand();
+  for (const Grasp& grasp : plan_grasps(clutter(), gripper).grasps) {
+    EXPECT_GE(grasp.features.cone_margin, 0.0);
+    EXPECT_LE(grasp.features.cone_margin, std::atan(gripper.friction));
+    EXPECT_LT(grasp.opening, gripper.max_opening);
+    EXPECT_GE(grasp.quality, 0.0);
+    EXPECT_LE(grasp.quality, 1.0);
+  }
+}
+
+TEST(PlanGrasps, MovesWithTheScene) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.linear() =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  motion.translation() = Eigen::Vector3d(0.3, -0.2, 0.9);
+  const GraspPlan plan = plan_grasps(clutter(), panda_hand());
+  const GraspPlan other = plan_grasps(moved(clutter(), motion), panda_hand());
+  for (int object = 0; object < 5; ++object) {
+    ASSERT_GT(best_quality(plan, object), 0.5) << object;
+    EXPECT_NEAR(best_quality(plan, object), best_quality(other, object), 0.05) << object;
+  }
+}
+
+TEST(PlanGrasps, IsReflectedWithTheScene) {
+  const GraspPlan plan = plan_grasps(clutter(), panda_hand());
+  const GraspPlan other = plan_grasps(reflected(clutter()), panda_hand());
+  for (int object = 0; object < 5; ++object)
+    EXPECT_NEAR(best_quality(plan, object), best_quality(other, object), 0.05) << object;
+}
+
+TEST(PlanGrasps, GivesTheSameForAnyNumberOfThreads) {
+  const auto plan = [] { return plan_grasps(clutter(), panda_hand()); };
+  const GraspPlan one = testing::with_threads(1, plan);
+  const GraspPlan four = testing::with_threads(4, plan);
+  ASSERT_EQ(one.grasps.size(), four.grasps.size());
+  for (std::size_t i = 0; i < one.grasps.size(); ++i) {
+    EXPECT_EQ(one.grasps[i].quality, four.grasps[i].quality);
+    EXPECT_EQ(one.grasps[i].T_world_tool.matrix(), four.grasps[i].T_world_tool.matrix());
+  }
+}
+
+TEST(PlanGrasps, CountsEveryCandidate) {
+  const GraspPlan plan = plan_grasps(clutter(), panda_hand());
+  ASSERT_EQ(plan.objects.size(), 5);
+  for (const ObjectGraspSummary& object : plan.objects) {
+    std::size_t sum = object.grasps;
+    for (const std::size_t count : object.rejected) sum += count;
+    EXPECT_EQ(sum, object.candidates);
+    EXPECT_EQ(object.reason.has_value(), object.grasps == 0);
+  }
+}
+
 TEST(PlanGrasps, SaysThatAnObjectIsTooWide) {
-  const GraspPlan plan = plan_grasps(on_table({make_box({0.12, 0.12, 0.12}, 0.005)}), panda_hand());
+  const GraspPlan plan =
+      plan_grasps(on_table({box_at({0.12, 0.12, 0.12}, 0.0, 0.0)}), panda_hand());
   EXPECT_TRUE(plan.grasps.empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::too_wide);
+}
+
+TEST(PlanGrasps, SaysThatAFlatObjectLiesTooLow) {
+  const GraspPlan plan =
+      plan_grasps(on_table({box_at({0.05, 0.2, 0.003}, 0.0, 0.0)}), panda_hand());
+  EXPECT_TRUE(plan.grasps.empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::table);
+}
+
+TEST(PlanGrasps, SaysThatAnObjectIsBuriedAmongOthers) {
+  const GraspPlan plan = plan_grasps(
+      on_table({box_at({0.05, 0.05, 0.05}, 0.0, 0.0), box_at({0.2, 0.06, 0.2}, 0.0, 0.06),
+                box_at({0.2, 0.06, 0.2}, 0.0, -0.06), box_at({0.06, 0.05, 0.2}, 0.06, 0.0),
+                box_at({0.06, 0.05, 0.2}, -0.06, 0.0)}),
+      panda_hand());
+  EXPECT_TRUE(grasps_of(plan, 0).empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::other_object);
+}
+
+TEST(PlanGrasps, SaysThatAnObjectHasNoSurface) {
+  const GraspPlan plan = plan_grasps(on_table({GraspObject{}}), panda_hand());
+  EXPECT_TRUE(plan.grasps.empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::no_surface);
+}
+
+TEST(PlanGrasps, OpensTheThreeFingerHandForWiderObjects) {
+  const GraspScene scene = on_table({cylinder_at(0.06, 0.15, 0.0, 0.0)});
+  EXPECT_TRUE(plan_grasps(scene, panda_hand()).grasps.empty());
+  const GraspPlan plan = plan_grasps(scene, reflex_gripper());
+  ASSERT_FALSE(plan.grasps.empty());
+  EXPECT_NEAR(plan.grasps.front().opening, 0.12, 0.01);
+}
+
+TEST(PlanGrasps, RefusesAGripperThatContradictsItself) {
+  Gripper gripper = panda_hand();
+  gripper.min_opening = 0.1;
+  EXPECT_THROW(plan_grasps(clutter(), gripper), InputError);
+}
+
+/// 0.8 m wide around the origin, all in one state.
+OccupancyGrid space(VoxelState state) {
+  OccupancyGrid grid;
+  grid.frame.origin = {-0.4F, -0.4F, -0.05F};
+  grid.frame.resolution = 0.005F;
+  grid.frame.size = {160, 160, 90};
+  grid.states.assign(grid.frame.voxels(), state);
+  return grid;
+}
+
+/// Makes the voxels between two values of x never seen, up to a height. [m]
+void hide(OccupancyGrid& grid, float from, float to, float height) {
+  for (std::size_t i = 0; i < grid.states.size(); ++i) {
+    const auto along = [&](std::size_t index, int axis) {
+      return grid.frame.origin[axis] + (static_cast<float>(index) + 0.5F) * grid.frame.resolution;
+    };
+    const float x = along(i % grid.frame.row_length(), 0);
+    if (x > from && x < to && along(i / grid.frame.slice_length(), 2) < height)
+      grid.states[i] = VoxelState::never_seen;
+  }
+}
+
+TEST(PlanGrasps, TreatsSpaceThatWasNeverSeenAsOccupied) {
+  GraspScene scene = on_table({box_at({0.05, 0.05, 0.1}, 0.0, 0.0)});
+  scene.space = space(VoxelState::free);
+  EXPECT_FALSE(plan_grasps(scene, panda_hand()).grasps.empty());
+  // Only the face towards −x and what is before it was seen.
+  hide(*scene.space, -0.02F, 1.0F, 1.0F);
+  GraspOptions options;
+  options.bounds.own_reach = 0.0;
+  const GraspPlan plan = plan_grasps(scene, panda_hand(), options);
+  EXPECT_TRUE(plan.grasps.empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::never_seen);
+}
+
+TEST(PlanGrasps, ReachesIntoTheSpaceThatTheObjectItselfHides) {
+  GraspScene scene = on_table({box_at({0.05, 0.05, 0.1}, 0.0, 0.0)});
+  scene.space = space(VoxelState::free);
+  hide(*scene.space, 0.02F, 0.06F, 0.1F);  // behind the object
+  const auto has_finger_behind = [&](const GraspOptions& options) {
+    const GraspPlan plan = plan_grasps(scene, panda_hand(), options);
+    return std::any_of(plan.grasps.begin(), plan.grasps.end(), [](const Grasp& grasp) {
+      return std::abs(grasp.T_world_tool.linear()(0, 1)) > 0.9;
+    });
+  };
+  EXPECT_TRUE(has_finger_behind({}));
+  GraspOptions options;
+  options.bounds.own_reach = 0.0;
+  EXPECT_FALSE(has_finger_behind(options));
+}
+
+TEST(PlanGrasps, SaysThatAnObjectIsOutsideTheMappedSpace) {
+  GraspScene scene = on_table({box_at({0.05, 0.05, 0.1}, 0.0, 0.0)});
+  scene.space = space(VoxelState::never_seen);
+  const GraspPlan plan = plan_grasps(scene, panda_hand());
+  EXPECT_TRUE(plan.grasps.empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::outside_space);
 }
 
 }  // namespace

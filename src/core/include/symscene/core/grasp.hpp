@@ -40,9 +40,11 @@ struct GraspFeatures {
                               ///< what the friction of the pads holds
   double clearance = 0.0;     ///< least distance of the open gripper, on its whole way, from the
                               ///< table, other objects and never-seen space [m]
-  double own_clearance = 0.0;  ///< the same of the object itself [m]
-  double observed = 0.0;       ///< share of the contact that was seen, mean of both pads
-  double tilt = 0.0;           ///< angle between approach and straight down [rad]
+  double own_clearance = 0.0;    ///< the same of the object itself [m]
+  double depth_tolerance = 0.0;  ///< error of the measured depth at which an open finger would meet
+                                 ///< the object, at most 0.05 [m]
+  double observed = 0.0;         ///< share of the contact that was seen, mean of both pads
+  double tilt = 0.0;             ///< angle between approach and straight down [rad]
 
   /// Calls visit(name, value) for every feature.
   template <class Self, class Visit>
@@ -56,6 +58,7 @@ struct GraspFeatures {
     visit("torque_ratio", self.torque_ratio);
     visit("clearance", self.clearance);
     visit("own_clearance", self.own_clearance);
+    visit("depth_tolerance", self.depth_tolerance);
     visit("observed", self.observed);
     visit("tilt", self.tilt);
   }

@@ -92,8 +92,9 @@ struct GraspBoundOptions {
           "space that was not seen is no obstacle within this distance of the object, if no other "
           "object is nearer: its closed surface says what is there");
     visit("max_unknown", self.max_unknown, "", between(0.0, 1.0),
-          "greatest share of the gripper in other space that was never seen, which allows for "
-          "the size of voxels; 1 counts such space as free");
+          "greatest share of the fingers, and of the palm, on their way in other space that was "
+          "never "
+          "seen, which allows for the size of voxels; 1 counts such space as free");
     visit("min_quality", self.min_quality, "", between(0.0, 1.0),
           "grasps of lower quality are rejected");
   }
