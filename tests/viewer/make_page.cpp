@@ -66,6 +66,30 @@ symscene::Trajectory path_before(float distance) {
   return path;
 }
 
+/// A grasp of every can from above, and one that would hit the table.
+symscene::PageGrasps grasps_of(const symscene::SegmentationResult& cans) {
+  symscene::PageGrasps grasps;
+  grasps.gripper.name = "two fingers";
+  for (std::size_t id = 0; id < cans.objects.size(); ++id) {
+    symscene::Grasp grasp;
+    grasp.object = static_cast<int>(id);
+    grasp.T_world_tool.linear().diagonal() << 1.0, -1.0, -1.0;
+    grasp.T_world_tool.translation() = *cans.objects[id].centroid;
+    grasp.T_world_tool.translation().z() += 0.07;
+    grasp.opening = 0.08;
+    grasp.quality = 0.9 - 0.3 * static_cast<double>(id);
+    grasps.plan.grasps.push_back(grasp);
+    grasp.T_world_tool.translation().z() = 0.0;
+    grasps.plan.rejected.push_back({grasp, symscene::GraspRejection::table, -0.05, 0.002});
+    symscene::ObjectGraspSummary summary;
+    summary.candidates = 2;
+    summary.grasps = 1;
+    summary.rejected[static_cast<std::size_t>(symscene::GraspRejection::table)] = 1;
+    grasps.plan.objects.push_back(summary);
+  }
+  return grasps;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -77,5 +101,6 @@ int main(int argc, char** argv) {
       << symscene::render_page(result, {.title = "Three cans",
                                         .table = symscene::Plane{},
                                         .surface = surface_of(result.cloud, 60 * 40),
-                                        .trajectory = path_before(0.7F)});
+                                        .trajectory = path_before(0.7F),
+                                        .grasps = grasps_of(result)});
 }

@@ -433,6 +433,7 @@ describe('other results', () => {
       const ids = await hook(page, 'visible');
       assert.equal(await hook(page, 'mesh'), true);
       assert.equal(await page.locator('[data-toggle=path]').count(), 1);
+      assert.deepEqual(await hook(page, 'grasps'), ['a0', 'a1', 'a2']);
       assert.ok(ids.length > 0);
       const { x, y } = await hook(page, `clickPoint(${ids[0]})`);
       await page.mouse.click(x, y);
