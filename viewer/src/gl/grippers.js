@@ -10,7 +10,7 @@ const REJECTED = [138, 144, 154];
 const LOOKS = {
   strong: { palm: 0.6, finger: 1, width: 2, edge: 1, behind: 0.45 }, // edges also behind the surface
   normal: { palm: 0.2, finger: 0.85, width: 1.3, edge: 0.8, behind: 0 },
-  faint: { palm: 0.03, finger: 0.15, width: 1, edge: 0.3, behind: 0 },
+  faint: { palm: 0.02, finger: 0.12, width: 1, edge: 0.2, behind: 0 },
 };
 const EDGES = [0, 1, 2, 3].flatMap((i) => {
   const next = (i + 1) % 4;

@@ -4,7 +4,7 @@ import * as format from '../format.js';
 import { failure, graspsOfObject, reasonText, sourceName } from '../grasps.js';
 import { css, qualityColor } from '../palette.js';
 
-const MOST_ROWS = 12;
+const MOST_ROWS = 20;
 
 const mark = (color) => h('span', { class: 'quality', style: { '--color': css(color) } });
 const millimetres = (length) => `${format.fixed(1000 * length, 0)} mm`;
