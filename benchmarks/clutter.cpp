@@ -2,6 +2,7 @@
 // by one, with a hand in a physics simulation.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "io/atomic_file.hpp"
 #include "program.hpp"
+#include "symscene/clutter/clutter_gallery.hpp"
 #include "symscene/clutter/clutter_report.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/physics/physics_world.hpp"
@@ -24,6 +26,7 @@ struct Arguments {
   std::string method = "symscene";
   std::string table = "scale";
   std::string attempts;
+  std::string gallery;
   int rounds = 100;
   int first = 0;
   std::size_t threads = 2;
@@ -60,6 +63,8 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_flag("!--anywhere", a.options.planning.in_volume_only,
                "allow grasps outside the benchmark's grasp volume");
   app.add_option("--attempts", a.attempts, "CSV file to write: one line per attempt");
+  app.add_option("--gallery", a.gallery,
+                 "folder to write: index.html with an image of each failed attempt");
   app.add_option("--threads", a.threads, "at most so many threads")->capture_default_str();
   app.add_flag("-v,--verbose", a.verbose, "one line per attempt");
 }
@@ -76,6 +81,36 @@ void print_attempt(const ClutterAttempt& a) {
   std::fflush(stdout);
 }
 
+/// Collects the images of failed attempts.
+class Gallery {
+ public:
+  explicit Gallery(const std::filesystem::path& folder) : folder_(folder) {
+    if (!folder_.empty()) std::filesystem::create_directories(folder_);
+  }
+
+  void before(const ClutterWorld& world, const GraspProposals& proposals) {
+    if (!folder_.empty() && !proposals.grasps.empty())
+      image_ = grasp_image(world, proposals.grasps.front());
+  }
+
+  void after(const ClutterAttempt& attempt) {
+    if (folder_.empty() || attempt.outcome.end == GraspEnd::success) return;
+    const std::string name = fmt::format("round{}_attempt{}.png", attempt.round, attempt.number);
+    write_file_atomically(folder_ / name, format_png(image_));
+    entries_.push_back({name, attempt});
+  }
+
+  void finish(const std::string& title) const {
+    if (!folder_.empty())
+      write_file_atomically(folder_ / "index.html", format_gallery(title, entries_));
+  }
+
+ private:
+  std::filesystem::path folder_;
+  ColorImage image_;
+  std::vector<GalleryEntry> entries_;
+};
+
 void print_round(const ClutterRound& round) {
   fmt::print("  {}, {} of {} removed; left: {}; reasons: {}\n", to_string(round.end), round.removed,
              round.placed, fmt::join(round.left_objects, ", "), fmt::join(round.reasons, ", "));
@@ -89,12 +124,19 @@ int run(const Arguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   const std::vector<ClutterObject> objects =
       read_clutter_objects(arguments.objects, parse_object_share(arguments.share));
-  fmt::print("{} objects ({}), {}, {} rounds of {}, {} view(s), method {}, table {}, seed {}\n",
-             objects.size(), arguments.share, arguments.kind, arguments.rounds,
-             arguments.options.objects, arguments.options.views, arguments.method, arguments.table,
-             arguments.options.seed);
+  const std::string run_name = fmt::format(
+      "{} objects ({}), {}, {} rounds of {}, {} view(s), method {}, table {}, seed {}",
+      objects.size(), arguments.share, arguments.kind, arguments.rounds, arguments.options.objects,
+      arguments.options.views, arguments.method, arguments.table, arguments.options.seed);
+  fmt::print("{}\n", run_name);
+  Gallery gallery(arguments.gallery);
   ClutterObserver observer;
-  if (arguments.verbose) observer.after = print_attempt;
+  observer.before = [&](const ClutterWorld& world, std::span<const ClutterView>,
+                        const GraspProposals& proposals) { gallery.before(world, proposals); };
+  observer.after = [&](const ClutterAttempt& attempt) {
+    gallery.after(attempt);
+    if (arguments.verbose) print_attempt(attempt);
+  };
   std::vector<ClutterRound> rounds;
   for (int round = arguments.first; round < arguments.first + arguments.rounds; ++round) {
     rounds.push_back(run_clutter_round(objects, arguments.options, round, observer));
@@ -103,6 +145,7 @@ int run(const Arguments& arguments) {
   fmt::print("{}", format_clutter_report(rounds));
   if (!arguments.attempts.empty())
     write_file_atomically(arguments.attempts, format_attempts_csv(rounds));
+  gallery.finish("Failed grasps: " + run_name);
   return 0;
 }
 

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "clutter/method_parts.hpp"
 #include "clutter_scenes.hpp"
 #include "core/random.hpp"
+#include "symscene/clutter/clutter_gallery.hpp"
 #include "symscene/clutter/clutter_report.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
@@ -89,6 +92,20 @@ TEST_F(ClutterRoundTest, TheScaleOfAnImageIsFoundFromTheTable) {
   EXPECT_EQ(depth_scale(view, clutter_camera(), table), 1.0);
 }
 
+TEST_F(ClutterRoundTest, TheGripperIsVisibleInTheImageOfAGrasp) {
+  const ClutterWorld world(objects_, ClutterKind::packed, 1, 4);
+  Grasp grasp;
+  grasp.T_world_tool.linear() =
+      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  grasp.T_world_tool.translation() = Eigen::Vector3d(0.15, 0.15, 0.2);
+  const ColorImage image = grasp_image(world, grasp);
+  std::size_t orange = 0;
+  for (Eigen::Index i = 0; i < image.pixels.rows(); ++i)
+    orange += image.pixels(i, 0) > 120 && image.pixels(i, 2) < 10 ? 1 : 0;
+  EXPECT_GT(orange, image.size.pixels() / 50);
+  EXPECT_LT(orange, image.size.pixels() / 2);
+}
+
 ClutterRound made_round(int placed, int removed, int attempts) {
   ClutterRound round;
   round.placed = placed;
@@ -135,6 +152,15 @@ TEST(ClutterReport, OneLinePerAttemptWithAsManyValuesAsNames) {
   EXPECT_NE(lines[2].find(",0,slipped,"), std::string::npos);
   const std::string report = format_clutter_report(rounds);
   EXPECT_NE(report.find("grasp success rate 50.0 %"), std::string::npos) << report;
+}
+
+TEST(ClutterGallery, ListsEachAttemptWithItsImage) {
+  std::vector<GalleryEntry> entries{{"a.png", {}}, {"b.png", {}}};
+  entries[1].attempt.aimed = "mug";
+  entries[1].attempt.outcome.end = GraspEnd::slipped;
+  const std::string page = format_gallery("failures", entries);
+  for (const char* text : {"a.png", "b.png", "mug", "slipped", "contact at the start"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
 TEST(ClutterMethods, AreKnownByTheirNames) {
