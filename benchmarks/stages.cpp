@@ -5,6 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/voxel_sampling.hpp"
+#include "symscene/grasping/gripper.hpp"
+#include "symscene/grasping/planner.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 #include "symscene/simulation/simulation.hpp"
@@ -61,12 +63,23 @@ void whole_pipeline(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(segment_scene(scene()));
 }
 
+const GraspScene& segmented() {
+  static const GraspScene objects = grasp_scene(segment_scene(scene()), &scene());
+  return objects;
+}
+
+void grasp_planning(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(plan_grasps(segmented(), panda_hand()));
+  state.counters["objects"] = static_cast<double>(segmented().objects.size());
+}
+
 BENCHMARK(sampling)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(rasterization)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(distance_transform)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(adjacency_graph)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(smooth_segments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(whole_pipeline)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(grasp_planning)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace symscene

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "closing_lines.hpp"
@@ -55,6 +56,20 @@ Exits exits_behind(const SurfaceSamples& samples, Eigen::Index start) {
   return exits;
 }
 
+/// The directions in which fingers may close at a normal: level, which is the only one for low
+/// objects as both tips must clear the table, and along the normal unless that is nearly level.
+std::vector<Eigen::Vector3d> closing_directions(const Eigen::Vector3d& normal,
+                                                const Eigen::Vector3d& up) {
+  constexpr double nearly_level = radians(10.0);
+  constexpr double steepest_to_level = radians(30.0);
+  const double elevation = std::asin(std::clamp(std::abs(normal.dot(up)), 0.0, 1.0));
+  std::vector<Eigen::Vector3d> directions;
+  if (elevation < steepest_to_level)
+    directions.emplace_back((normal - normal.dot(up) * up).normalized());
+  if (elevation > nearly_level) directions.push_back(normal);
+  return directions;
+}
+
 }  // namespace
 
 std::vector<ClosingLine> antipodal_lines(const GraspTarget& target,
@@ -66,9 +81,12 @@ std::vector<ClosingLine> antipodal_lines(const GraspTarget& target,
     if (exits.last <= 0.0F) continue;
     const Eigen::Vector3d point = target.samples.positions.row(start).transpose().cast<double>();
     const Eigen::Vector3d normal = target.samples.normals.row(start).transpose().cast<double>();
-    lines.push_back({point - exits.first / 2.0 * normal, normal, exits.first});
-    if (exits.last > exits.first + 3.0F * ray_radius)
-      lines.push_back({point - exits.last / 2.0 * normal, normal, exits.last});
+    const auto add = [&](double width) {
+      for (const Eigen::Vector3d& direction : closing_directions(normal, target.up))
+        lines.push_back({point - width / 2.0 * normal, direction, width});
+    };
+    add(exits.first);
+    if (exits.last > exits.first + 3.0F * ray_radius) add(exits.last);
   }
   return lines;
 }

@@ -86,7 +86,7 @@ GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose) const {
     (this->*step)(verdict);
   }
   if (verdict.reason) return verdict;
-  verdict.grasp.quality = success_probability(verdict.grasp.features);
+  verdict.grasp.quality = success_probability(verdict.grasp);
   if (verdict.grasp.quality < options_.bounds.min_quality)
     fail(verdict, GraspRejection::low_quality, verdict.grasp.quality, options_.bounds.min_quality);
   return verdict;

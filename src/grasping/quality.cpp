@@ -18,6 +18,7 @@ struct Term {
 
 // Set by hand, not fitted: each bound is where more of the feature no longer helps.
 constexpr double bias = -3.5;
+constexpr double symmetry_weight = 0.5;  // a symmetry places the hidden contact better
 constexpr std::array<Term, 12> terms{{
     {&GraspFeatures::cone_margin, 0.0, 0.5, 1.5},
     {&GraspFeatures::cone_share, 0.5, 1.0, 1.0},
@@ -35,10 +36,11 @@ constexpr std::array<Term, 12> terms{{
 
 }  // namespace
 
-double success_probability(const GraspFeatures& features) {
+double success_probability(const Grasp& grasp) {
   double sum = bias;
+  if (grasp.source != GraspSource::antipodal) sum += symmetry_weight;
   for (const Term& term : terms)
-    sum += term.weight * ramp(features.*term.feature, term.low, term.high);
+    sum += term.weight * ramp(grasp.features.*term.feature, term.low, term.high);
   return 1.0 / (1.0 + std::exp(-sum));
 }
 

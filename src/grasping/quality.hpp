@@ -4,7 +4,7 @@
 
 namespace symscene {
 
-/// The probability that a grasp with these features succeeds: a logistic model.
-double success_probability(const GraspFeatures& features);
+/// The probability that a grasp succeeds, by its features and source: a logistic model.
+double success_probability(const Grasp& grasp);
 
 }  // namespace symscene
