@@ -39,6 +39,10 @@ struct CylinderOptions {
   RotationalDetectionOptions axis;
   CylinderGraspOptions grasps;
 
+  /// The defaults of the stages, but with a looser bound of symmetry: a cluster is a whole object,
+  /// with handles and edges, and the normals of a single view are noisy.
+  CylinderOptions() { axis.max_symmetry_residual = 0.12; }
+
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("voxel_size", self.voxel_size, "m", between(1e-4, 1.0),
