@@ -6,6 +6,7 @@
 
 #include "hand_collision.hpp"
 #include "quality.hpp"
+#include "symscene/core/neighbors.hpp"
 
 namespace symscene {
 namespace {
@@ -22,18 +23,70 @@ void fail(GraspJudge::Verdict& verdict, GraspRejection reason, double value, dou
   verdict.bound = bound;
 }
 
-void append_near(const SurfaceSamples& samples, const Eigen::Vector3f& centre, float reach,
-                 std::vector<PointBlock>& blocks, std::vector<Eigen::Vector3f>& positions) {
-  for (const PointBlock& block : samples.blocks) {
-    if ((block.centre - centre).norm() > reach + block.radius) continue;
-    PointBlock copy = block;
-    copy.begin = static_cast<Eigen::Index>(positions.size());
-    for (Eigen::Index i = block.begin; i < block.end; ++i)
-      positions.emplace_back(samples.positions.row(i).transpose());
-    copy.end = static_cast<Eigen::Index>(positions.size());
-    blocks.push_back(copy);
+/// Where a hidden side of another object, which is only inferred, contradicts the target.
+class TargetSpace {
+ public:
+  explicit TargetSpace(const SurfaceSamples& samples)
+      : samples_(samples),
+        cells_(samples.positions, depth),
+        box_(bounding_box(samples.positions).padded(margin)) {}
+
+  /// Whether the point lies inside the target or on its surface.
+  bool contains(const Eigen::Vector3f& point) const {
+    if ((point.array() < box_.min.array()).any() || (point.array() > box_.max.array()).any())
+      return false;
+    const auto [nearest, squared] = cells_.nearest(point, depth);
+    if (nearest == CellList::none) return false;
+    const Eigen::Vector3f offset = point - samples_.positions.row(nearest).transpose();
+    return squared < margin * margin || samples_.normals.row(nearest).dot(offset) < 0.0F;
   }
-}
+
+ private:
+  static constexpr float margin = 0.006F;  // of what counts as on the surface [m]
+  static constexpr float depth = 0.03F;    // to which points inside are recognised [m]
+
+  const SurfaceSamples& samples_;
+  CellList cells_;
+  Box box_;
+};
+
+/// Blocks of samples within reach, without what is inferred inside the target.
+class ReachableSamples {
+ public:
+  ReachableSamples(const Eigen::Vector3f& centre, float reach, const TargetSpace& target)
+      : centre_(centre), reach_(reach), target_(target) {}
+
+  void add(const SurfaceSamples& samples) {
+    for (const PointBlock& block : samples.blocks) {
+      if ((block.centre - centre_).norm() > reach_ + block.radius) continue;
+      PointBlock copy = block;
+      copy.begin = static_cast<Eigen::Index>(positions_.size());
+      for (Eigen::Index i = block.begin; i < block.end; ++i) {
+        const Eigen::Vector3f position = samples.positions.row(i).transpose();
+        if (samples.observed[static_cast<std::size_t>(i)] != 0 || !target_.contains(position))
+          positions_.push_back(position);
+      }
+      copy.end = static_cast<Eigen::Index>(positions_.size());
+      blocks_.push_back(copy);
+    }
+  }
+
+  SurfaceSamples samples() const {
+    SurfaceSamples near;
+    near.blocks = blocks_;
+    near.positions.resize(static_cast<Eigen::Index>(positions_.size()), 3);
+    for (std::size_t i = 0; i < positions_.size(); ++i)
+      near.positions.row(static_cast<Eigen::Index>(i)) = positions_[i].transpose();
+    return near;
+  }
+
+ private:
+  Eigen::Vector3f centre_;
+  float reach_;
+  const TargetSpace& target_;
+  std::vector<PointBlock> blocks_;
+  std::vector<Eigen::Vector3f> positions_;
+};
 
 /// What a hand of that reach can meet at the object, besides the object.
 SurfaceSamples reachable_obstacles(const GraspSurroundings& around, const GraspTarget& target,
@@ -41,17 +94,13 @@ SurfaceSamples reachable_obstacles(const GraspSurroundings& around, const GraspT
   const Box box = bounding_box(target.samples.positions);
   const Eigen::Vector3f centre = 0.5F * (box.min + box.max);
   const float reach = 0.5F * box.extent().norm() + hand_reach + greatest_distance;
-  SurfaceSamples near;
-  std::vector<Eigen::Vector3f> positions;
+  const TargetSpace space(target.samples);
+  ReachableSamples near(centre, reach, space);
   for (std::size_t i = 0; i < around.objects.size(); ++i) {
-    if (static_cast<int>(i) != target.object)
-      append_near(around.objects[i], centre, reach, near.blocks, positions);
+    if (static_cast<int>(i) != target.object) near.add(around.objects[i]);
   }
-  append_near(around.others, centre, reach, near.blocks, positions);
-  near.positions.resize(static_cast<Eigen::Index>(positions.size()), 3);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    near.positions.row(static_cast<Eigen::Index>(i)) = positions[i].transpose();
-  return near;
+  near.add(around.others);
+  return near.samples();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/parallel.hpp"
 #include "grasp_judge.hpp"
@@ -14,9 +15,15 @@ struct ObjectPlan {
   std::vector<Grasp> grasps;
   std::vector<RejectedGrasp> rejected;
   ObjectGraspSummary summary;
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  std::array<std::size_t, grasp_rejections> level{};  ///< rejected ones that close about level
 
   void reject(const RejectedGrasp& rejection) {
-    ++summary.rejected.at(static_cast<std::size_t>(rejection.reason));
+    constexpr double steepest = 0.7;  // sine of the angle to level
+    const auto reason = static_cast<std::size_t>(rejection.reason);
+    ++summary.rejected.at(reason);
+    if (std::abs(rejection.grasp.T_world_tool.linear().col(1).dot(up)) < steepest)
+      ++level.at(reason);
     rejected.push_back(rejection);
   }
   void keep_distinct(const GraspOptions& options);
@@ -69,16 +76,13 @@ void ObjectPlan::keep_some_rejected(std::size_t most) {
   }
 }
 
-/// Without a grasp: the last bound, in the order of GraspRejection, that a tenth of the candidates
-/// failed. What fails by an earlier one is often hopeless for other reasons, as grasps from the
-/// side are of a flat object.
+/// Without a grasp: the bound that most candidates failed. Those that close steeply do not count,
+/// as under an object there is the table.
 void ObjectPlan::name_reason() {
   if (!grasps.empty()) return;
-  summary.reason = GraspRejection::no_contact;
-  for (std::size_t i = 0; i < grasp_rejections; ++i) {
-    if (summary.rejected.at(i) > 0 && 10 * summary.rejected.at(i) >= summary.candidates)
-      summary.reason = static_cast<GraspRejection>(i);
-  }
+  const auto most = std::max_element(level.begin(), level.end());
+  summary.reason =
+      *most == 0 ? GraspRejection::no_contact : static_cast<GraspRejection>(most - level.begin());
 }
 
 std::vector<ClosingLine> closing_lines(const GraspTarget& target,
@@ -115,6 +119,7 @@ ObjectPlan plan_object(const GraspSurroundings& around, std::size_t id, const Gr
   plan.summary.reason = reason_against(around, id);
   if (plan.summary.reason) return plan;
   const GraspTarget target = grasp_target(around.scene, id, around.objects);
+  plan.up = target.up;
   const GraspJudge judge(around, target, gripper, options);
   const double widest = gripper.max_opening - options.bounds.opening_clearance;
   for (const ClosingLine& line : closing_lines(target, options.candidates)) {

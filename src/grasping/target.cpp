@@ -185,7 +185,8 @@ SurfaceSamples surface_samples(const ObjectSurface& surface) {
 SurfaceSamples surface_samples(const Points& points) {
   std::vector<Sample> samples(static_cast<std::size_t>(points.rows()));
   for (std::size_t i = 0; i < samples.size(); ++i)
-    samples[i].position = points.row(static_cast<Eigen::Index>(i)).transpose();
+    samples[i] = {points.row(static_cast<Eigen::Index>(i)).transpose(), Eigen::Vector3f::Zero(),
+                  true};
   return as_samples(std::move(samples));
 }
 
