@@ -114,6 +114,11 @@ std::string end_label(const ClutterAttempt* attempt) {
                                                                : "its object");
 }
 
+std::string penetration_label(const ClutterAttempt* attempt) {
+  constexpr double bound = 0.002;  // [m]
+  return attempt->penetration > bound ? "deeper than 2 mm" : "up to 2 mm";
+}
+
 void append_share(std::string& text, const char* name, const RoundShare& share) {
   fmt::format_to(
       std::back_inserter(text), "{} {:.1f} % (95 % interval {:.1f} to {:.1f}), {} of {}\n", name,
@@ -172,6 +177,8 @@ std::string format_clutter_report(std::span<const ClutterRound> rounds) {
   append_share(text, "declutter rate", declutter_rate(rounds));
   if (!attempts.empty()) append_times(text, attempts);
   append_tally(text, "attempts by outcome", frequencies(attempts, end_label));
+  append_tally(text, "hand at the grasp, in the true table or another true object",
+               frequencies(attempts, penetration_label));
   append_tally(text, "rounds by their end", frequencies(rounds, [](const ClutterRound& round) {
                  return std::string(to_string(round.end));
                }));
@@ -191,7 +198,9 @@ std::string format_attempts_csv(std::span<const ClutterRound> rounds) {
   const GraspFeatures none;
   GraspFeatures::visit_fields(none,
                               [&](const char* name, double) { text += fmt::format(",{}", name); });
-  text += ",success,end,contact,touched_other,removed_other,short_by,closed_width,width,seconds\n";
+  text +=
+      ",success,end,contact,touched_other,removed_other,short_by,closed_width,width,penetration,"
+      "seconds\n";
   auto out = std::back_inserter(text);
   for (const ClutterAttempt* a : all_attempts(rounds)) {
     const Grasp& grasp = a->grasp;
@@ -201,9 +210,9 @@ std::string format_attempts_csv(std::span<const ClutterRound> rounds) {
     GraspFeatures::visit_fields(
         grasp.features, [&](const char*, double value) { fmt::format_to(out, ",{:.5g}", value); });
     const GraspOutcome& o = a->outcome;
-    fmt::format_to(out, ",{:d},{},{},{:d},{:d},{:.4f},{:.4f},{:.4f},{:.3f}\n", succeeded(*a),
+    fmt::format_to(out, ",{:d},{},{},{:d},{:d},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f}\n", succeeded(*a),
                    to_string(o.end), to_string(o.contact), a->touched_other, a->removed_other,
-                   o.short_by, o.closed_width, o.width, a->seconds);
+                   o.short_by, o.closed_width, o.width, a->penetration, a->seconds);
   }
   return text;
 }

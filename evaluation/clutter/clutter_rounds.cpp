@@ -44,6 +44,7 @@ ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposal
   attempt.present = world.present().size();
   attempt.seconds = proposals.seconds;
   attempt.grasping_seconds = proposals.grasping_seconds;
+  attempt.penetration = world.penetration(attempt.grasp.T_world_tool, aim.item);
   attempt.outcome = world.execute(attempt.grasp.T_world_tool, options.execution);
   const GraspOutcome& outcome = attempt.outcome;
   const bool is_other = outcome.body && *outcome.body != aim.item;

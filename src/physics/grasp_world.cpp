@@ -197,8 +197,8 @@ struct GraspWorld::Implementation : MujocoWorld {
       const mjContact& contact = data->contact[c];
       if (contact.dist > 0.0) continue;
       const int a = model->geom_bodyid[contact.geom1], b = model->geom_bodyid[contact.geom2];
-      visit(a, b);
-      visit(b, a);
+      visit(a, b, -contact.dist);
+      visit(b, a, -contact.dist);
     }
   }
 };
@@ -243,7 +243,7 @@ bool GraspWorld::touches(std::size_t body) const {
   implementation_->find_contacts();
   bool any = false;
   implementation_->for_each_contact(
-      [&](int a, int) { any = any || a == static_cast<int>(body) + 1; });
+      [&](int a, int, double) { any = any || a == static_cast<int>(body) + 1; });
   return any;
 }
 
@@ -293,18 +293,24 @@ GraspWorld::HandContacts GraspWorld::hand_contacts() const {
   world.find_contacts();
   HandContacts contacts;
   std::vector<std::array<bool, 3>> touched(size());  // by the palm and by each finger
-  world.for_each_contact([&](int of_hand, int other) {
+  std::vector<double> depths(size(), 0.0);
+  world.for_each_contact([&](int of_hand, int other, double depth) {
     if (of_hand < world.palm() || other > static_cast<int>(size())) return;
-    if (other == 0)
+    if (other == 0) {
       contacts.table = true;
-    else
-      touched[static_cast<std::size_t>(other - 1)]
-             [static_cast<std::size_t>(of_hand - world.palm())] = true;
+      contacts.table_depth = std::max(contacts.table_depth, depth);
+      return;
+    }
+    const auto body = static_cast<std::size_t>(other - 1);
+    touched[body][static_cast<std::size_t>(of_hand - world.palm())] = true;
+    depths[body] = std::max(depths[body], depth);
   });
   for (std::size_t b = 0; b < size(); ++b) {
     const auto [palm, left, right] = touched[b];
-    if (palm || left || right) contacts.bodies.push_back(b);
     if (left && right) contacts.held.push_back(b);
+    if (!palm && !left && !right) continue;
+    contacts.bodies.push_back(b);
+    contacts.depths.push_back(depths[b]);
   }
   return contacts;
 }

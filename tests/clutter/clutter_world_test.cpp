@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "clutter_scenes.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/physics/physics_world.hpp"
@@ -81,6 +83,19 @@ TEST_F(ClutterWorldTest, AnObjectThatIsGraspedIsTakenAway) {
   const GraspOutcome outcome = world.execute(T_world_tool);
   EXPECT_EQ(outcome.end, GraspEnd::success) << to_string(outcome.end);
   EXPECT_TRUE(world.present().empty());
+}
+
+TEST_F(ClutterWorldTest, TheHandPenetratesTheTableAndOtherObjectsThanItsOwn) {
+  ClutterWorld world(objects_, ClutterKind::packed, 1, 4);
+  const std::size_t item = world.present().front();
+  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+  T_world_tool.linear() = Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).matrix();
+  T_world_tool.translation() = Eigen::Vector3d(0.6, 0.15, clutter::table_height + 0.05 - 0.004);
+  EXPECT_NEAR(world.penetration(T_world_tool, item), 0.004, 5e-4);
+  T_world_tool.translation() = world.pose(item).translation() + Eigen::Vector3d(0, 0, 0.02);
+  EXPECT_GT(world.penetration(T_world_tool, item + 1), 0.005);
+  EXPECT_LT(world.penetration(T_world_tool, item), 0.005);
+  EXPECT_EQ(world.present().size(), 1);
 }
 
 TEST(ClutterKinds, AreKnownByTheirNames) {

@@ -109,10 +109,14 @@ TEST_F(GraspWorldTest, TheHandTouchesTheTableAndBodies) {
   GraspWorld world = world_with_cube();
   world.put_hand(hand_above(0.3, 0, -0.002));
   EXPECT_TRUE(world.hand_contacts().table);
+  EXPECT_NEAR(world.hand_contacts().table_depth, 0.002, 5e-4);
   EXPECT_TRUE(world.hand_contacts().bodies.empty());
   world.put_hand(hand_above(0, 0.04, 0.005));
   EXPECT_FALSE(world.hand_contacts().table);
   EXPECT_EQ(world.hand_contacts().bodies, std::vector<std::size_t>{0});
+  ASSERT_EQ(world.hand_contacts().depths.size(), 1);
+  // The pad of the finger in the cube is at y = 0, the nearest side of the cube at -20 mm.
+  EXPECT_NEAR(world.hand_contacts().depths.front(), 0.02, 0.001);
   EXPECT_TRUE(world.hand_contacts().held.empty());
   world.take_hand_away();
   world.advance(0.1);

@@ -35,6 +35,7 @@ struct ClutterAttempt {
   std::string aimed;            ///< name of the object nearest to the point between the fingertips
   double aimed_distance = 0.0;  ///< of that point from its surface [m]
   double occlusion = 0.0;       ///< of that object, before the grasp
+  double penetration = 0.0;     ///< of the open hand at the grasp, into table or other objects [m]
   bool touched_other = false;   ///< the approach was stopped by another object
   bool removed_other = false;   ///< another object was removed
   std::size_t seen = 0;         ///< objects that the method sees

@@ -55,6 +55,9 @@ class ClutterWorld {
   /// Its surface where it is now.
   TriangleMesh surface(std::size_t item) const;
 
+  /// How far the open hand at a grasp reaches into the table or an item other than `aimed`. [m]
+  double penetration(const Eigen::Isometry3d& T_world_tool, std::size_t aimed);
+
   /// Executes a grasp, takes a body that is held out of the world and waits until the rest has
   /// settled.
   GraspOutcome execute(const Eigen::Isometry3d& T_world_tool,

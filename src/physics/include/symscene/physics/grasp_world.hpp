@@ -107,7 +107,9 @@ class GraspWorld {
   /// What the hand touches where it is now.
   struct HandContacts {
     bool table = false;               ///< the table or a fixed box
+    double table_depth = 0.0;         ///< to which the hand reaches into them [m]
     std::vector<std::size_t> bodies;  ///< touched by the hand, ascending
+    std::vector<double> depths;       ///< per touched body, to which the hand reaches into it [m]
     std::vector<std::size_t> held;    ///< touched by both fingers, ascending
     bool any() const { return table || !bodies.empty(); }
   };
