@@ -60,11 +60,14 @@ BoundingCylinder bounding_cylinder(const Points& points, const RotationAxis& axi
 CylinderScene fit_cylinders(const Scene& scene, const CylinderOptions& options,
                             const StageTimer::OnBegin& on_begin) {
   options.validate();
+  CylinderScene result;
+  result.table = scene.table;
+  result.warnings = scene.warnings;
+  if (scene.cloud.empty()) return result;
   StageTimer timer(on_begin);
   Workspace space = sampled(scene, options, timer);
   std::vector<PointIndices> clusters =
       timer.time("clusters", [&] { return euclidean_clusters(space.cloud, options.clusters); });
-  CylinderScene result;
   result.clusters.resize(clusters.size());
   timer.time("axes and cylinders", [&] {  // sections 3.5.2 and 4.6.2
     parallel_for_each(clusters.size(), [&](std::size_t i) {
@@ -72,7 +75,6 @@ CylinderScene fit_cylinders(const Scene& scene, const CylinderOptions& options,
     });
   });
   result.cloud = std::move(space.cloud);
-  result.table = scene.table;
   result.timings = timer.stages();
   result.warnings = std::move(space.warnings);
   return result;

@@ -107,6 +107,16 @@ TEST(FitCylinders, KeepsTheReasonOfAClusterWithoutAnAxis) {
   EXPECT_EQ(sheet.clusters[0].judgement.outcome, AxisOutcome::perpendicularity);
 }
 
+TEST(FitCylinders, FindsNothingOnAnEmptyTable) {
+  Scene empty;
+  empty.table = Plane{};
+  empty.warnings = {"nothing stands on the table"};
+  const CylinderScene scene = fit_cylinders(empty);
+  EXPECT_TRUE(scene.clusters.empty());
+  EXPECT_EQ(scene.warnings, empty.warnings);
+  EXPECT_TRUE(cylinder_grasps(scene, panda_hand()).grasps.empty());
+}
+
 TEST(FitCylinders, GivesTheSameResultForAnyNumberOfThreads) {
   const Scene scene = on_table(joined(can(0.05, 0.08), can(0.03, 0.15, {0.15, 0.0, 0.0})));
   const auto run = [&](std::size_t threads) {

@@ -2,6 +2,7 @@
 
 #include "surfaces.hpp"
 #include "symmetry/axis_quality.hpp"
+#include "symmetry/segment_axis.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
 #include "symscene/symmetry/rotational_detection.hpp"
@@ -58,6 +59,32 @@ TEST(RotationalDetection, MergesTheCandidatesOfTwoSegments) {
   EXPECT_EQ(detect_rotational(cloud, {lower, upper}, nothing_known(cloud), std::nullopt)
                 .candidates.size(),
             1U);
+}
+
+TEST(SegmentAxis, NamesTheBoundThatTheBestAxisFails) {
+  const RotationalDetectionOptions options;
+  const auto judged = [&](const PointCloud& cloud, const DistanceField& field) {
+    return segment_axis(cloud, all_of(cloud), field, std::nullopt, options).judgement;
+  };
+  const PointCloud vase = testing::vase();
+  const PointCloud half = testing::seen_from(vase, {1.0F, 0.0F, 0.3F});
+  const PointCloud box = testing::box({0.1, 0.15, 0.2});
+  const PointCloud patch = testing::seen_from(box, {0.0F, 0.0F, 0.21F});
+  PointIndices narrow;
+  for (Index i = 0; i < vase.size(); ++i) {
+    if (vase.positions(i, 0) > 1.5F * std::abs(vase.positions(i, 1))) narrow.push_back(i);
+  }
+  const PointCloud sector = select(vase, narrow);
+  EXPECT_EQ(judged(half, nothing_known(half)).outcome, AxisOutcome::accepted);
+  EXPECT_EQ(judged(half, all_seen(half)).outcome, AxisOutcome::occlusion);
+  EXPECT_EQ(judged(box, nothing_known(box)).outcome, AxisOutcome::symmetry);
+  EXPECT_EQ(judged(patch, nothing_known(patch)).outcome, AxisOutcome::perpendicularity);
+  EXPECT_EQ(judged(sector, nothing_known(sector)).outcome, AxisOutcome::coverage);
+  EXPECT_EQ(judged(select(vase, PointIndices{0, 1, 2}), nothing_known(vase)).outcome,
+            AxisOutcome::no_fit);
+  const AxisJudgement rejected = judged(box, nothing_known(box));
+  EXPECT_GE(rejected.value, rejected.bound);
+  EXPECT_EQ(rejected.bound, options.max_symmetry_residual);
 }
 
 TEST(AngularCoverage, IsTheTurnThatIsSeen) {

@@ -43,8 +43,9 @@ struct CylinderScene {
 
 /// Euclidean clusters of a scene's cloud, and the cylinder about the axis of each (section 4.6.2).
 /// The directions of cylinders point away from the table. Without occupancy, no axis is rejected
-/// for space that was seen empty. The result has the same bits for any number of threads. Throws
-/// InputError if an option is invalid or the cloud has no usable point.
+/// for space that was seen empty. A cloud without points has no cluster. The result has the same
+/// bits for any number of threads. Throws InputError if an option is invalid or no point of the
+/// cloud is usable.
 CylinderScene fit_cylinders(const Scene& scene, const CylinderOptions& options = {},
                             const StageTimer::OnBegin& on_begin = {});
 
