@@ -64,8 +64,10 @@ struct GraspCommand {
     if (!scene.empty()) throw InputError("--scene", "a result folder as input", "a scene");
     SegmentInput read = timer.time("read", [&] { return source.read(SegmentOptions{}, session); });
     SegmentedInput input;
-    input.result = timer.time(
-        "segment", [&] { return naming(source.path, [&] { return segment_scene(read.scene); }); });
+    input.result = timer.time("segment", [&] {
+      if (read.scene.cloud.empty()) return nothing_found(read.scene);
+      return naming(source.path, [&] { return segment_scene(read.scene); });
+    });
     session.warn(std::span(input.result.warnings).subspan(read.scene.warnings.size()));
     input.scene = grasp_scene(input.result, &read.scene, options);
     if (!page.empty()) {

@@ -82,11 +82,8 @@ struct Segment {
   }
 
   SegmentationResult objects_of(const Scene& scene, Session& session) const {
-    if (!scene.cloud.empty()) return naming(source.path, [&] { return segment(scene, session); });
-    SegmentationResult nothing;
-    nothing.table = scene.table;
-    nothing.warnings = scene.warnings;
-    return nothing;
+    if (scene.cloud.empty()) return nothing_found(scene);
+    return naming(source.path, [&] { return segment(scene, session); });
   }
 
   void run() {

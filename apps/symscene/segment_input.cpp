@@ -38,6 +38,13 @@ SequenceOptions in_millimetres(SequenceOptions options, const fs::path& path) {
 
 }  // namespace
 
+SegmentationResult nothing_found(const Scene& scene) {
+  SegmentationResult nothing;
+  nothing.table = scene.table;
+  nothing.warnings = scene.warnings;
+  return nothing;
+}
+
 SegmentInput SegmentSource::read_folder(Session& session) const {
   SegmentInput input;
   input.scene = read_scene(path);

@@ -17,6 +17,9 @@ struct SegmentInput {
   SensorChoice sensor;              ///< of the frame
 };
 
+/// The result of a scene without points: its table and warnings.
+SegmentationResult nothing_found(const Scene& scene);
+
 /// Where `symscene segment` finds its scene.
 struct SegmentSource {
   std::filesystem::path path;

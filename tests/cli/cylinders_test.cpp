@@ -74,6 +74,22 @@ TEST_F(Command, ShowsGraspsOnAPage) {
   }
 }
 
+TEST_F(Command, GraspsNothingOnAnEmptyTable) {
+  fs::create_directories(file("bare"));
+  write(file("bare") / "cloud.ply",
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+        "property float z\nend_header\n");
+  write(file("bare") / "table_plane.txt", "0 0 1 0\n");
+  for (const char* command : {"grasp", "cylinders"}) {
+    const Outcome outcome = run(std::string(command) + " bare -o bare.json --page bare.html");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json document = nlohmann::json::parse(contents(file("bare.json")));
+    EXPECT_TRUE(document.at("grasps").empty());
+    EXPECT_TRUE(document.at("objects").empty());
+    EXPECT_GT(fs::file_size(file("bare.html")), 1000U);
+  }
+}
+
 TEST_F(Command, RefusesPagesAndGrippersThatCannotBe) {
   expect_refusal("cylinders scene -o new.json --gripper claw", 1, "panda");
   expect_refusal("cylinders scene -o new.json --gripper nothing.json", 1, "nothing.json");
