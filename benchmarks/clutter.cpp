@@ -50,6 +50,11 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_option("--first", a.first, "number of the first round")->capture_default_str();
   app.add_option("--seed", a.options.seed, "seed of all rounds")->capture_default_str();
   app.add_option("--count", a.options.objects, "objects per scene")->capture_default_str();
+  app.add_option("--rehearsals", a.options.rehearsals,
+                 "proposals drawn at random that are tried and undone before each attempt; for "
+                 "--attempts only")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--views", a.options.views, "1 from the side, or several around")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

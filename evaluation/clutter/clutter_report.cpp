@@ -151,6 +151,20 @@ Tally missing_grasps(std::span<const ClutterRound> rounds) {
   return frequencies(reasons, [](const std::string& reason) { return reason; });
 }
 
+void append_row(const ClutterAttempt& a, bool is_rehearsal, std::string& text) {
+  auto out = std::back_inserter(text);
+  const Grasp& grasp = a.grasp;
+  fmt::format_to(out, "{},{},{:d},{},{},{},{:.3f},{},{:.4f},{:.4f},{:.4f}", a.round, a.number,
+                 is_rehearsal, a.aimed, a.present, a.seen, a.occlusion, to_string(grasp.source),
+                 grasp.quality, grasp.opening, a.aimed_distance);
+  GraspFeatures::visit_fields(
+      grasp.features, [&](const char*, double value) { fmt::format_to(out, ",{:.5g}", value); });
+  const GraspOutcome& o = a.outcome;
+  fmt::format_to(out, ",{:d},{},{},{:d},{:d},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f}\n", succeeded(a),
+                 to_string(o.end), to_string(o.contact), a.touched_other, a.removed_other,
+                 o.short_by, o.closed_width, o.width, a.penetration, a.seconds);
+}
+
 }  // namespace
 
 RoundShare grasp_success_rate(std::span<const ClutterRound> rounds) {
@@ -194,25 +208,16 @@ std::string format_clutter_report(std::span<const ClutterRound> rounds) {
 
 std::string format_attempts_csv(std::span<const ClutterRound> rounds) {
   std::string text =
-      "round,attempt,object,present,seen,occlusion,source,quality,opening,aimed_distance";
+      "round,attempt,rehearsal,object,present,seen,occlusion,source,quality,opening,aimed_distance";
   const GraspFeatures none;
   GraspFeatures::visit_fields(none,
                               [&](const char* name, double) { text += fmt::format(",{}", name); });
   text +=
       ",success,end,contact,touched_other,removed_other,short_by,closed_width,width,penetration,"
       "seconds\n";
-  auto out = std::back_inserter(text);
-  for (const ClutterAttempt* a : all_attempts(rounds)) {
-    const Grasp& grasp = a->grasp;
-    fmt::format_to(out, "{},{},{},{},{},{:.3f},{},{:.4f},{:.4f},{:.4f}", a->round, a->number,
-                   a->aimed, a->present, a->seen, a->occlusion, to_string(grasp.source),
-                   grasp.quality, grasp.opening, a->aimed_distance);
-    GraspFeatures::visit_fields(
-        grasp.features, [&](const char*, double value) { fmt::format_to(out, ",{:.5g}", value); });
-    const GraspOutcome& o = a->outcome;
-    fmt::format_to(out, ",{:d},{},{},{:d},{:d},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f}\n", succeeded(*a),
-                   to_string(o.end), to_string(o.contact), a->touched_other, a->removed_other,
-                   o.short_by, o.closed_width, o.width, a->penetration, a->seconds);
+  for (const ClutterRound& round : rounds) {
+    for (const ClutterAttempt& attempt : round.attempts) append_row(attempt, false, text);
+    for (const ClutterAttempt& attempt : round.rehearsals) append_row(attempt, true, text);
   }
   return text;
 }

@@ -1,5 +1,7 @@
 #include "symscene/clutter/clutter_rounds.hpp"
 
+#include <algorithm>
+
 #include "core/random.hpp"
 #include "method_parts.hpp"
 #include "simulation/true_surface.hpp"
@@ -32,10 +34,14 @@ Aim aim_of(const ClutterWorld& world, const Grasp& grasp, int views) {
   return {world.present()[k], nearest.distance, clutter_occlusion(world, views)[k]};
 }
 
+/// How a grasp is tried.
+using WayToTry = GraspOutcome (ClutterWorld::*)(const Eigen::Isometry3d&,
+                                                const GraspExecutionOptions&);
+
 ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposals,
-                             const ClutterRoundOptions& options) {
+                             std::size_t chosen, WayToTry way, const ClutterRoundOptions& options) {
   ClutterAttempt attempt;
-  attempt.grasp = proposals.grasps.front();
+  attempt.grasp = proposals.grasps[chosen];
   const Aim aim = aim_of(world, attempt.grasp, options.views);
   attempt.aimed = world.object(aim.item).name;
   attempt.aimed_distance = aim.distance;
@@ -45,12 +51,23 @@ ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposal
   attempt.seconds = proposals.seconds;
   attempt.grasping_seconds = proposals.grasping_seconds;
   attempt.penetration = world.penetration(attempt.grasp.T_world_tool, aim.item);
-  attempt.outcome = world.execute(attempt.grasp.T_world_tool, options.execution);
+  attempt.outcome = (world.*way)(attempt.grasp.T_world_tool, options.execution);
   const GraspOutcome& outcome = attempt.outcome;
   const bool is_other = outcome.body && *outcome.body != aim.item;
   attempt.removed_other = is_other && outcome.end == GraspEnd::success;
   attempt.touched_other = is_other && outcome.contact == ApproachContact::body;
   return attempt;
+}
+
+void rehearse(ClutterWorld& world, const GraspProposals& proposals,
+              const ClutterRoundOptions& options, std::uint64_t seed,
+              std::vector<ClutterAttempt>& tried) {
+  Random random(seed);
+  const auto grasps = static_cast<std::uint32_t>(proposals.grasps.size());
+  for (int k = 0; k < options.rehearsals; ++k) {
+    tried.push_back(
+        attempt_grasp(world, proposals, random.below(grasps), &ClutterWorld::rehearse, options));
+  }
 }
 
 /// One proposal and its execution; returns whether there was a grasp.
@@ -67,9 +84,17 @@ bool try_once(ClutterWorld& world, const ClutterRoundOptions& options, int round
     result.outside = proposals.outside;
     return false;
   }
-  result.attempts.push_back(attempt_grasp(world, proposals, options));
-  result.attempts.back().round = round;
-  result.attempts.back().number = static_cast<int>(result.attempts.size());
+  const std::size_t rehearsed = result.rehearsals.size();
+  rehearse(world, proposals, options, method_seed, result.rehearsals);
+  result.attempts.push_back(attempt_grasp(world, proposals, 0, &ClutterWorld::execute, options));
+  const auto number = static_cast<int>(result.attempts.size());
+  const auto name = [&](ClutterAttempt& attempt) {
+    attempt.round = round;
+    attempt.number = number;
+  };
+  name(result.attempts.back());
+  std::for_each(result.rehearsals.begin() + static_cast<std::ptrdiff_t>(rehearsed),
+                result.rehearsals.end(), name);
   if (observer.after) observer.after(result.attempts.back());
   return true;
 }
@@ -98,6 +123,7 @@ void play(ClutterWorld& world, const ClutterRoundOptions& options, int round, Ra
 void ClutterRoundOptions::validate() const {
   require_option(objects >= 1, "objects", "at least 1", objects);
   require_option(views >= 1, "views", "at least 1", views);
+  require_option(rehearsals >= 0, "rehearsals", "at least 0", rehearsals);
   require_option(max_failures >= 1, "max_failures", "at least 1", max_failures);
   noise.validate();
   execution.validate();

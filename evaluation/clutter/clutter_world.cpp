@@ -178,11 +178,27 @@ double ClutterWorld::penetration(const Eigen::Isometry3d& T_world_tool, std::siz
   return depth;
 }
 
-GraspOutcome ClutterWorld::execute(const Eigen::Isometry3d& T_world_tool,
-                                   const GraspExecutionOptions& options) {
+GraspOutcome ClutterWorld::executed(const Eigen::Isometry3d& T_world_tool,
+                                    const GraspExecutionOptions& options) {
   const Eigen::Isometry3d T_table_tool = Eigen::Translation3d(0, 0, -table_height) * T_world_tool;
   const GraspOutcome outcome = execute_grasp(*world_, T_table_tool, options);
   world_->take_hand_away();
+  return outcome;
+}
+
+GraspOutcome ClutterWorld::rehearse(const Eigen::Isometry3d& T_world_tool,
+                                    const GraspExecutionOptions& options) {
+  const std::vector<std::size_t> items = present();
+  std::vector<Eigen::Isometry3d> poses;
+  for (const std::size_t i : items) poses.push_back(world_->pose(i));
+  const GraspOutcome outcome = executed(T_world_tool, options);
+  for (std::size_t k = 0; k < items.size(); ++k) world_->put(items[k], poses[k]);
+  return outcome;
+}
+
+GraspOutcome ClutterWorld::execute(const Eigen::Isometry3d& T_world_tool,
+                                   const GraspExecutionOptions& options) {
+  const GraspOutcome outcome = executed(T_world_tool, options);
   if (outcome.end == GraspEnd::success) world_->take_away(*outcome.body);
   settle();
   return outcome;

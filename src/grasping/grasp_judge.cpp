@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "grasping/quality.hpp"
 #include "hand_collision.hpp"
-#include "quality.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {

@@ -67,6 +67,23 @@ TEST_F(ClutterRoundTest, TheSameOptionsGiveTheSameAttempts) {
   }
 }
 
+TEST_F(ClutterRoundTest, RehearsalsAreUndone) {
+  ClutterRoundOptions options;
+  options.kind = ClutterKind::packed;
+  options.objects = 2;
+  options.method = GraspMethod::true_meshes;
+  options.seed = 5;
+  options.rehearsals = 3;
+  const ClutterRound rehearsed = run_clutter_round(objects_, options, 3);
+  const ClutterRound plain = play(GraspMethod::true_meshes);
+  EXPECT_EQ(rehearsed.rehearsals.size(), 3 * rehearsed.attempts.size());
+  EXPECT_TRUE(plain.rehearsals.empty());
+  EXPECT_EQ(rehearsed.removed, plain.removed);
+  ASSERT_FALSE(plain.attempts.empty());
+  EXPECT_TRUE(rehearsed.attempts.front().grasp.T_world_tool.isApprox(
+      plain.attempts.front().grasp.T_world_tool, 0.0));
+}
+
 TEST_F(ClutterRoundTest, AntipodalGraspsHaveTheirContactsOnOppositeSides) {
   const ClutterWorld world(objects_, ClutterKind::packed, 3, 2);
   const std::vector<Grasp> grasps = random_antipodal_grasps(world, panda_hand(), Random(1));

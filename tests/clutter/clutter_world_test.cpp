@@ -67,11 +67,8 @@ TEST_F(ClutterWorldTest, TheSeedDecidesEverything) {
   EXPECT_NE(poses(7), poses(8));
 }
 
-TEST_F(ClutterWorldTest, AnObjectThatIsGraspedIsTakenAway) {
-  ClutterWorld world(objects_, ClutterKind::packed, 1, 4);
-  ASSERT_EQ(world.present().size(), 1);
-  const std::size_t item = world.present().front();
-  // From above, across the item's x axis, the thinner one of each box.
+/// A grasp from above, across the item's x axis, the thinner one of each box.
+Eigen::Isometry3d grasp_from_above(const ClutterWorld& world, std::size_t item) {
   const Eigen::Isometry3d pose = world.pose(item);
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
   T_world_tool.linear() << -pose.linear().col(1), pose.linear().col(0), Eigen::Vector3d::UnitZ();
@@ -80,7 +77,14 @@ TEST_F(ClutterWorldTest, AnObjectThatIsGraspedIsTakenAway) {
   const float top = world.surface(item).vertices.col(2).maxCoeff();
   T_world_tool.translation() = pose.translation();
   T_world_tool.translation().z() = static_cast<double>(top) - 0.025 + 0.05;
-  const GraspOutcome outcome = world.execute(T_world_tool);
+  return T_world_tool;
+}
+
+TEST_F(ClutterWorldTest, AnObjectThatIsGraspedIsTakenAway) {
+  ClutterWorld world(objects_, ClutterKind::packed, 1, 4);
+  ASSERT_EQ(world.present().size(), 1);
+  const std::size_t item = world.present().front();
+  const GraspOutcome outcome = world.execute(grasp_from_above(world, item));
   EXPECT_EQ(outcome.end, GraspEnd::success) << to_string(outcome.end);
   EXPECT_TRUE(world.present().empty());
 }
@@ -96,6 +100,17 @@ TEST_F(ClutterWorldTest, TheHandPenetratesTheTableAndOtherObjectsThanItsOwn) {
   EXPECT_GT(world.penetration(T_world_tool, item + 1), 0.005);
   EXPECT_LT(world.penetration(T_world_tool, item), 0.005);
   EXPECT_EQ(world.present().size(), 1);
+}
+
+TEST_F(ClutterWorldTest, ARehearsalLeavesTheWorldAsItWas) {
+  ClutterWorld world(objects_, ClutterKind::packed, 1, 4);
+  ASSERT_EQ(world.present().size(), 1);
+  const std::size_t item = world.present().front();
+  const Eigen::Isometry3d before = world.pose(item);
+  const GraspOutcome outcome = world.rehearse(grasp_from_above(world, item));
+  EXPECT_EQ(outcome.end, GraspEnd::success) << to_string(outcome.end);
+  ASSERT_EQ(world.present().size(), 1);
+  EXPECT_TRUE(world.pose(item).isApprox(before, 1e-9));
 }
 
 TEST(ClutterKinds, AreKnownByTheirNames) {

@@ -15,6 +15,9 @@ struct ClutterRoundOptions {
   int objects = 5;
   int views = 1;
   int max_failures = 2;  ///< in a row, which end a round
+  /// Proposals drawn at random that are tried and undone before each attempt: outcomes of grasps of
+  /// any quality.
+  int rehearsals = 0;
   std::uint64_t seed = 0;
   GraspMethod method = GraspMethod::symscene;
   ClutterMethodOptions planning;
@@ -58,6 +61,7 @@ struct ClutterRound {
   std::vector<std::string> reasons;  ///< why objects have no grasp, where no grasp ended the round
   std::size_t outside = 0;  ///< grasps outside the grasp volume, where no grasp ended the round
   std::vector<ClutterAttempt> attempts;
+  std::vector<ClutterAttempt> rehearsals;  ///< numbered as the attempt that follows
 };
 
 /// Called before an attempt with the world, its views and the proposals, and after it with the

@@ -63,10 +63,16 @@ class ClutterWorld {
   GraspOutcome execute(const Eigen::Isometry3d& T_world_tool,
                        const GraspExecutionOptions& options = {});
 
+  /// Executes a grasp and puts all bodies back to where they were, at rest.
+  GraspOutcome rehearse(const Eigen::Isometry3d& T_world_tool,
+                        const GraspExecutionOptions& options = {});
+
   /// Simulated time so far. [s]
   double time() const { return time_; }
 
  private:
+  GraspOutcome executed(const Eigen::Isometry3d& T_world_tool,
+                        const GraspExecutionOptions& options);
   void drop_into_tray();
   void set_upright(int count);
   void advance(double seconds);
