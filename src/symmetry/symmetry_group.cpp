@@ -33,24 +33,67 @@ Eigen::Vector3d common_point(const SymmetryGroup& group, const Eigen::Vector3d& 
 struct Generator {
   Eigen::Matrix3d matrix;
   double residual;
+  bool is_axis;
+  std::size_t index;  ///< among the axes or planes of the group
 };
 
 std::vector<Generator> generators_of(const SymmetryGroup& group) {
   std::vector<Generator> generators;
   const bool turns_freely =
       !group.axes.empty() && group.axes.front().order == GroupAxis::continuous;
-  for (const GroupAxis& found : group.axes) {
+  for (std::size_t k = 0; k < group.axes.size(); ++k) {
+    const GroupAxis& found = group.axes[k];
     if (found.order == GroupAxis::continuous) continue;
     generators.push_back(
-        {found.axis.rotation(2.0 * std::numbers::pi / found.order), found.residual});
+        {found.axis.rotation(2.0 * std::numbers::pi / found.order), found.residual, true, k});
   }
   // With a continuous axis, the plane across it and the half turn would make more half turns.
-  for (const GroupPlane& found : group.planes) {
-    if (!turns_freely) generators.push_back({motion_of(found.plane).linear(), found.residual});
+  for (std::size_t k = 0; k < group.planes.size() && !turns_freely; ++k) {
+    const GroupPlane& found = group.planes[k];
+    generators.push_back({motion_of(found.plane).linear(), found.residual, false, k});
   }
   std::stable_sort(generators.begin(), generators.end(),
                    [](const Generator& a, const Generator& b) { return a.residual < b.residual; });
   return generators;
+}
+
+/// Whether a group turns the surface about a listed axis by less than the axis' order says: such
+/// turns were tried and are no symmetries.
+bool exceeds_orders(const FiniteGroup& finite, const std::vector<GroupAxis>& axes,
+                    double same_angle) {
+  constexpr double whole = 0.25;  // of a multiple of the least turn
+  return std::any_of(
+      finite.elements().begin(), finite.elements().end(), [&](const Eigen::Matrix3d& element) {
+        if (element.determinant() < 0.0) return false;
+        const Eigen::AngleAxisd turn(element);
+        return std::any_of(axes.begin(), axes.end(), [&](const GroupAxis& listed) {
+          const double steps = listed.order * turn.angle() / (2.0 * std::numbers::pi);
+          return std::abs(steps - std::round(steps)) > whole &&
+                 line_angle(listed.axis.direction, turn.axis()) < same_angle;
+        });
+      });
+}
+
+/// Drops symmetries which, with better ones, generate turns that exceed the order of a listed axis,
+/// such as the diagonals of a plate that is nearly square.
+void drop_exceeding(const SymmetryGroupOptions& options, SymmetryGroup& group) {
+  FiniteGroup finite;
+  std::vector<bool> axis_exceeds(group.axes.size()), plane_exceeds(group.planes.size());
+  for (const Generator& generator : generators_of(group)) {
+    const FiniteGroup larger = finite.with(generator.matrix, max_group);
+    if (larger.elements().size() > max_group) continue;
+    if (exceeds_orders(larger, group.axes, options.same_angle)) {
+      (generator.is_axis ? axis_exceeds : plane_exceeds)[generator.index] = true;
+    } else {
+      finite = larger;
+    }
+  }
+  const auto erase = [](auto& symmetries, const std::vector<bool>& exceeds) {
+    std::size_t k = 0;
+    std::erase_if(symmetries, [&](const auto&) { return exceeds[k++]; });
+  };
+  erase(group.axes, axis_exceeds);
+  erase(group.planes, plane_exceeds);
 }
 
 /// The largest group of the generators, best first, whose elements are all symmetries.
@@ -125,6 +168,7 @@ void search(const SymmetryModel& model, const SymmetryGroupOptions& options, Sym
     group.axes = search.finite_axes();
     group.planes = search.planes();
   }
+  drop_exceeding(options, group);
   group.center = common_point(group, Eigen::Vector3d::Zero());
   const FiniteGroup closed = closed_group(model, group, group.center, options);
   for (const Eigen::Matrix3d& element : closed.elements()) {
@@ -154,8 +198,8 @@ SymmetryGroup find_symmetry_group(const PointCloud& surface, const SymmetryGroup
   const Eigen::Vector3d origin = centroid(surface.positions);
   const PointCloud cloud = normalized(surface, origin, group.diameter);
   group.sphere_residual = radius_deviation(cloud);
-  group.sphere = group.sphere_residual <= options.tolerance;
   const SymmetryGroupOptions normalised = in_diameters(options, group);
+  group.sphere = group.sphere_residual <= normalised.tolerance;
   if (!group.sphere) search(SymmetryModel(cloud, normalised), normalised, group);
   restore(group, origin);
   return group;

@@ -56,6 +56,17 @@ TriangleMesh mug(const Eigen::Vector3d& handle) {
 
 TriangleMesh mug() { return mug({0.03, 0.01, 0.02}); }
 
+/// A ball with a radius of 5 cm, stretched along z.
+PointCloud spheroid(double stretch) {
+  std::vector<ProfilePoint> profile;
+  for (int k = 0; k <= 32; ++k) {
+    const double angle = std::numbers::pi * (k / 32.0 - 0.5);
+    profile.push_back(
+        {k % 32 == 0 ? 0.0 : 0.05 * std::cos(angle), 0.05 * stretch * std::sin(angle)});
+  }
+  return surface_of(make_revolution(profile, 64, 0.01));
+}
+
 /// Three boxes of different sizes, in general position.
 PointCloud heap() {
   const auto placed = [](const Eigen::Vector3d& size, const Eigen::Vector3d& place) {
@@ -156,6 +167,17 @@ TEST(SymmetryGroup, ATighterToleranceDropsTheDiagonalsOfANearlySquareBox) {
   EXPECT_EQ(orders_of(find_symmetry_group(cloud, tight)), (std::vector<int>{2, 2, 2}));
 }
 
+TEST(SymmetryGroup, APlateThatIsNotSquareHasNoDiagonals) {
+  const SymmetryGroup found = find_symmetry_group(surface_of(box({0.1, 0.11, 0.005})), options());
+  EXPECT_EQ(orders_of(found), (std::vector<int>{2, 2, 2}));
+  EXPECT_EQ(found.planes.size(), 3U);
+  EXPECT_EQ(found.rotations.size(), 3U);
+  const SymmetryGroup square = find_symmetry_group(surface_of(box({0.1, 0.1, 0.005})), options());
+  EXPECT_EQ(orders_of(square), (std::vector<int>{4, 2, 2, 2, 2}));
+  EXPECT_EQ(square.planes.size(), 5U);
+  EXPECT_EQ(square.rotations.size(), 7U);
+}
+
 TEST(SymmetryGroup, DoesNotTurnASmallHandleOffTheSurface) {
   const PointCloud cloud = surface_of(mug({0.04, 0.005, 0.005}));
   SymmetryGroupOptions by_mean_alone = options();
@@ -196,19 +218,17 @@ TEST(SymmetryGroup, DiagonalIsThatOfABoxInAnyPose) {
 }
 
 TEST(SymmetryGroup, OfABallIsASphere) {
-  const std::vector<ProfilePoint> half = [] {
-    std::vector<ProfilePoint> profile;
-    for (int k = 0; k <= 32; ++k) {
-      const double angle = std::numbers::pi * (k / 32.0 - 0.5);
-      profile.push_back({k % 32 == 0 ? 0.0 : 0.05 * std::cos(angle), 0.05 * std::sin(angle)});
-    }
-    return profile;
-  }();
-  const SymmetryGroup found = find_symmetry_group(surface_of(make_revolution(half, 64, 0.01)));
+  const SymmetryGroup found = find_symmetry_group(spheroid(1.0));
   EXPECT_TRUE(found.sphere);
   EXPECT_LT(found.center.norm(), 0.001);
   EXPECT_NEAR(found.diameter, 0.1, 0.001);
   EXPECT_TRUE(found.axes.empty());
+}
+
+TEST(SymmetryGroup, ASphereIsJudgedByItsDiagonal) {
+  // The mean deviation of the radii is 0.128 of the stretch by the diameter, the tolerance 0.0173.
+  EXPECT_TRUE(find_symmetry_group(spheroid(1.1)).sphere);
+  EXPECT_FALSE(find_symmetry_group(spheroid(1.18), options()).sphere);
 }
 
 TEST(SymmetryGroup, GivesTheSameBitsForAnyNumberOfThreads) {
