@@ -35,6 +35,15 @@ std::vector<ReviewedSymmetry> listed(const SymmetryGroup& group) {
   return symmetries;
 }
 
+/// The order of an axis in a file of choices: a number or "continuous".
+std::optional<int> order_of(const JsonCursor& symmetry) {
+  const std::optional<JsonCursor> order = symmetry.find("order");
+  if (!order) return std::nullopt;
+  if (!order->is_string()) return static_cast<int>(order->count());
+  if (order->string() != "continuous") order->fail("a number or continuous");
+  return GroupAxis::continuous;
+}
+
 bool is_same(const ReviewedSymmetry& symmetry, const Eigen::Vector3d& point,
              const Eigen::Vector3d& direction, double max_distance) {
   if (symmetry.kind == Kind::sphere) return true;
@@ -89,8 +98,9 @@ ReviewChoices::ReviewChoices(const std::filesystem::path& file) {
       if (kind != to_string(Kind::plane) && kind != to_string(Kind::axis) &&
           kind != to_string(Kind::sphere))
         each.at("kind").fail("plane, axis or sphere");
-      choices.push_back(
-          {kind, each.at("point").vector3(), each.at("direction").direction(), choice.string()});
+      choices.push_back({kind, each.at("point").vector3(), each.at("direction").direction(),
+                         choice.string(),
+                         kind == to_string(Kind::axis) ? order_of(each) : std::nullopt});
       const std::string& said = choices.back().choice;
       if (said != accepted_choice && said != rejected_choice && said != open_choice)
         choice.fail(fmt::format("{}, {} or {}", accepted_choice, rejected_choice, open_choice));
@@ -109,6 +119,7 @@ std::vector<std::string> ReviewChoices::apply(ModelSymmetries& model) const {
     const auto choice =
         std::find_if(found->second.begin(), found->second.end(), [&](const Choice& each) {
           return each.kind == to_string(symmetry.kind) &&
+                 each.order.value_or(symmetry.order) == symmetry.order &&
                  is_same(symmetry, each.point, each.direction,
                          same_distance * model.group.diagonal);
         });

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ class ReviewChoices {
     std::string kind;
     Eigen::Vector3d point, direction;
     std::string choice;
+    std::optional<int> order;  ///< of an axis, 0 for a continuous one; none where the file has none
   };
 
   std::map<std::string, std::vector<Choice>> models_;

@@ -120,8 +120,10 @@ bool JsonCursor::boolean() const {
   return value_->get<bool>();
 }
 
+bool JsonCursor::is_string() const { return value_->is_string(); }
+
 std::string JsonCursor::string() const {
-  if (!value_->is_string()) fail("a string");
+  if (!is_string()) fail("a string");
   return value_->get<std::string>();
 }
 

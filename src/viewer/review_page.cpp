@@ -43,6 +43,7 @@ json model_payload(const ReviewedModel& model, Index max_triangles) {
   json payload = {{"name", model.name},
                   {"diameter_mm", model.millimetres * model.diameter},
                   {"diagonal_mm", model.millimetres * model.diagonal},
+                  {"diagonal", model.diagonal},
                   {"surface", surface_payload(mesh)},
                   {"symmetries", std::move(symmetries)}};
   if (mesh.triangles.rows() == 0) {

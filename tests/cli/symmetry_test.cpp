@@ -110,7 +110,12 @@ TEST_F(SymmetryCommand, LeavesOutWhatAReviewRejects) {
     symmetries.push_back({{"kind", "axis"},
                           {"point", axis.at("point")},
                           {"direction", axis.at("direction")},
+                          {"order", axis.at("order")},
                           {"choice", "accepted"}});
+  symmetries[0]["choice"] = "rejected";
+  // A choice of an axis of another order is none of these.
+  symmetries.insert(symmetries.begin(), symmetries[1]);
+  symmetries[0]["order"] = 4;
   symmetries[0]["choice"] = "rejected";
   const nlohmann::json choices = {
       {"version", 1}, {"models", {{{"name", "obj_000003"}, {"symmetries", symmetries}}}}};
@@ -131,12 +136,16 @@ TEST_F(SymmetryCommand, RefusesWhatIsNoReview) {
       {"kind": "axis", "point": [0, 0, 0], "direction": [0, 0, 1], "choice": "maybe"}]}]})");
   write(workspace_ / "kind.json", R"({"version": 1, "models": [{"name": "a", "symmetries": [
       {"kind": "cube", "point": [0, 0, 0], "direction": [0, 0, 1], "choice": "accepted"}]}]})");
+  write(workspace_ / "order.json", R"({"version": 1, "models": [{"name": "a", "symmetries": [
+      {"kind": "axis", "order": "two", "point": [0, 0, 0], "direction": [0, 0, 1],
+       "choice": "accepted"}]}]})");
   write(workspace_ / "twice.json", R"({"version": 1, "models": [
       {"name": "a", "symmetries": []}, {"name": "a", "symmetries": []}]})");
   for (const char* options :
        {"--reviewed old.json", "--reviewed word.json", "--reviewed no.json", "--reviewed kind.json",
-        "--reviewed twice.json", "--review page.html -o page.html", "--reviewed old.json --partial",
-        "--review page.html --partial", "--review models/obj_000003.obj"}) {
+        "--reviewed twice.json", "--reviewed order.json", "--review page.html -o page.html",
+        "--reviewed old.json --partial", "--review page.html --partial",
+        "--review models/obj_000003.obj"}) {
     const Outcome outcome = run(std::string("models/obj_000003.obj ") + options);
     EXPECT_EQ(outcome.code, 1) << options;
     EXPECT_NE(outcome.err.find("symscene symmetry: "), std::string::npos) << outcome.err;

@@ -24,7 +24,7 @@ const BOX = [symmetry('axis', [0, 0, 1], 2), symmetry('plane', [1, 0, 0]), symme
 
 function model(name, symmetries) {
   const surface = encodeSurface({ positions: CORNERS, colors: [], triangles: FACES });
-  return { name, diameter_mm: 297, diagonal_mm: 297, surface, symmetries };
+  return { name, diameter_mm: 297, diagonal_mm: 297, diagonal: 0.297, surface, symmetries };
 }
 
 function boxFile() {
@@ -116,6 +116,16 @@ describe('the review page', () => {
     await page.reload();
     await page.setInputFiles('input[type=file]', file);
     await page.waitForFunction(() => window.symscene.choices.models[0].symmetries[0].choice === 'rejected');
+    choices.models[0].symmetries = [
+      { kind: 'axis', order: 4, point: [0, 0, 0], direction: [0, 0, 1], choice: 'accepted' },
+      { kind: 'axis', order: 2, point: [0.002, 0, 0.1], direction: [0, 0.015, -1], choice: 'accepted' },
+      { kind: 'plane', point: [0.004, 0, 0], direction: [1, 0, 0], choice: 'accepted' },
+      { kind: 'plane', point: [0.1, 0.002, 0.1], direction: [0, -1, 0], choice: 'rejected' }];
+    const near = { name: 'near.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(choices)) };
+    await page.reload();
+    await page.setInputFiles('input[type=file]', near);
+    await page.waitForFunction(() => /2 choices of near\.json/.test(document.querySelector('.hint').textContent));
+    assert.deepEqual(await words(page, 0), ['accepted', 'open', 'rejected'], 'within 1° and 1 % of the diagonal, of the same order');
     await page.setInputFiles('input[type=file]', { name: 'no.json', mimeType: 'application/json', buffer: Buffer.from('{}') });
     await page.waitForFunction(() => /no\.json cannot be read/.test(document.querySelector('.hint').textContent));
   });

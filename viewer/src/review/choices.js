@@ -1,5 +1,7 @@
 // What a person chose: for each symmetry of each model accepted (true), rejected (false) or open (null).
 
+import { cross, dot, isVector, length, normalize, reject, subtract } from '../vector.js';
+
 const VERSION = 1;
 const ACCEPTED = 'accepted';
 const REJECTED = 'rejected';
@@ -37,10 +39,10 @@ export function createChoices(models) {
     load(file) {
       if (file?.version !== VERSION || !Array.isArray(file.models)) throw new Error('This is no file of choices.');
       let taken = 0;
-      models.forEach(({ name, symmetries }, m) => {
+      models.forEach(({ name, diagonal, symmetries }, m) => {
         const other = file.models.find((model) => model.name === name)?.symmetries ?? [];
         symmetries.forEach((symmetry, s) => {
-          const choice = other.find((each) => isSame(each, symmetry))?.choice;
+          const choice = other.find((each) => isSame(each, symmetry, diagonal))?.choice;
           if (choice !== ACCEPTED && choice !== REJECTED) return;
           chosen[m][s] = choice === ACCEPTED;
           taken += 1;
@@ -54,8 +56,17 @@ export function createChoices(models) {
   return choices;
 }
 
-// The page and the file hold the same numbers if they are of the same models.
-function isSame(a, b) {
-  const near = (p, q) => p?.every((value, k) => Math.abs(value - q[k]) <= 1e-6 * (1 + Math.abs(q[k])));
-  return a.kind === b.kind && (a.order ?? null) === b.order && near(a.point, b.point) && near(a.direction, b.direction);
+// As the command matches choices with symmetries: of one kind and order, within 1° and 1 % of the diagonal.
+const SAME_SINE = Math.sin(Math.PI / 180);
+const SAME_DISTANCE = 0.01;
+
+function isSame(saved, found, diagonal) {
+  if (saved.kind !== found.kind) return false;
+  if (found.kind === 'sphere') return true;
+  if (found.kind === 'axis' && (saved.order ?? found.order) !== found.order) return false;
+  if (!isVector(saved.point) || !isVector(saved.direction)) return false;
+  if (length(cross(normalize(saved.direction), found.direction)) > SAME_SINE) return false;
+  const apart = subtract(saved.point, found.point);
+  const distance = found.kind === 'plane' ? Math.abs(dot(found.direction, apart)) : length(reject(apart, found.direction));
+  return distance <= SAME_DISTANCE * diagonal;
 }

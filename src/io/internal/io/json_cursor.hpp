@@ -40,6 +40,7 @@ class JsonCursor {
   double number_or_nan() const;
   std::size_t count() const;
   bool boolean() const;
+  bool is_string() const;
   std::string string() const;
   Eigen::Vector3d vector3() const;
   Eigen::Vector3d direction() const;  ///< scaled to unit length
