@@ -71,8 +71,11 @@ void classify_object(const SceneProposals& proposals, const PipelineOptions& opt
   SymmetryLists lists =
       with_symmetries_of_class({std::move(object.rotational), std::move(object.reflectional)},
                                *object.symmetry_class, options.object_symmetry.same_plane_angle);
-  object.rotational = std::move(lists.rotational);
-  object.reflectional = std::move(lists.reflectional);
+  ListedSymmetries measured =
+      with_measured_residuals({std::move(lists.rotational), std::move(lists.reflectional)}, points,
+                              proposals.field, options.symmetry_search_options());
+  object.rotational = std::move(measured.rotational);
+  object.reflectional = std::move(measured.reflectional);
 }
 
 /// Proposals by probability, with the symmetries estimated anew on all points of each object.

@@ -199,4 +199,20 @@ ListedSymmetries list_symmetries(const SymmetryCandidates& candidates,
   return listed;
 }
 
+ListedSymmetries with_measured_residuals(ListedSymmetries listed, const PointCloud& points,
+                                         const DistanceField& field,
+                                         const SymmetrySearchOptions& options) {
+  for (ObjectAxis& axis : listed.rotational)
+    axis.residual =
+        axis_quality(points, axis.axis, field, options.rotational_detection).symmetry_residual;
+  const PlaneFeatureExtractor extractor(points, field, std::nullopt,
+                                        options.object_symmetry.plane_features);
+  for (ObjectPlane& plane : listed.reflectional)
+    plane.residual = extractor.match(plane.plane).images.plane_residual();
+  const auto by_residual = [](const auto& a, const auto& b) { return a.residual < b.residual; };
+  std::stable_sort(listed.rotational.begin(), listed.rotational.end(), by_residual);
+  std::stable_sort(listed.reflectional.begin(), listed.reflectional.end(), by_residual);
+  return listed;
+}
+
 }  // namespace symscene

@@ -117,6 +117,28 @@ TEST(Choice, LeavesParallelPlanesAndThoseThatTheSurfaceContradictsOut) {
   EXPECT_EQ(along_x, 1);
 }
 
+TEST(Choice, PlanesThatAClassAddsHaveTheResidualsOfDetectedOnes) {
+  const SceneProposals proposals = proposal_of_box({0.1, 0.16, 0.23}, 0.9);
+  PipelineOptions detect, add;
+  detect.classes.complete_symmetries = false;
+  add.object_symmetry.min_plane_probability = 1.0;  // lists none
+  const SegmentationResult detected = choose_objects(proposals, detect);
+  const SegmentationResult added = choose_objects(proposals, add);
+  ASSERT_EQ(detected.objects.size(), 1U);
+  ASSERT_EQ(added.objects.size(), 1U);
+  ASSERT_GE(detected.objects[0].reflectional.size(), 2U);
+  ASSERT_EQ(added.objects[0].reflectional.size(), 3U);
+  double greatest = 0.0;
+  for (const ObjectPlane& plane : detected.objects[0].reflectional) {
+    for (const ObjectPlane& other : added.objects[0].reflectional) {
+      if (line_angle(plane.plane.normal, other.plane.normal) > radians(3.0)) continue;
+      EXPECT_NEAR(other.residual, plane.residual, 0.02);
+      greatest = std::max(greatest, other.residual);
+    }
+  }
+  EXPECT_GT(greatest, 0.03) << "the images of the top are not matched";
+}
+
 TEST(Choice, FindsTheAxisOfAVaseAndNoPlaneThroughIt) {
   const SegmentationResult result = choose_objects(proposal_of(standing(testing::vase()), 0.9));
   ASSERT_EQ(result.objects.size(), 1U);

@@ -63,4 +63,10 @@ struct ListedSymmetries {
 ListedSymmetries list_symmetries(const SymmetryCandidates& candidates,
                                  const ObjectSymmetryOptions& options);
 
+/// Gives symmetries of an object the residuals of list_symmetries() on its points, and sorts them
+/// by these. `points` has unit normals and is not empty.
+ListedSymmetries with_measured_residuals(ListedSymmetries listed, const PointCloud& points,
+                                         const DistanceField& field,
+                                         const SymmetrySearchOptions& options);
+
 }  // namespace symscene
