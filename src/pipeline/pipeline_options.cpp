@@ -13,7 +13,10 @@ ProposalOptions PipelineOptions::proposal_options() const {
           object_features,
           proposal_context,
           models.object_alone,
-          models.object_among_others};
+          models.object_among_others,
+          classes,
+          class_segmentation,
+          voxel_size};
 }
 
 SymmetrySearchOptions PipelineOptions::symmetry_search_options() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "class_proposals.hpp"
 #include "core/model_features.hpp"
 #include "core/parallel.hpp"
 #include "joined_pairs.hpp"
@@ -124,6 +125,8 @@ std::vector<ObjectProposal> object_proposals(const Workspace& space,
   std::vector<ProposalDraft> drafts;
   add_drafts(merged_hypotheses(space, rotational, reflectional, regions, patches, options),
              extractor, options, drafts);
+  if (options.class_segmentation.enabled)
+    add_drafts(class_proposals(space, drafts, options), extractor, options, drafts);
   add_drafts(joined_pairs(drafts, continuations(drafts), same_object), extractor, options, drafts);
   // Joined pairs may be continued by a third proposal.
   const std::vector<ObjectFeatures> features =

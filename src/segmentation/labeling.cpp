@@ -32,6 +32,23 @@ std::vector<Index> connected_components(const std::vector<std::uint8_t>& is_obje
   return component;
 }
 
+void drop_small_components(std::vector<std::uint8_t>& is_object,
+                           const std::vector<WeightedEdge>& edges, double min_share) {
+  const std::vector<Index> component = connected_components(is_object, edges);
+  std::vector<std::size_t> sizes;
+  for (const Index c : component) {
+    if (c == no_component) continue;
+    sizes.resize(std::max<std::size_t>(sizes.size(), c + 1), 0);
+    ++sizes[c];
+  }
+  if (sizes.empty()) return;
+  const double least =
+      min_share * static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
+  for (Index i = 0; i < is_object.size(); ++i) {
+    if (is_object[i] != 0 && static_cast<double>(sizes[component[i]]) < least) is_object[i] = 0;
+  }
+}
+
 PointIndices object_nodes(const std::vector<std::uint8_t>& is_object) {
   PointIndices nodes;
   for (Index i = 0; i < is_object.size(); ++i) {

@@ -17,6 +17,11 @@ inline constexpr Index no_component = ~Index{0};
 std::vector<Index> connected_components(const std::vector<std::uint8_t>& is_object,
                                         std::span<const WeightedEdge> edges);
 
+/// Makes background of components below a share of the largest one: they agree with a symmetry by
+/// chance.
+void drop_small_components(std::vector<std::uint8_t>& is_object,
+                           const std::vector<WeightedEdge>& edges, double min_share);
+
 /// The nodes labelled object, ascending.
 PointIndices object_nodes(const std::vector<std::uint8_t>& is_object);
 

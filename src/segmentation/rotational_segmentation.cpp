@@ -14,24 +14,6 @@
 namespace symscene {
 namespace {
 
-/// Components far smaller than the largest agree with the axis by chance.
-void drop_small_components(std::vector<std::uint8_t>& is_object,
-                           const std::vector<WeightedEdge>& edges, double min_share) {
-  const std::vector<Index> component = connected_components(is_object, edges);
-  std::vector<std::size_t> sizes;
-  for (const Index c : component) {
-    if (c == no_component) continue;
-    sizes.resize(std::max<std::size_t>(sizes.size(), c + 1), 0);
-    ++sizes[c];
-  }
-  if (sizes.empty()) return;
-  const double least =
-      min_share * static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
-  for (Index i = 0; i < is_object.size(); ++i) {
-    if (is_object[i] != 0 && static_cast<double>(sizes[component[i]]) < least) is_object[i] = 0;
-  }
-}
-
 class RotationalCutter {
  public:
   RotationalCutter(const ObservedSurface& surface, const RotationalDetectionOptions& detection,

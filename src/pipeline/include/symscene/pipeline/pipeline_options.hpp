@@ -9,6 +9,7 @@
 #include "symscene/pipeline/model_options.hpp"
 #include "symscene/proposals/proposals.hpp"
 #include "symscene/proposals/selection_options.hpp"
+#include "symscene/segmentation/class_segmentation_options.hpp"
 #include "symscene/segmentation/oversegmentation.hpp"
 #include "symscene/segmentation/reflectional_segmentation.hpp"
 #include "symscene/segmentation/rotational_segmentation.hpp"
@@ -43,6 +44,7 @@ struct PipelineOptions {
   EdgeCurveOptions edge_curves;
   CurveDetectionOptions curve_detection;
   ReflectionalSegmentationOptions reflectional_segmentation;
+  ClassSegmentationOptions class_segmentation;
   ContinuationOptions continuation;
   MergeOptions merge;
   ObjectFeatureOptions object_features;
@@ -87,6 +89,7 @@ struct PipelineOptions {
     visit("edge_curves", self.edge_curves);
     visit("curve_detection", self.curve_detection);
     visit("reflectional_segmentation", self.reflectional_segmentation);
+    visit("class_segmentation", self.class_segmentation);
     visit("continuation", self.continuation);
     visit("merge", self.merge);
     visit("object_features", self.object_features);

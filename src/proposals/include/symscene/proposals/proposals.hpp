@@ -1,10 +1,12 @@
 #pragma once
 
+#include "symscene/classes/classification.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/core/tree_model.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/proposals/object_features.hpp"
 #include "symscene/proposals/proposal_options.hpp"
+#include "symscene/segmentation/class_segmentation_options.hpp"
 #include "symscene/segmentation/hypothesis.hpp"
 #include "symscene/segmentation/surface_parts.hpp"
 #include "symscene/symmetry/observed_scene.hpp"
@@ -63,6 +65,9 @@ struct ProposalOptions {
   ProposalContextOptions proposal_context;
   ModelChoice object_alone;
   ModelChoice object_among_others;
+  ClassOptions classes;
+  ClassSegmentationOptions class_segmentation;
+  double spacing = 0.005;  ///< of the cloud [m]
 };
 
 }  // namespace symscene
