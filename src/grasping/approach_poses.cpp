@@ -9,6 +9,9 @@
 namespace symscene {
 namespace {
 
+constexpr double least_difference =
+    0.005;  // between the overhangs of a shallow and a deep grasp [m]
+
 /// The direction across the line from which the angles of approach count: straight down, or for an
 /// upright line away from the camera.
 Eigen::Vector3d first_approach(const GraspTarget& target, const Eigen::Vector3d& y) {
@@ -69,7 +72,7 @@ std::vector<ApproachPose> approach_poses(const GraspTarget& target, const Closin
     for (const double tip_overhang : {shallow, deep}) {
       const Eigen::Isometry3d pose = pose_at(line, z, tip_overhang, gripper);
       poses.push_back({pose, source_of(line, z), height(pose)});
-      if (deep - shallow < made.min_overhang) break;
+      if (deep - shallow < least_difference) break;
     }
   }
   return poses;

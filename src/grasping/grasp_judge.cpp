@@ -23,31 +23,43 @@ void fail(GraspJudge::Verdict& verdict, GraspRejection reason, double value, dou
   verdict.bound = bound;
 }
 
+/// Every n-th row, so that about `count` remain.
+Points thinned(const Points& points, Eigen::Index count) {
+  const Eigen::Index step = std::max<Eigen::Index>(1, points.rows() / count);
+  Points some((points.rows() + step - 1) / step, 3);
+  for (Eigen::Index i = 0; i < some.rows(); ++i) some.row(i) = points.row(i * step);
+  return some;
+}
+
 /// Where a hidden side of another object, which is only inferred, contradicts the target.
 class TargetSpace {
  public:
   explicit TargetSpace(const SurfaceSamples& samples)
-      : samples_(samples),
-        cells_(samples.positions, depth),
-        box_(bounding_box(samples.positions).padded(margin)) {}
+      : cells_(samples.positions, margin),
+        box_(bounding_box(samples.positions).padded(margin)),
+        some_positions_(thinned(samples.positions, sign_samples)),
+        some_normals_(thinned(samples.normals, sign_samples)) {}
 
   /// Whether the point lies inside the target or on its surface.
   bool contains(const Eigen::Vector3f& point) const {
     if ((point.array() < box_.min.array()).any() || (point.array() > box_.max.array()).any())
       return false;
-    const auto [nearest, squared] = cells_.nearest(point, depth);
-    if (nearest == CellList::none) return false;
-    const Eigen::Vector3f offset = point - samples_.positions.row(nearest).transpose();
-    return squared < margin * margin || samples_.normals.row(nearest).dot(offset) < 0.0F;
+    if (cells_.nearest(point, margin).first != CellList::none) return true;
+    // Off the surface, a few samples tell the side.
+    Eigen::Index nearest = 0;
+    (some_positions_.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return (point.transpose() - some_positions_.row(nearest)).dot(some_normals_.row(nearest)) <
+           0.0F;
   }
 
  private:
   static constexpr float margin = 0.006F;  // of what counts as on the surface [m]
-  static constexpr float depth = 0.03F;    // to which points inside are recognised [m]
+  static constexpr Eigen::Index sign_samples = 300;
 
-  const SurfaceSamples& samples_;
   CellList cells_;
   Box box_;
+  Points some_positions_;
+  Points some_normals_;
 };
 
 /// Blocks of samples within reach, without what is inferred inside the target.

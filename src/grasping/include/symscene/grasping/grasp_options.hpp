@@ -21,7 +21,7 @@ struct GraspCandidateOptions {
   double max_tilt = radians(100.0);
   double shallow_overhang = 0.01;
   double deep_overhang = 0.03;
-  double min_overhang = 0.002;
+  double min_overhang = 0.0;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
