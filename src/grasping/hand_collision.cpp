@@ -6,11 +6,14 @@
 namespace symscene {
 namespace {
 
+/// The lesser of `least` and the distance of a block's points from a box.
 float least_distance_in(const SurfaceSamples& samples, const PointBlock& block,
                         const Eigen::Isometry3f& T_tool_world, const HandBox& box,
                         const DistanceBounds& bounds, float least) {
   for (Eigen::Index i = block.begin; i < block.end; ++i) {
     const Eigen::Vector3f p = T_tool_world * Eigen::Vector3f(samples.positions.row(i).transpose());
+    const float deepest = ((p - box.centre).cwiseAbs() - box.half).maxCoeff();
+    if (deepest >= least) continue;  // most points; the distance is not less
     least = std::min(least, box.distance(p));
     if (least < bounds.enough) break;
   }

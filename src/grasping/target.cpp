@@ -1,9 +1,8 @@
 #include "target.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <tuple>
+#include <cstdint>
 #include <utility>
 
 namespace symscene {
@@ -68,16 +67,22 @@ std::vector<Sample> vertices(const TriangleMesh& mesh) {
   return samples;
 }
 
-using BlockKey = std::array<int, 3>;
-
-BlockKey block_key(const Eigen::Vector3f& position) {
-  const Eigen::Array3i key = (position / block_edge).array().floor().cast<int>();
-  return {key.x(), key.y(), key.z()};
+/// The cube of a grid, with further bits below its coordinates, as one number to sort by.
+std::uint64_t cube_key(const Eigen::Vector3f& position, float edge, std::uint64_t below = 0) {
+  constexpr int half_range = 1 << 19;  // cubes on either side of the origin
+  const Eigen::Array3i cube = (position / edge).array().floor().cast<int>();
+  const auto bits = [](int coordinate) {
+    return static_cast<std::uint64_t>(std::clamp(coordinate + half_range, 0, 2 * half_range - 1));
+  };
+  return ((((bits(cube.x()) << 20U) | bits(cube.y())) << 20U | bits(cube.z())) << 3U) | below;
 }
 
+using KeyedSample = std::pair<std::uint64_t, std::size_t>;
+
 void sort_by_block(std::vector<Sample>& samples) {
-  std::vector<std::pair<BlockKey, std::size_t>> order(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) order[i] = {block_key(samples[i].position), i};
+  std::vector<KeyedSample> order(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    order[i] = {cube_key(samples[i].position, block_edge), i};
   std::sort(order.begin(), order.end());
   std::vector<Sample> sorted;
   sorted.reserve(samples.size());
@@ -86,33 +91,24 @@ void sort_by_block(std::vector<Sample>& samples) {
 }
 
 /// Which of ±x, ±y and ±z is nearest to a normal.
-int side_of(const Eigen::Vector3f& normal) {
+std::uint64_t side_of(const Eigen::Vector3f& normal) {
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
-  return 2 * axis + (normal[axis] < 0.0F ? 1 : 0);
+  return 2 * static_cast<std::uint64_t>(axis) + (normal[axis] < 0.0F ? 1 : 0);
 }
 
 /// One sample for those in a cube that face the same way, so that both sides of a wall remain.
 std::vector<Sample> merged(const std::vector<Sample>& samples) {
-  struct Part {
-    std::array<int, 4> key;
-    std::size_t sample;
-    bool operator<(const Part& other) const {
-      return std::tie(key, sample) < std::tie(other.key, other.sample);
-    }
-  };
-  std::vector<Part> parts(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Eigen::Array3i cube = (samples[i].position / merged_edge).array().floor().cast<int>();
-    parts[i] = {{cube.x(), cube.y(), cube.z(), side_of(samples[i].area_vector)}, i};
-  }
+  std::vector<KeyedSample> parts(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    parts[i] = {cube_key(samples[i].position, merged_edge, side_of(samples[i].area_vector)), i};
   std::sort(parts.begin(), parts.end());
   std::vector<Sample> means;
   for (std::size_t begin = 0, end = 0; begin < parts.size(); begin = end) {
     Sample sum;
     float weights = 0.0F;
-    for (; end < parts.size() && parts[end].key == parts[begin].key; ++end) {
-      const Sample& sample = samples[parts[end].sample];
+    for (; end < parts.size() && parts[end].first == parts[begin].first; ++end) {
+      const Sample& sample = samples[parts[end].second];
       const float weight = sample.area_vector.norm();
       sum.position += weight * sample.position;
       sum.area_vector += sample.area_vector;
@@ -136,10 +132,10 @@ PointBlock block_of(const Points& positions, Eigen::Index begin, Eigen::Index en
 
 std::vector<PointBlock> blocks_of(const Points& positions) {
   std::vector<PointBlock> blocks;
+  const auto key_of = [&](Eigen::Index i) { return cube_key(positions.row(i), block_edge); };
   Eigen::Index begin = 0;
   for (Eigen::Index i = 1; i <= positions.rows(); ++i) {
-    if (i < positions.rows() && block_key(positions.row(i)) == block_key(positions.row(begin)))
-      continue;
+    if (i < positions.rows() && key_of(i) == key_of(begin)) continue;
     blocks.push_back(block_of(positions, begin, i));
     begin = i;
   }
