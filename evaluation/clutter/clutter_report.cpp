@@ -145,8 +145,9 @@ Tally missing_grasps(std::span<const ClutterRound> rounds) {
   for (const ClutterRound& round : rounds) {
     if (round.end != RoundEnd::no_grasp) continue;
     reasons.insert(reasons.end(), round.reasons.begin(), round.reasons.end());
-    reasons.insert(reasons.end(), round.outside, "grasp outside the grasp volume");
-    if (round.reasons.empty() && round.outside == 0) reasons.emplace_back("no object is seen");
+    if (!round.reasons.empty()) continue;
+    reasons.emplace_back(round.outside > 0 ? "all grasps are outside the grasp volume"
+                                           : "no object is seen");
   }
   return frequencies(reasons, [](const std::string& reason) { return reason; });
 }
@@ -196,7 +197,8 @@ std::string format_clutter_report(std::span<const ClutterRound> rounds) {
   append_tally(text, "rounds by their end", frequencies(rounds, [](const ClutterRound& round) {
                  return std::string(to_string(round.end));
                }));
-  append_tally(text, "no grasp: reasons per object", missing_grasps(rounds));
+  append_tally(text, "rounds that ended without a grasp: reasons per object",
+               missing_grasps(rounds));
   append_tally(text, "success by occlusion of the object", successes(attempts, occlusion_label));
   append_tally(text, "success by quality", successes(attempts, quality_label));
   append_tally(text, "success by source of the grasp",

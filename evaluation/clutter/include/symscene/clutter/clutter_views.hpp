@@ -6,7 +6,6 @@
 #include "symscene/clutter/clutter_world.hpp"
 #include "symscene/core/camera.hpp"
 #include "symscene/core/depth_frame.hpp"
-#include "symscene/simulation/sensor_frame.hpp"
 
 namespace symscene {
 
