@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "depth_range.hpp"
 #include "symscene/core/depth_noise.hpp"
 
 namespace symscene::app {
@@ -81,6 +82,7 @@ SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames, bool tr
                                      const CameraIntrinsics& camera,
                                      const SensorEstimationOptions& options,
                                      Session& session) const {
+  if (const auto warning = depth_range_warning(frames)) session.warn(*warning);
   SensorChoice choice;
   choice.options = options;
   const SensorEstimate estimate = estimate_sensor(frames, camera, options);

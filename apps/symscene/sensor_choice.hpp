@@ -33,7 +33,7 @@ struct SensorArguments {
   void add_to(Arguments& arguments);
 
   /// Looks at frames, which are to be tracked or not, says what it finds, and warns if no sensor
-  /// explains it.
+  /// explains it or if their depths suggest another scale.
   SensorChoice choose(std::span<const DepthFrame> frames, bool tracked,
                       const CameraIntrinsics& camera, const SensorEstimationOptions& options,
                       Session& session) const;

@@ -1,5 +1,7 @@
 #include "symscene/io/sequence.hpp"
 
+#include <fmt/format.h>
+
 #include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 
@@ -30,6 +32,18 @@ constexpr Layout layouts[] = {
     {is_image_folder, open_image_folder},
 };
 
+/// A principal point outside the image is nearly always that of another resolution.
+void require_center_in_image(const CameraIntrinsics& camera, const fs::path& path) {
+  const auto is_within = [](double center, Index size) {
+    return center > -0.5 && center < static_cast<double>(size) - 0.5;
+  };
+  if (is_within(camera.cx, camera.width) && is_within(camera.cy, camera.height)) return;
+  throw InputError(
+      path.string() + ": intrinsics",
+      fmt::format("a principal point in the image of {}×{} pixels", camera.width, camera.height),
+      fmt::format("{},{}", camera.cx, camera.cy));
+}
+
 /// Null if no layout recognises the path.
 const Layout* layout_of(const fs::path& path) {
   for (const Layout& layout : layouts) {
@@ -44,9 +58,14 @@ bool is_sequence(const fs::path& path) { return layout_of(path) != nullptr; }
 
 SequencePointer open_sequence(const fs::path& path, const SequenceOptions& options) {
   if (!fs::exists(path)) throw InputError(path.string(), a_sequence, "nothing of that name");
-  if (const Layout* layout = layout_of(path)) return layout->open(path, options);
-  throw InputError(path.string(), a_sequence,
-                   fs::is_directory(path) ? "another folder" : "another file");
+  const Layout* layout = layout_of(path);
+  if (layout == nullptr) {
+    throw InputError(path.string(), a_sequence,
+                     fs::is_directory(path) ? "another folder" : "another file");
+  }
+  SequencePointer sequence = layout->open(path, options);
+  require_center_in_image(sequence->camera(), path);
+  return sequence;
 }
 
 }  // namespace symscene

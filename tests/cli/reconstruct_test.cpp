@@ -241,6 +241,20 @@ TEST_F(ReconstructCommand, OneFrameGivesTheSameObjectsThroughAScene) {
   EXPECT_EQ(count("direct"), count("through"));
 }
 
+TEST_F(ReconstructCommand, AWrongDepthScaleIsNoticed) {
+  const std::string png = (fs::path("sweep") / image(6)).string();
+  const std::string segment = "segment " + png + " --intrinsics sweep/intrinsics.txt -o scaled";
+  for (const char* scale : {"50", "10000"}) {
+    const Outcome outcome = run(segment + " --depth-scale " + scale);
+    EXPECT_NE(
+        outcome.err.find("100 % of the depths are outside 0.2 to 6 m: is --depth-scale right?"),
+        std::string::npos)
+        << scale << "\n"
+        << outcome.err;
+  }
+  EXPECT_EQ(run(segment).err.find("--depth-scale"), std::string::npos);
+}
+
 TEST_F(ReconstructCommand, SegmentSaysWhatToDoWithManyFrames) {
   const Outcome outcome = run("segment sweep -o new");
   EXPECT_EQ(outcome.code, 1);

@@ -271,6 +271,12 @@ TEST(Layouts, InvalidCamerasAndScalesAreRefused) {
   EXPECT_THROW(open_sequence(folder / "bare", options), InputError);
   options.intrinsics = CameraIntrinsics{9, 6, 10.0, 11.0, 3.5, 2.5};
   EXPECT_THROW(open_sequence(folder / "bare", options)->read(0), InputError);
+  // That of an image of twice the size.
+  options.intrinsics = CameraIntrinsics{0, 0, 20.0, 22.0, 7.5, 5.5};
+  EXPECT_NE(refusal([&] {
+              open_sequence(folder / "bare", options);
+            }).find("expected a principal point in the image of 8×6 pixels, found 7.5,5.5"),
+            std::string::npos);
 }
 
 TEST(Layouts, TheTumSampleIsReadCompletely) {

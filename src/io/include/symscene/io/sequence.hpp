@@ -45,8 +45,9 @@ bool is_sequence(const std::filesystem::path& path);
 
 /// Opens a sequence in the layout that its path shows: SymScene's own, TUM RGB-D, ICL-NUIM,
 /// 7-Scenes or Redwood folders, a ROS 1 bag where the build has a reader of them, one depth image
-/// or a folder of them. Throws InputError if it is none of these, has no frame, or intrinsics or
-/// depth scale are neither in the files nor in `options`; the message names the missing options.
+/// or a folder of them. Throws InputError if it is none of these, has no frame, intrinsics or depth
+/// scale are neither in the files nor in `options` (the message names the missing options), or the
+/// principal point is outside the image.
 std::unique_ptr<DepthSequence> open_sequence(const std::filesystem::path& path,
                                              const SequenceOptions& options = {});
 
