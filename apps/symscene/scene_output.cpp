@@ -25,6 +25,10 @@ void TableArguments::add_to(Arguments& arguments, const char* plane_help) {
 }
 
 std::optional<Plane> TableArguments::table() const {
+  if (any_up && (none || !plane.empty())) {
+    throw InputError("--any-up", fmt::format("no {} beside it", none ? "--no-table" : "--plane"),
+                     "both");
+  }
   if (plane.empty()) return {};
   if (none) throw InputError("--plane", "no --no-table beside it", "both");
   std::string words = plane;

@@ -33,7 +33,7 @@ struct TableArguments {
   /// Adds --plane, with this help, --any-up and --no-table.
   void add_to(Arguments& arguments, const char* plane_help);
 
-  /// Throws InputError if the text of --plane is not a plane, or --no-table is given too.
+  /// Throws InputError if the text of --plane is not a plane, or if two of the options are given.
   std::optional<Plane> table() const;
 
   /// What is known about the table, from the command line and the cameras.

@@ -1,5 +1,8 @@
 #include "segment_input.hpp"
 
+#include <array>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "models.hpp"
@@ -12,6 +15,9 @@ namespace symscene::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* an_input =
+    "a scene folder, a depth image, a folder with one frame, or a cloud (.ply, .pcd)";
 
 /// Reads a file if it exists. An invalid file gives a warning and an empty value.
 template <class Value, class Read>
@@ -45,9 +51,23 @@ SegmentationResult nothing_found(const Scene& scene) {
   return nothing;
 }
 
+void SegmentSource::require_no_camera(const char* kind) const {
+  const std::array<std::pair<const char*, bool>, 3> given{
+      {{"--intrinsics", this->sequence.intrinsics.has_value()},
+       {"--depth-scale", this->sequence.depth_scale.has_value()},
+       {"--sensor", sensor.is_named()}}};
+  for (const auto& [flag, is_given] : given) {
+    if (is_given)
+      throw InputError(path.string(), fmt::format("a depth image, as {} needs", flag), kind);
+  }
+}
+
 SegmentInput SegmentSource::read_folder(Session& session) const {
   SegmentInput input;
   input.scene = read_scene(path);
+  require_no_camera("a scene");
+  if (table.any_up && input.scene.table)
+    throw InputError("--any-up", "a table to search", "a scene with table_plane.txt");
   if (const std::optional<Plane> plane = table.table()) input.scene.table = plane;
   if (table.none) input.scene.table.reset();
   // Those of the reader first: they explain why segmentation may fail. The result repeats them.
@@ -58,6 +78,7 @@ SegmentInput SegmentSource::read_folder(Session& session) const {
 }
 
 SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Session& session) const {
+  require_no_camera("a cloud");
   StageTimer timer(session.on_begin());
   const SensorCloud seen = timer.time("read", [&] { return read_sensor_cloud(path); });
   BuiltScene built = timer.time("find table", [&] {
@@ -108,6 +129,7 @@ SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session
   if (is_scene_folder(path)) return read_folder(session);
   if (fs::is_regular_file(path) && is_cloud_file(path)) return read_cloud_file(options, session);
   if (is_sequence(path)) return read_view(options, session);
+  if (!fs::exists(path)) throw InputError(path.string(), an_input, "nothing of that name");
   return read_folder(session);
 }
 

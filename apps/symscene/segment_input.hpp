@@ -28,10 +28,13 @@ struct SegmentSource {
   SensorArguments sensor;
 
   /// Reads a scene folder, or makes a scene of a cloud or of a sequence of one depth image. Throws
-  /// InputError if the path is none of these or cannot be read.
+  /// InputError if the path is none of these or cannot be read, or if an option has no effect on
+  /// it.
   SegmentInput read(const SegmentOptions& options, Session& session) const;
 
  private:
+  /// Throws InputError if an option is given that only depth images have a use for.
+  void require_no_camera(const char* kind) const;
   SegmentInput read_folder(Session& session) const;
   SegmentInput read_cloud_file(const SegmentOptions& options, Session& session) const;
   SegmentInput read_view(const SegmentOptions& options, Session& session) const;

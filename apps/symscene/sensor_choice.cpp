@@ -86,20 +86,20 @@ SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames, bool tr
   SensorChoice choice;
   choice.options = options;
   const SensorEstimate estimate = estimate_sensor(frames, camera, options);
-  const bool is_named = !name.empty() && name != "auto";
-  choice.sensor = is_named ? parse_sensor(name) : estimate.sensor;
+  const bool named = is_named();
+  choice.sensor = named ? parse_sensor(name) : estimate.sensor;
   const double depth = median_depth(estimate);
-  if (is_named) choice.noise = depth_noise(*choice.sensor, camera, depth, options);
+  if (named) choice.noise = depth_noise(*choice.sensor, camera, depth, options);
   choice.tracking_noise = choice.noise;
   const bool is_noisy_stereo =
       estimate.sensor == Sensor::stereo && estimate.deviation_at_1m > structured_light_noise;
-  if (tracked && !is_named && is_noisy_stereo)
+  if (tracked && !named && is_noisy_stereo)
     choice.tracking_noise = depth_noise(Sensor::stereo, camera, depth, options);
-  choice.json = json_of(estimate, choice, is_named);
+  choice.json = json_of(estimate, choice, named);
   session.print_line(fmt::format("sensor {}: {}; used: {}",
                                  choice.sensor ? to_string(*choice.sensor) : "unknown",
                                  found(estimate), used(choice)));
-  if (!is_named && !estimate.sensor && !estimate.too_little)
+  if (!named && !estimate.sensor && !estimate.too_little)
     session.warn(
         fmt::format("{}: {} (--sensor names the sensor)", estimate.reason, found(estimate)));
   return choice;

@@ -32,6 +32,8 @@ struct SensorArguments {
 
   void add_to(Arguments& arguments);
 
+  bool is_named() const { return !name.empty() && name != "auto"; }
+
   /// Looks at frames, which are to be tracked or not, says what it finds, and warns if no sensor
   /// explains it or if their depths suggest another scale.
   SensorChoice choose(std::span<const DepthFrame> frames, bool tracked,

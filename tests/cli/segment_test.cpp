@@ -22,6 +22,22 @@ TEST_F(Command, ChoosesWhatProposesReflectionPlanes) {
   EXPECT_NE(run("segment scene -o planes --reflectional edges").code, 0);
 }
 
+TEST_F(Command, RefusesOptionsWithoutEffectOnTheInput) {
+  for (const std::string input : {"scene", "scene/cloud.ply"}) {
+    const std::string kind = input == "scene" ? "a scene" : "a cloud";
+    for (const std::string option : {"--sensor tof", "--intrinsics 5,5,1,1", "--depth-scale 500"}) {
+      const std::string flag = option.substr(0, option.find(' '));
+      expect_refusal("segment " + input + " -o new " + option, 1,
+                     "expected a depth image, as " + flag + " needs, found " + kind);
+    }
+  }
+  expect_refusal("segment scene -o new --any-up", 1, "found a scene with table_plane.txt");
+  for (const char* table : {"--no-table", "--plane 0,0,1,0"}) {
+    expect_refusal(std::string("segment scene -o new --any-up ") + table, 1,
+                   "--any-up: expected no --");
+  }
+}
+
 TEST_F(Command, SegmentsToTheSameBytesForAnyNumberOfThreads) {
   for (const char* threads : {"1", "2", "8"}) {
     const std::string result = std::string("result") + threads;
