@@ -21,6 +21,11 @@ std::string found(const SensorEstimate& estimate) {
       1e3 * estimate.deviation_at_1m, estimate.exponent, estimate.correlation);
 }
 
+std::string shown(const SensorEstimate& estimate, bool is_named) {
+  if (!is_named) return found(estimate);
+  return (estimate.too_little ? "named; " : "named; the frames show ") + found(estimate);
+}
+
 std::string json_of(const SensorEstimate& estimate, const SensorChoice& choice, bool is_named) {
   nlohmann::ordered_json object = {
       {"sensor", choice.sensor ? to_string(*choice.sensor) : "unknown"}, {"named", is_named}};
@@ -31,6 +36,7 @@ std::string json_of(const SensorEstimate& estimate, const SensorChoice& choice, 
     object["deviation_at_1m"] = estimate.deviation_at_1m;
     object["correlation"] = estimate.correlation;
   }
+  object["step"] = estimate.step;
   nlohmann::ordered_json samples = nlohmann::ordered_json::array();
   for (const DepthNoiseSample& sample : estimate.samples) {
     samples.push_back(
@@ -98,7 +104,7 @@ SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames, bool tr
   choice.json = json_of(estimate, choice, named);
   session.print_line(fmt::format("sensor {}: {}; used: {}",
                                  choice.sensor ? to_string(*choice.sensor) : "unknown",
-                                 found(estimate), used(choice)));
+                                 shown(estimate, named), used(choice)));
   if (!named && !estimate.sensor && !estimate.too_little)
     session.warn(
         fmt::format("{}: {} (--sensor names the sensor)", estimate.reason, found(estimate)));

@@ -18,6 +18,8 @@ namespace {
 constexpr double min_depth = 0.1;   // of a pixel [m]
 constexpr double max_depth = 20.0;  // of a pixel [m]
 
+constexpr double min_noise_share = 0.5;  // of a variance that rounding contributes to
+
 constexpr std::array<std::pair<Sensor, const char*>, 3> names{
     {{Sensor::structured_light, "structured-light"},
      {Sensor::stereo, "stereo"},
@@ -140,6 +142,30 @@ std::vector<std::vector<Patch>> smooth_patches(std::vector<Patch> patches,
   return smooth;
 }
 
+/// The step in which depths are stored: the smallest difference that occurs among some of them [m].
+/// 0 without two different depths.
+double depth_step(std::span<const DepthFrame> frames) {
+  constexpr std::size_t some = 20000;
+  std::size_t pixels = 0;
+  for (const DepthFrame& frame : frames) pixels += frame.depth.size();
+  const std::size_t stride = pixels / some + 1;
+  std::vector<double> depths;
+  for (const DepthFrame& frame : frames) {
+    for (std::size_t i = 0; i < frame.depth.size(); i += stride) {
+      const double z = frame.depth[i];
+      if (z > min_depth && z < max_depth) depths.push_back(z);
+    }
+  }
+  std::sort(depths.begin(), depths.end());
+  depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
+  double step = depths.size() < 2 ? 0.0 : max_depth;
+  for (std::size_t k = 1; k < depths.size(); ++k) step = std::min(step, depths[k] - depths[k - 1]);
+  return step;
+}
+
+/// The standard deviation of values that are rounded to multiples of a step.
+double rounding_deviation(double step) { return step / std::sqrt(12.0); }
+
 template <class Value>
 double median_of(const std::vector<Patch>& patches, const Value& value) {
   std::vector<double> values;
@@ -165,16 +191,24 @@ void fit_power_law(const SensorEstimationOptions& options, SensorEstimate& estim
   estimate.deviation_at_1m = samples.empty() ? 0.0 : std::exp(*median(std::move(offsets)));
 }
 
+/// Whether all smooth surfaces have no more noise than rounding gives.
+bool is_rounded(const SensorEstimationOptions& options, const SensorEstimate& estimate) {
+  if (estimate.samples.empty()) return estimate.rounded > 0;
+  const double rounding = rounding_deviation(estimate.step);
+  return std::all_of(estimate.samples.begin(), estimate.samples.end(), [&](const auto& sample) {
+    return std::hypot(sample.deviation, rounding) <= options.min_deviation;
+  });
+}
+
 /// Names the sensor, or the reason why none is named.
 void name_sensor(const SensorEstimationOptions& options, SensorEstimate& estimate) {
-  const bool is_rounded =
-      std::all_of(estimate.samples.begin(), estimate.samples.end(),
-                  [&](const auto& sample) { return sample.deviation <= options.min_deviation; });
-  if (estimate.too_little) {
-    estimate.reason = "the frames show too few smooth surfaces at different depths";
-  } else if (is_rounded) {
+  if (is_rounded(options, estimate)) {
     estimate.too_little = true;
     estimate.reason = "the depths have no noise beyond that of rounding";
+  } else if (estimate.too_little && estimate.rounded > 0) {
+    estimate.reason = "the noise exceeds that of rounding at too few depths";
+  } else if (estimate.too_little) {
+    estimate.reason = "the frames show too few smooth surfaces at different depths";
   } else if (estimate.exponent >= options.min_quadratic_exponent) {
     estimate.sensor = estimate.correlation >= options.min_stereo_correlation
                           ? Sensor::stereo
@@ -214,11 +248,18 @@ SensorEstimate estimate_sensor(std::span<const DepthFrame> frames, const CameraI
   SensorEstimate estimate;
   std::vector<double> correlations;
   const auto bins = smooth_patches(patches_of(frames, camera, options), options);
+  estimate.step = depth_step(frames);
+  const double rounding_variance = std::pow(rounding_deviation(estimate.step), 2);
   for (const std::vector<Patch>& smooth : bins) {
     const double deviation = median_of(smooth, [](const Patch& p) { return p.deviation; });
     const double depth = median_of(smooth, [](const Patch& p) { return p.depth; });
+    const double variance = deviation * deviation - rounding_variance;
+    if (variance < min_noise_share * deviation * deviation) {
+      ++estimate.rounded;
+      continue;
+    }
     estimate.samples.push_back(
-        {depth, std::max(deviation, 1e-6), static_cast<std::uint32_t>(smooth.size())});
+        {depth, std::max(std::sqrt(variance), 1e-6), static_cast<std::uint32_t>(smooth.size())});
     for (const Patch& patch : smooth) correlations.push_back(patch.correlation);
   }
   estimate.correlation = median(std::move(correlations)).value_or(0.0);

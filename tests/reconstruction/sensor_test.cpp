@@ -17,10 +17,11 @@ using namespace symscene::testing;
 
 const CameraIntrinsics camera{320, 240, 262.0, 262.0, 159.5, 119.5};
 
-/// A table that runs from 0.7 to 2.5 m, with noise of a deviation that follows the depth, averaged
-/// over windows of some pixels.
-DepthFrame slanted_table(const std::function<double(double)>& deviation, int window) {
-  const Bodies table{plane(Eigen::Vector3d(0, -0.85, -0.53).normalized(), 0.6)};
+/// A table that runs from 0.7 to 2.5 m if it is 0.6 m away, with noise of a deviation that follows
+/// the depth, averaged over windows of some pixels.
+DepthFrame slanted_table(const std::function<double(double)>& deviation, int window,
+                         double distance = 0.6) {
+  const Bodies table{plane(Eigen::Vector3d(0, -0.85, -0.53).normalized(), distance)};
   DepthFrame frame = render(table, camera, Eigen::Isometry3d::Identity());
   std::mt19937 random(4);
   std::vector<double> white(camera.pixels());
@@ -68,6 +69,32 @@ TEST(Sensor, IsNotNamedWhereTheNoiseDoesNotTellIt) {
     EXPECT_TRUE(none.too_little);
   }
   EXPECT_FALSE(estimate_sensor({}, camera).sensor);
+}
+
+DepthFrame in_millimetres(DepthFrame frame) {
+  for (float& depth : frame.depth) depth = std::round(1000.0F * depth) / 1000.0F;
+  return frame;
+}
+
+TEST(Sensor, RoundingIsNotTakenForNoise) {
+  // From 0.27 to 0.96 m: below 0.45 m rounding is most of the noise of structured light.
+  constexpr double near = 0.23;
+  const auto quadratic = [](double z) { return 1.425e-3 * z * z; };
+  const SensorEstimate light = estimate(in_millimetres(slanted_table(quadratic, 1, near)));
+  EXPECT_NEAR(light.step, 1e-3, 1e-6);
+  EXPECT_GT(light.rounded, 0U);
+  EXPECT_EQ(light.sensor, Sensor::structured_light) << light.exponent;
+  EXPECT_NEAR(light.exponent, 2.0, 0.4);
+  EXPECT_NEAR(light.deviation_at_1m, 1.4e-3, 0.2e-3);
+  const auto constant = [](double) { return 1.5e-3; };
+  const SensorEstimate flight = estimate(in_millimetres(slanted_table(constant, 1, near)));
+  EXPECT_EQ(flight.sensor, Sensor::time_of_flight) << flight.exponent;
+  EXPECT_EQ(flight.rounded, 0U);
+  // Only rounding.
+  const auto exact = [](double) { return 0.0; };
+  const SensorEstimate none = estimate(in_millimetres(slanted_table(exact, 1)));
+  EXPECT_TRUE(none.too_little);
+  EXPECT_NE(none.reason.find("rounding"), std::string::npos) << none.reason;
 }
 
 TEST(Sensor, NamesAreReadBack) {

@@ -69,7 +69,7 @@ struct SensorEstimationOptions {
     visit("min_stereo_correlation", self.min_stereo_correlation, "", between(0.0, 1.0),
           "correlation of neighbouring pixels from which triangulation is stereo");
     visit("min_deviation", self.min_deviation, "m", at_least(0.0),
-          "deviation up to which depths have no noise but the rounding to millimetres");
+          "deviation up to which depths count as having no noise but that of rounding");
     visit("stereo_disparity", self.stereo_disparity, "px", above(0.0),
           "standard deviation of a disparity of a stereo camera (Grunnet-Jepsen et al. 2018)");
     visit("stereo_baseline", self.stereo_baseline, "m", above(0.0),
@@ -87,14 +87,16 @@ struct SensorEstimationOptions {
 /// The noise of smooth patches at one depth.
 struct DepthNoiseSample {
   double depth = 0.0;         ///< [m]
-  double deviation = 0.0;     ///< [m]
+  double deviation = 0.0;     ///< without that of rounding [m]
   std::uint32_t patches = 0;  ///< at that depth
 };
 
 /// The noise of depth frames, and the sensor that explains it.
 struct SensorEstimate {
   std::optional<Sensor> sensor;           ///< none if no model explains the noise
-  std::vector<DepthNoiseSample> samples;  ///< by ascending depth
+  std::vector<DepthNoiseSample> samples;  ///< by ascending depth, where noise exceeds rounding
+  double step = 0.0;                      ///< in which the depths are stored [m]
+  std::uint32_t rounded = 0;              ///< depths at which rounding is most of the noise
   double exponent = 0.0;                  ///< of the depth in the deviation
   double deviation_at_1m = 0.0;           ///< of the power law [m]
   double correlation = 0.0;               ///< of neighbouring pixels
@@ -104,8 +106,9 @@ struct SensorEstimate {
 
 /// Fits planes to patches of the frames and compares the residuals of smooth ones with the models
 /// of the sensors: triangulation has σ ~ z², in stereo correlated over the windows that are
-/// matched; time of flight has a constant σ, independent from pixel to pixel. Throws InputError if
-/// a frame is not of the camera's size.
+/// matched; time of flight has a constant σ, independent from pixel to pixel. The variance of
+/// rounding to the step in which depths are stored, step² / 12, is subtracted: near the camera it
+/// would make any noise constant. Throws InputError if a frame is not of the camera's size.
 SensorEstimate estimate_sensor(std::span<const DepthFrame> frames, const CameraIntrinsics& camera,
                                const SensorEstimationOptions& options = {});
 
