@@ -11,7 +11,7 @@ namespace symscene::app {
 
 TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResult& result,
                             const std::filesystem::path& source, Session& session) {
-  if (surface.vertices.rows() == 0 || result.cloud.empty()) return {};
+  if (surface.vertices.rows() == 0) return {};
   try {
     return naming(source / "mesh.ply", [&] { return page_surface(surface, result); });
   } catch (const InputError& error) {

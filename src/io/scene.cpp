@@ -60,7 +60,10 @@ Scene read_scene(const fs::path& dir) {
   Scene scene;
   scene.cloud = read_cloud(find_cloud(dir));
   const fs::path occupancy = dir / "occupancy.bt";
-  if (exists_or_warn(occupancy, "all space off the surface counts as never seen", scene.warnings)) {
+  // A bare table is written without one.
+  const bool is_expected = !scene.cloud.empty() || fs::exists(occupancy);
+  if (is_expected &&
+      exists_or_warn(occupancy, "all space off the surface counts as never seen", scene.warnings)) {
     scene.occupancy = read_octomap(occupancy);
   }
   const fs::path table = dir / "table_plane.txt";

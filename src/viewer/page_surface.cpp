@@ -50,7 +50,9 @@ TriangleMesh page_surface(const TriangleMesh& surface, const SegmentationResult&
                           const PageSurfaceOptions& options) {
   options.validate();
   const Points points = shown_points(result);
-  if (points.rows() == 0) return {};
+  const auto max_triangles = static_cast<Index>(options.max_triangles);
+  const auto smallest_cell = static_cast<float>(options.smallest_cell);
+  if (points.rows() == 0) return thin(surface, max_triangles, smallest_cell);
   const auto reach = static_cast<float>(options.reach);
   const Ball ball = ball_around(points, static_cast<float>(options.margin));
   const TriangleMesh around = crop(surface, ball);
@@ -61,8 +63,7 @@ TriangleMesh page_surface(const TriangleMesh& surface, const SegmentationResult&
         fmt::format("one that the cloud lies on, within {:.0f} mm", 1e3 * options.reach),
         fmt::format("{:.0f} % of its points there", 100.0 * share));
   }
-  return thin(around, static_cast<Index>(options.max_triangles),
-              static_cast<float>(options.smallest_cell));
+  return thin(around, max_triangles, smallest_cell);
 }
 
 }  // namespace symscene

@@ -276,8 +276,11 @@ TEST_F(ReconstructCommand, WithoutATableEverythingIsWrittenAllTheSame) {
   ASSERT_EQ(aside.code, 0) << aside.err;
   EXPECT_NE(aside.err.find("bare"), std::string::npos) << aside.err;
   EXPECT_GT(fs::file_size(file("aside") / "mesh.ply"), 10000U);
-  const Outcome nothing = run("segment aside -o nothing");
+  const Outcome nothing = run("segment aside -o nothing --page nothing.html");
   ASSERT_EQ(nothing.code, 0) << nothing.err;
+  EXPECT_EQ(nothing.err.find("occupancy.bt"), std::string::npos) << nothing.err;
+  EXPECT_GT(fs::file_size(file("nothing") / "surface.ply"), 10000U);
+  EXPECT_NE(contents(file("nothing.html")).find(R"("surface":{"colors")"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(contents(file("nothing") / "objects.json")).at("objects").size(),
             0U);
 }

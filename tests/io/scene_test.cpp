@@ -41,6 +41,12 @@ TEST(Scene, WithoutOccupancyAndTableThereIsAWarningForEach) {
   EXPECT_NE(scene.warnings[1].find("table_plane.txt is missing"), std::string::npos);
 }
 
+TEST(Scene, OfABareTableNeedsNoOccupancy) {
+  const TemporaryFolder folder;
+  write_scene(folder / "scene", Scene{{}, {}, Plane{Eigen::Vector3d::UnitZ(), 0.0}});
+  EXPECT_EQ(read_scene(folder / "scene").warnings, std::vector<std::string>{});
+}
+
 TEST(Scene, TheCloudMayBeAPcdFile) {
   const TemporaryFolder folder;
   const PointCloud cloud = random_cloud(5, 3);

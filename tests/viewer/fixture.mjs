@@ -222,3 +222,10 @@ export function emptyResult(title = 'Nothing found') {
 
 /** No point at all. */
 export const noPoints = () => encodeScene({ title: 'No points', cloud: { positions: [] } });
+
+/** A table on which nothing stands, from one frame. */
+export function bareTable() {
+  const { path, cameras } = sweep();
+  return encodeScene({ title: 'Bare', table: 0, cloud: { positions: [] }, surface: scannedSurface([]),
+    trajectory: { path: path.slice(0, 1), cameras: cameras.slice(0, 1) } });
+}

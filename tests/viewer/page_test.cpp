@@ -200,7 +200,16 @@ TEST(PageSurface, IsAroundTheCloudIfThereIsNoObject) {
   result.objects.clear();
   EXPECT_GT(page_surface(small_surface(), result, wide_reach).triangles.rows(),
             page_surface(small_surface(), small_result(), wide_reach).triangles.rows());
-  EXPECT_EQ(page_surface(small_surface(), SegmentationResult{}).triangles.rows(), 0);
+}
+
+TEST(PageSurface, IsAllOfItIfThereIsNoPoint) {
+  const TriangleMesh surface = small_surface();
+  EXPECT_EQ(page_surface(surface, SegmentationResult{}).triangles.rows(), surface.triangles.rows());
+  PageSurfaceOptions options;
+  options.max_triangles = 150;
+  const TriangleMesh thinned = page_surface(surface, SegmentationResult{}, options);
+  EXPECT_GT(thinned.triangles.rows(), 0);
+  EXPECT_LE(thinned.triangles.rows(), 150);
 }
 
 TEST(PageSurface, IsIdempotent) {

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { openPage, withBrowser } from './browser.mjs';
-import { emptyResult, noPoints, tabletop } from './fixture.mjs';
+import { bareTable, emptyResult, noPoints, tabletop } from './fixture.mjs';
 import { writePage } from './payload.mjs';
 import './modules.mjs';
 import './review.mjs';
@@ -24,7 +24,7 @@ const pages = {};
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
   const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }),
-    threeFingers: tabletop({ grasps: { kind: 'three_finger', finger_spacing: 0.05, max_opening: 0.16 } }), empty: emptyResult(), noPoints: noPoints(), hostile: hostileScene() };
+    threeFingers: tabletop({ grasps: { kind: 'three_finger', finger_spacing: 0.05, max_opening: 0.16 } }), empty: emptyResult(), noPoints: noPoints(), bare: bareTable(), hostile: hostileScene() };
   for (const [name, scene] of Object.entries(scenes)) {
     pages[name] = join(folder, `${name}.html`);
     await writePage(pages[name], scene);
@@ -424,6 +424,13 @@ describe('other results', () => {
 
   pageTest('accepts a cloud without points', () => pages.noPoints, PHONE, async (page) => {
     assert.match(await page.textContent('.empty'), /no points/);
+  });
+
+  pageTest('shows the mesh of a bare table', () => pages.bare, WINDOW, async (page) => {
+    assert.equal(await hook(page, 'mesh'), true);
+    assert.ok((await hook(page, 'pixels()')).filled > 0.05, 'the mesh is drawn');
+    assert.match(await page.textContent('.empty'), /Nothing stands on the table/);
+    assert.match(await page.textContent('.panel'), /Camera: 1 frame\./);
   });
 
   test('draws a page made by C++', { skip: !process.env.SYMSCENE_PAGE, timeout: 120000 }, () =>

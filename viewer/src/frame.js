@@ -1,42 +1,47 @@
 // The display frame: x to the right, y up off the table, z towards whoever looks; metres, its
 // origin on the table under the middle of the scene.
+import { shownPositions } from './shown.js';
 import { add, cross, dot, isVector, length, normalize, quantile, reject, scale, subtract } from './vector.js';
 
-// Normals of visible surfaces face the sensor, so that their mean points towards it.
-function sensorSide(cloud, up) {
+// Normals of visible surfaces face the sensor, so that their mean points towards it. Without any,
+// the first camera tells.
+function sensorSide({ cloud, trajectory }, center, up) {
   const sum = [0, 0, 0];
   for (let i = 0; i < cloud.normals.length; ++i) sum[i % 3] += cloud.normals[i];
-  const lean = reject(scale(sum, 1 / Math.max(1, cloud.count)), up);
+  const camera = cloud.count === 0 && trajectory?.cameras[0];
+  const side = camera ? subtract(camera.position, center) : scale(sum, 1 / Math.max(1, cloud.count));
+  const lean = reject(side, up);
   if (length(lean) > 0.05) return normalize(lean);
   const fallback = Math.abs(up[1]) < 0.9 ? [0, -1, 0] : [0, 0, 1];
   return normalize(reject(fallback, up));
 }
 
-function heights(cloud, up) {
-  const values = new Float32Array(cloud.count);
-  for (let i = 0; i < cloud.count; ++i) {
-    values[i] = dot(cloud.positions.subarray(3 * i, 3 * i + 3), up);
+function heights(positions, up) {
+  const values = new Float32Array(positions.length / 3);
+  for (let i = 0; i < values.length; ++i) {
+    values[i] = dot(positions.subarray(3 * i, 3 * i + 3), up);
   }
   return values;
 }
 
-function middle(cloud) {
+function middle(positions) {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < cloud.positions.length; ++i) {
-    low[i % 3] = Math.min(low[i % 3], cloud.positions[i]);
-    high[i % 3] = Math.max(high[i % 3], cloud.positions[i]);
+  for (let i = 0; i < positions.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], positions[i]);
+    high[i % 3] = Math.max(high[i % 3], positions[i]);
   }
-  return cloud.count ? scale(add(low, high), 0.5) : [0, 0, 0];
+  return positions.length ? scale(add(low, high), 0.5) : [0, 0, 0];
 }
 
 export function tableFrame(scene) {
-  const { cloud, table } = scene;
+  const { table } = scene;
+  const shown = shownPositions(scene);
   const up = normalize(isVector(scene.up) ? scene.up : [0, 0, 1]);
-  const front = sensorSide(cloud, up);
+  const center = middle(shown);
+  const front = sensorSide(scene, center, up);
   const right = cross(up, front);
-  const height = Number.isFinite(table) ? table : quantile(heights(cloud, up), 0.002) - 0.002;
-  const center = middle(cloud);
+  const height = Number.isFinite(table) ? table : quantile(heights(shown, up), 0.002) - 0.002;
   const origin = add(center, scale(up, height - dot(center, up)));
   const direction = (v) => [dot(v, right), dot(v, up), dot(v, front)];
   return { direction, point: (p) => direction(subtract(p, origin)) };

@@ -2,6 +2,7 @@
 // if it is drawn.
 import { outlinePoints } from './gl/symmetries.js';
 import { graspsOfObject } from './grasps.js';
+import { shownPositions } from './shown.js';
 import { add, scale, subtract } from './vector.js';
 
 const AROUND = 1.5; // times the objects' radius
@@ -12,8 +13,9 @@ function middleOf(points) {
 }
 
 export function framePoints(scene, outlines) {
-  const indices = Uint32Array.from({ length: scene.cloud.count }, (_, i) => i);
-  const cloud = outlinePoints(scene.cloud, { points: indices, completed: { positions: [], count: 0 } }, 4000);
+  const positions = shownPositions(scene);
+  const indices = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+  const cloud = outlinePoints({ positions }, { points: indices, completed: { positions: [], count: 0 } }, 4000);
   const objects = outlines.flat();
   if (objects.length === 0) return cloud.length ? cloud : NOTHING;
   const middle = middleOf(objects);

@@ -23,15 +23,18 @@ function pathLength(path) {
   return sum;
 }
 
+function cameraText({ frames, path }) {
+  if (frames === 1) return 'Camera: 1 frame.';
+  return `Camera: ${format.plural(frames, 'frame')} over ${format.fixed(pathLength(path), 2)} m, its first pyramid filled.`;
+}
+
 // Explains the layers of the reconstruction.
 function createLegend({ surface, trajectory }) {
   const parts = [];
   if (surface) {
     parts.push(`Mesh: the reconstructed surface, objects in their colours (${format.plural(surface.triangles.length / 3, 'triangle')}).`);
   }
-  if (trajectory) {
-    parts.push(`Camera: ${format.plural(trajectory.frames, 'frame')} over ${format.fixed(pathLength(trajectory.path), 2)} m, its first pyramid filled.`);
-  }
+  if (trajectory) parts.push(cameraText(trajectory));
   return parts.length > 0 && h('p', { class: 'lead' }, parts.join(' '));
 }
 
@@ -54,7 +57,8 @@ function emptyMessage(scene) {
   const rejected = scene.rejected.length;
   return h('div', { class: 'empty', role: 'status' },
     h('strong', {}, 'No object was found.'),
-    scene.cloud.count === 0 ? 'The cloud has no points.'
+    scene.cloud.count === 0 && scene.surface ? 'Nothing stands on the table: the mesh shows all that was seen.'
+      : scene.cloud.count === 0 ? 'The cloud has no points.'
       : rejected ? `${format.plural(rejected, 'hypothesis').replace('hypothesiss', 'hypotheses')} rejected; “Why these objects” lists the reasons.`
         : 'No candidate passed all steps; “Why these objects” shows how many passed each.');
 }

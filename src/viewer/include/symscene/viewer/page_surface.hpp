@@ -27,8 +27,9 @@ struct PageSurfaceOptions {
   void validate() const { check_fields(*this); }
 };
 
-/// The surface around the objects, or around the cloud if there is no object, thinned if it is
-/// large. A surface that is small enough is returned unchanged, so that the function is idempotent.
+/// The surface around the objects, or around the cloud if there is no object, or all of it if there
+/// is no point (a bare table); thinned if it is large. A surface that is small enough is returned
+/// unchanged, so that the function is idempotent.
 /// Throws InputError if less than half of the cloud lies on the surface, which then belongs to
 /// another scene or frame.
 TriangleMesh page_surface(const TriangleMesh& surface, const SegmentationResult& result,
