@@ -18,12 +18,12 @@ constexpr const char* four_numbers = "four numbers a b c d, the plane ax + by + 
 
 Plane parse_table_plane(std::string_view text, const std::string& name) {
   Eigen::Vector4d numbers;
-  for (double& number : numbers) {
+  for (Eigen::Index k = 0; k < numbers.size(); ++k) {
     const std::string_view word = next_word(text);
-    if (word.empty()) throw InputError(name, four_numbers, "the end of the file");
+    if (word.empty()) throw InputError(name, four_numbers, fmt::format("only {}", k));
     const auto value = to_number<double>(word);
     if (!value || !std::isfinite(*value)) throw InputError(name, four_numbers, in_quotes(word));
-    number = *value;
+    numbers[k] = *value;
   }
   const std::string_view extra = next_word(text);
   if (!extra.empty()) throw InputError(name, four_numbers, "more: " + in_quotes(extra));

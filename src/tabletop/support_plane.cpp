@@ -298,6 +298,7 @@ SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOpt
     }
     SupportPlane support = as_support(context, plane.plane);
     support.score *= factor;
+    support.is_tilted = factor < 1.0;
     if (support.beneath > options.max_beneath) {
       result.others.push_back(plane);
       continue;

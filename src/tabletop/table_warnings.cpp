@@ -1,5 +1,7 @@
 #include "table_warnings.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,13 +14,34 @@ std::string text_of(const SupportPlane& support) {
   return fmt::format("{} ({:.2f} m^2)", plane_text(support.plane), support.area);
 }
 
+std::vector<std::string> texts_of(const std::vector<SupportPlane>& supports) {
+  std::vector<std::string> texts;
+  for (const SupportPlane& support : supports) texts.push_back(text_of(support));
+  return texts;
+}
+
 std::string no_table(const std::vector<SupportPlane>& others) {
-  std::vector<std::string> planes;
-  for (const SupportPlane& other : others) planes.push_back(text_of(other));
+  const std::vector<std::string> planes = texts_of(others);
   return fmt::format("no table with objects on it is found, so that all that is seen is taken; {}",
                      planes.empty() ? "there is no plane"
                                     : fmt::format("the table can be given (--plane): {}",
                                                   fmt::join(planes, "; ")));
+}
+
+/// The supports but for the table. Tilted ones are surfaces of objects where a level one is found.
+std::vector<SupportPlane> alternatives(const std::vector<SupportPlane>& supports) {
+  std::vector<SupportPlane> others(supports.begin() + 1, supports.end());
+  const bool any_level =
+      std::any_of(supports.begin(), supports.end(), [](const auto& s) { return !s.is_tilted; });
+  if (any_level) std::erase_if(others, [](const auto& s) { return s.is_tilted; });
+  return others;
+}
+
+std::string other_tables(const std::vector<SupportPlane>& others) {
+  const char* found = others.size() == 1 ? "another plane also has objects on it"
+                                         : "other planes also have objects on them";
+  return fmt::format("{}, and can be given as the table (--plane): {}", found,
+                     fmt::join(texts_of(others), "; "));
 }
 
 }  // namespace
@@ -27,11 +50,10 @@ std::vector<std::string> table_warnings(const TableScene& table) {
   const std::vector<SupportPlane>& supports = table.planes.supports;
   if (supports.empty()) return {no_table(table.planes.others)};
   std::vector<std::string> warnings;
-  for (std::size_t k = 1; table.planes.status == SupportStatus::several && k < supports.size(); ++k)
-    warnings.push_back(
-        "another plane also has objects on it, and can be given as the table "
-        "(--plane): " +
-        text_of(supports[k]));
+  if (table.planes.status == SupportStatus::several) {
+    const std::vector<SupportPlane> others = alternatives(supports);
+    if (!others.empty()) warnings.push_back(other_tables(others));
+  }
   if (table.objects.cloud.empty()) warnings.emplace_back("the table is bare: nothing stands on it");
   return warnings;
 }

@@ -45,7 +45,7 @@ TEST(TablePlane, AnythingButFourFiniteNumbersWithANormalIsRefused) {
   }
   EXPECT_EQ(refusal([] { parse_table_plane("1 2 3", "table_plane.txt"); }),
             "table_plane.txt: expected four numbers a b c d, the plane ax + by + cz + d = 0, found "
-            "the end of the file");
+            "only 3");
   EXPECT_EQ(refusal([] { parse_table_plane("0 0 0 1", "table_plane.txt"); }),
             "table_plane.txt: expected a direction, found a vector without length");
 }

@@ -133,6 +133,21 @@ TEST(SupportPlanes, SeenFromAboveANearTableOutweighsALargerFloor) {
   expect_table(seen.supports[0], motion, 0.75);
 }
 
+TEST(SupportPlanes, TellsWhichAreTilted) {
+  CloudBuilder builder(13);
+  add_table(builder);
+  add_objects(builder);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d forward(0, -std::sin(radians(80.0)), std::cos(radians(80.0)));
+  for (const Eigen::Vector3d& direction : {up, forward}) {
+    TablePrior known{.up = direction};
+    known.viewpoints = {{0, 0, 1.0}};
+    const SupportPlanes planes = find_support_planes(builder.cloud(), {}, known);
+    ASSERT_FALSE(planes.supports.empty());
+    EXPECT_EQ(planes.supports[0].is_tilted, direction != up);
+  }
+}
+
 TEST(SupportPlanes, TheOutlineHoldsAllPatchesThatShadowsCut) {
   CloudBuilder builder(12);
   builder.add_rectangle({-0.4, 0, 0}, {0.5, 0, 0}, {0, 0.8, 0});

@@ -27,6 +27,7 @@ struct SupportPlane {
   double area = 0.0;         ///< area that the inliers cover [m²]
   double object_area = 0.0;  ///< area of the table below objects [m²]
   double beneath = 0.0;      ///< points of surfaces at an angle just below it, over its inliers
+  bool is_tilted = false;    ///< more than max_tilt from the known upward direction
   double score = 0.0;        ///< geometric mean of both extents: a table is large and carries
                              ///< objects. Solid angles where the cameras are known, else areas
   PointIndices inliers;  ///< into the searched points, ascending: all patches of a table, else one
