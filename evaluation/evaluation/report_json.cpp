@@ -16,14 +16,18 @@ using Json = nlohmann::ordered_json;
 constexpr int report_version = 4;
 constexpr int first_comparable_version = 3;
 
+/// Without boundaries in the ground truth there are no metrics of boundaries.
 Json to_json(const SegmentationMetrics& metrics) {
-  return {{"overlap_precision", metrics.overlap_precision},
-          {"overlap_recall", metrics.overlap_recall},
-          {"overlap_f", metrics.overlap_f},
-          {"boundary_precision", metrics.boundary_precision},
-          {"boundary_recall", metrics.boundary_recall},
-          {"boundary_f", metrics.boundary_f},
-          {"f_75", metrics.found_75}};
+  Json json = {{"overlap_precision", metrics.overlap_precision},
+               {"overlap_recall", metrics.overlap_recall},
+               {"overlap_f", metrics.overlap_f}};
+  if (metrics.has_boundary()) {
+    json["boundary_precision"] = metrics.boundary_precision;
+    json["boundary_recall"] = metrics.boundary_recall;
+    json["boundary_f"] = metrics.boundary_f;
+  }
+  json["f_75"] = metrics.found_75;
+  return json;
 }
 
 bool has_masks(const Sweep& sweep) { return sweep.has(Metric::masks_90); }
@@ -84,7 +88,7 @@ Json headline_json(const std::vector<Sweep>& sweeps) {
     }
     numbers["mean_iou"] = row.mean_overlap;
     numbers["overlap_f"] = row.points.overlap_f;
-    numbers["boundary_f"] = row.points.boundary_f;
+    if (row.points.has_boundary()) numbers["boundary_f"] = row.points.boundary_f;
     numbers["f_75"] = row.points.found_75;
     if (row.pixels) {
       numbers["pixel_overlap_f"] = row.pixels->overlap_f;

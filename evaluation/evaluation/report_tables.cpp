@@ -105,9 +105,10 @@ TextTable headline_table(const std::vector<Sweep>& sweeps) {
   for (const HeadlineRow& row : headline(sweeps)) {
     std::vector<std::string> cells{row.method, row.setting};
     for (const auto& f : row.f) cells.push_back(percent_or_dash(f));
-    for (const double share :
-         {row.mean_overlap, row.points.overlap_f, row.points.boundary_f, row.points.found_75})
-      cells.push_back(percent(share));
+    std::optional<double> boundary_f;
+    if (row.points.has_boundary()) boundary_f = row.points.boundary_f;
+    cells.insert(cells.end(), {percent(row.mean_overlap), percent(row.points.overlap_f),
+                               percent_or_dash(boundary_f), percent(row.points.found_75)});
     cells.push_back(fmt::format("{}", row.returned));
     table.push_back(std::move(cells));
   }
@@ -237,7 +238,9 @@ std::string pixel_text(const std::vector<Sweep>& sweeps) {
 }
 
 std::string missed_object_text(const Evaluation& evaluation) {
-  return aligned(missed_object_table(evaluation), 1) + "\n" + aligned(reason_table(evaluation), 2);
+  const std::string missed = aligned(missed_object_table(evaluation), 1);
+  const TextTable reasons = reason_table(evaluation);
+  return reasons.size() == 1 ? missed : missed + "\n" + aligned(reasons, 2);
 }
 
 std::string runtime_text(const Evaluation& evaluation) {

@@ -210,7 +210,7 @@ SegmentationMetrics segmentation_metrics(const std::vector<PointIndices>& truth,
   const auto is_at_border = [&](const std::vector<Index>& labels, std::size_t i) {
     const auto others = neighbors.of(i);
     return std::any_of(others.begin(), others.end(),
-                       [&](Index j) { return labels[j] != labels[i]; });
+                       [&](Index j) { return labels[j] != labels[i] && labels[j] != unlabeled; });
   };
   const auto any_near = [&](std::size_t i, const auto& is_met) {
     const auto near = neighbors.of(i);

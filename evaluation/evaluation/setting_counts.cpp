@@ -56,7 +56,8 @@ SettingCounts CountingContext::count(const std::vector<PointIndices>& found,
   for (std::size_t k = 0; k < mask_overlaps.size(); ++k)
     counts.counts[k] = mask_detections(overlaps, mask_overlaps[k]);
   for (const double best : best_overlaps(overlaps)) counts.overlap_sum += best;
-  counts.points = segmentation_metrics(masks_, found, neighbors_);
+  // Added, not assigned, as a sum leaves out the boundaries of scenes without any.
+  counts.points += segmentation_metrics(masks_, found, neighbors_);
   return counts;
 }
 
@@ -68,8 +69,8 @@ void CountingContext::count_pixels(const std::vector<PointIndices>& found,
                                    SettingCounts& counts) const {
   if (!view_) return;
   counts.images = 1;
-  counts.pixels = pixel_metrics(view_->labels, label_image(pixel_points_, found, point_count_),
-                                view_->camera.width, view_->camera.height);
+  counts.pixels += pixel_metrics(view_->labels, label_image(pixel_points_, found, point_count_),
+                                 view_->camera.width, view_->camera.height);
 }
 
 SettingCounts CountingContext::count_with_pixels(const std::vector<SceneObject>& objects) const {

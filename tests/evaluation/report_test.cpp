@@ -174,6 +174,8 @@ TEST(ReportJson, ReadsBack) {
   EXPECT_DOUBLE_EQ(json.at("segmentation").at(0).at("best").at("masks_90").at("f"), 2.0 / 3.0);
   EXPECT_EQ(json.at("missed_objects").at("all").at("rejected").at("reasons").at("overlap"), 2);
   EXPECT_EQ(json.at("headline").size(), 3U);
+  // No mask beside another one.
+  EXPECT_FALSE(json.at("headline").at(0).at("numbers").contains("boundary_f"));
 }
 
 TEST(ReportDifference, ListsTheChangeOfEachNumber) {
@@ -220,6 +222,29 @@ TEST(ReportPage, WithoutScenesIsWellFormed) {
 TEST(HeadlineText, AlignsItsColumns) {
   const std::string text = headline_text({two_settings("ours")});
   EXPECT_NE(text.find("\nours    best of 2"), std::string::npos) << text;
+}
+
+TEST(HeadlineText, HasADashForTheBoundaryFWithoutBoundaries) {
+  const auto dashes = [](const Sweep& sweep) {
+    const std::string text = headline_text({sweep}), dash = "–";
+    int count = 0;
+    for (std::size_t at = text.find(dash); at != std::string::npos; at = text.find(dash, at + 1))
+      ++count;
+    return count;
+  };
+  const Sweep without = two_settings("ours");
+  Sweep with = without;
+  for (SettingCounts& counts : with.counts) counts.points.with_boundary = 1.0;
+  EXPECT_EQ(dashes(without), dashes(with) + 1);
+}
+
+TEST(MissedObjectText, HasNoTableOfReasonsIfNoneIsMissed) {
+  EXPECT_NE(missed_object_text(two_scenes()).find("missed because"), std::string::npos);
+  Evaluation all_found;
+  SceneEvaluation first = scene("first");
+  first.objects = {outcome("can", Outcome::found, "")};
+  all_found.add(first);
+  EXPECT_EQ(missed_object_text(all_found).find("missed because"), std::string::npos);
 }
 
 }  // namespace

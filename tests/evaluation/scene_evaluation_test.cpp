@@ -114,6 +114,21 @@ TEST(CountResult, CountsNoSymmetriesIfTheGroundTruthHasMasksOnly) {
   EXPECT_EQ(count_result(scene, truth, result).detections(Metric::axes).ground_truth, 1U);
 }
 
+TEST(CountResult, LeavesOutBoundariesOfScenesWithoutAny) {
+  Scene scene = three_points();
+  scene.cloud.positions *= 0.005F;  // neighbours
+  SegmentationResult result;
+  result.cloud = scene.cloud;
+  result.objects.resize(1);
+  result.objects.front().points = {0, 1, 2};
+  SettingCounts counts = count_result(scene, truth_of({{0, 1, 2}}), result);
+  EXPECT_FALSE(counts.points.has_boundary());
+  result.objects.front().points = {0, 1};
+  result.objects.emplace_back().points = {2};
+  counts += count_result(scene, truth_of({{0, 1}, {2}}), result);
+  EXPECT_DOUBLE_EQ(counts.points.mean(2).boundary_f, 1.0);
+}
+
 TEST(EvaluateScene, CountsObjectsOfWhichTheSceneHasNoPoint) {
   EvaluationOptions options;
   options.baselines = {everything};

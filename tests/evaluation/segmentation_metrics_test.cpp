@@ -105,13 +105,34 @@ TEST(SegmentationMetrics, ExtraMasksReducePrecisionAndMissedMasksReduceRecall) {
       segmentation_metrics({range(0, 5)}, {range(0, 5), range(7, 9)}, row_of_ten());
   EXPECT_DOUBLE_EQ(stray.overlap_precision, 5.0 / 7.0);
   EXPECT_DOUBLE_EQ(stray.overlap_recall, 1.0);
-  EXPECT_DOUBLE_EQ(stray.boundary_precision, 1.0 / 3.0);  // 4; 7 and 8 belong to no object
-  EXPECT_DOUBLE_EQ(stray.boundary_recall, 1.0);
   const SegmentationMetrics missed =
       segmentation_metrics({range(0, 5), range(7, 9)}, {range(0, 5)}, row_of_ten());
   EXPECT_DOUBLE_EQ(missed.overlap_recall, 5.0 / 7.0);
-  EXPECT_DOUBLE_EQ(missed.boundary_recall, 1.0 / 3.0);
   EXPECT_DOUBLE_EQ(missed.found_75, 0.5);
+}
+
+TEST(SegmentationMetrics, PointsWithoutLabelMakeNoBoundary) {
+  // One object of which point 4 was not labelled, found whole.
+  const PointIndices labelled{0, 1, 2, 3, 5, 6, 7, 8, 9};
+  const SegmentationMetrics alone = segmentation_metrics({labelled}, {range(0, 10)}, row_of_ten());
+  EXPECT_FALSE(alone.has_boundary());
+  // Two such objects side by side: the boundary is between them alone.
+  const SegmentationMetrics two =
+      segmentation_metrics({{0, 2, 3, 4}, {5, 6, 7, 9}}, {range(0, 5), range(5, 10)}, row_of_ten());
+  EXPECT_TRUE(two.has_boundary());
+  EXPECT_DOUBLE_EQ(two.boundary_f, 1.0);
+}
+
+TEST(SegmentationMetrics, BoundariesOfExtraAndMissedMasksCount) {
+  // A third mask that splits the second object; the boundary between the objects is exact.
+  const SegmentationMetrics extra = segmentation_metrics(
+      {range(0, 5), range(5, 10)}, {range(0, 5), range(5, 8), range(8, 10)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(extra.boundary_precision, 0.5);  // 4 and 5 of 4, 5, 7, 8
+  EXPECT_DOUBLE_EQ(extra.boundary_recall, 1.0);
+  const SegmentationMetrics missed = segmentation_metrics(
+      {range(0, 5), range(5, 8), range(8, 10)}, {range(0, 5), range(5, 10)}, row_of_ten());
+  EXPECT_DOUBLE_EQ(missed.boundary_precision, 1.0);
+  EXPECT_DOUBLE_EQ(missed.boundary_recall, 0.5);
 }
 
 TEST(SegmentationMetrics, TheMeanOfBoundariesIsOverScenesThatHaveOne) {

@@ -20,6 +20,9 @@ struct SegmentationMetrics {
   double with_boundary = 0.0;  ///< scenes whose true masks have a boundary
   double found_75 = 0.0;       ///< share of true objects with an overlap F ≥ 0.75
 
+  /// Whether the boundary metrics say anything: some true masks have a boundary.
+  bool has_boundary() const { return with_boundary > 0.0; }
+
   SegmentationMetrics& operator+=(const SegmentationMetrics& other);
   /// The mean of a sum over `scenes`. The boundary metrics are averaged over the scenes with a
   /// boundary, and are 0 if none has one.
@@ -31,9 +34,10 @@ struct SegmentationMetrics {
 /// points) of all found masks, recall over those of all true masks; both are 1 without points.
 ///
 /// Adapted from images to point clouds: masks are made disjoint by label_points(); a boundary point
-/// is a point of a mask with a neighbour of another label, or of none; two boundary points match if
-/// they are equal or neighbours. `neighbors` has a fixed radius of about two spacings of the cloud.
-/// An isolated object has no boundary, as the table is not in the cloud.
+/// is a point of a mask with a neighbour in another mask; two boundary points match if they are
+/// equal or neighbours. `neighbors` has a fixed radius of about two spacings of the cloud. An
+/// isolated object has no boundary, as the table is not in the cloud, and points without a label
+/// make none: beside a true mask they are often points that were not labelled.
 SegmentationMetrics segmentation_metrics(const std::vector<PointIndices>& truth,
                                          const std::vector<PointIndices>& found,
                                          const NeighborLists& neighbors);
