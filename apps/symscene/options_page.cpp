@@ -22,6 +22,9 @@ The name of an option is its path through the groups of the file: `selection.min
 subcommand (`symscene segment --help`) override the file. An unknown name, a value of another type and a value out of range
 are errors that name the file and the option.
 
+The same option can stand in other groups in another subcommand: those of the search for the table are `scene.table...` in `reconstruct`
+and `stitch`, `view.scene.table...` in `segment` (of single views and clouds) and `making.scene.table...` in `dataset`.
+
 The page is generated from the declarations of the options: `symscene options > docs/options.md`.
 )";
 
