@@ -5,6 +5,7 @@
 
 #include "depth_range.hpp"
 #include "symscene/core/depth_noise.hpp"
+#include "symscene/core/point_cloud.hpp"
 
 namespace symscene::app {
 namespace {

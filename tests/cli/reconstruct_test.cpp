@@ -255,6 +255,13 @@ TEST_F(ReconstructCommand, AWrongDepthScaleIsNoticed) {
   EXPECT_EQ(run(segment).err.find("--depth-scale"), std::string::npos);
 }
 
+TEST_F(ReconstructCommand, ANamedSensorIsNotPrintedAsFound) {
+  const std::string png = (fs::path("sweep") / image(6)).string();
+  const std::string segment = "segment " + png + " --intrinsics sweep/intrinsics.txt -o seen";
+  EXPECT_NE(run(segment + " --sensor tof").out.find("sensor tof: named; "), std::string::npos);
+  EXPECT_EQ(run(segment).out.find("named"), std::string::npos);
+}
+
 TEST_F(ReconstructCommand, SegmentSaysWhatToDoWithManyFrames) {
   const Outcome outcome = run("segment sweep -o new");
   EXPECT_EQ(outcome.code, 1);

@@ -38,6 +38,12 @@ TEST_F(Command, RefusesOptionsWithoutEffectOnTheInput) {
   }
 }
 
+TEST_F(Command, RefusesAnInputThatDoesNotExistNamingAllKinds) {
+  expect_refusal("segment nothere.png -o new", 1,
+                 "expected a scene folder, a depth image, a folder with one frame, or a cloud "
+                 "(.ply, .pcd), found nothing of that name");
+}
+
 TEST_F(Command, SegmentsToTheSameBytesForAnyNumberOfThreads) {
   for (const char* threads : {"1", "2", "8"}) {
     const std::string result = std::string("result") + threads;
