@@ -34,6 +34,26 @@ std::vector<SupportPlane> walls_of(const SupportPlanes& planes, double wall_area
   return walls;
 }
 
+/// The table among the planes of the cloud, and the objects on it.
+TableScene searched_table_scene(const PointCloud& cloud, const PointCloud& searched,
+                                const TablePrior& known, const TableSceneOptions& options) {
+  TableScene scene;
+  scene.planes = find_support_planes(searched, options.plane, known);
+  if (scene.planes.status == SupportStatus::none) return scene;
+  const FoundPlanes found{searched, scene.planes.supports[0],
+                          walls_of(scene.planes, options.plane.wall_area)};
+  scene.objects = objects_on(cloud, found, options);
+  return scene;
+}
+
+/// Whether `other` carries objects and is larger than the table of `bare`, so that this is more
+/// likely a face of an object than an empty table.
+bool is_rather_the_table(const TableScene& other, const TableScene& bare) {
+  if (other.objects.cloud.empty()) return false;
+  return bare.planes.supports.empty() ||
+         other.planes.supports[0].area > bare.planes.supports[0].area;
+}
+
 }  // namespace
 
 void TableCropOptions::validate() const {
@@ -53,13 +73,14 @@ TableScene find_table_scene(const PointCloud& cloud, const TableSceneOptions& op
   options.validate();
   const PointCloud searched = select(cloud, evenly_spread(cloud.size(), searched_points(cloud)));
   if (known.plane) return table_scene_on(cloud, searched, *known.plane, options);
-  TableScene scene;
-  scene.planes = find_support_planes(searched, options.plane, known);
-  if (scene.planes.status == SupportStatus::none) return scene;
-  scene.objects = objects_on(
-      cloud, {searched, scene.planes.supports[0], walls_of(scene.planes, options.plane.wall_area)},
-      options);
-  return scene;
+  TableScene scene = searched_table_scene(cloud, searched, known, options);
+  if (!known.up || !scene.objects.cloud.empty()) return scene;
+  TablePrior turned = known;
+  turned.up.reset();
+  TableScene other = searched_table_scene(cloud, searched, turned, options);
+  if (!is_rather_the_table(other, scene)) return scene;
+  other.is_against_up = true;
+  return other;
 }
 
 }  // namespace symscene

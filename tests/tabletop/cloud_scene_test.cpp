@@ -67,16 +67,22 @@ PointCloud seen_by_rolled_camera(double roll) {
   return cloud;
 }
 
-TEST(CloudScene, AnyUpRatesTheTableOfACameraThatLiesOnItsSideAsThatOfAnUprightOne) {
-  const auto score_of_table = [](const PointCloud& cloud, bool any_up) {
-    const BuiltScene built = cloud_scene(cloud, Eigen::Vector3d::Zero(), {.any_up = any_up});
-    return built.table.planes.supports.empty() ? 0.0 : built.table.planes.supports[0].score;
+TEST(CloudScene, TheTableOfACameraThatLiesOnItsSideIsRatedAsThatOfAnUprightOne) {
+  const auto built = [](const PointCloud& cloud, bool any_up) {
+    return cloud_scene(cloud, Eigen::Vector3d::Zero(), {.any_up = any_up});
   };
-  const double upright = score_of_table(seen_by_rolled_camera(0.0), false);
-  ASSERT_GT(upright, 0.0);
+  const auto score = [](const BuiltScene& scene) {
+    return scene.table.planes.supports.empty() ? 0.0 : scene.table.planes.supports[0].score;
+  };
+  const BuiltScene upright = built(seen_by_rolled_camera(0.0), false);
+  ASSERT_GT(score(upright), 0.0);
+  EXPECT_FALSE(upright.table.is_against_up);
   const PointCloud on_its_side = seen_by_rolled_camera(radians(90.0));
-  EXPECT_LT(score_of_table(on_its_side, false), 0.5 * upright);
-  EXPECT_NEAR(score_of_table(on_its_side, true), upright, 0.05 * upright);
+  for (const bool any_up : {false, true}) {
+    const BuiltScene turned = built(on_its_side, any_up);
+    EXPECT_NEAR(score(turned), score(upright), 0.05 * score(upright));
+    EXPECT_EQ(turned.table.is_against_up, !any_up);
+  }
 }
 
 TEST(CloudScene, EstimatedNormalsPointToTheSensor) {

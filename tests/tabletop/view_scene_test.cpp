@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
@@ -234,6 +235,38 @@ TEST(ViewScene, ACameraThatLooksStraightDownFindsItsTable) {
     const std::map<int, int> counts = labels_of(view.built.scene, image);
     for (const int object : {1, 2, 3}) EXPECT_GT(counts.at(object), 50) << object;
   }
+}
+
+TEST(ViewScene, ACameraOnItsSideOrUpsideDownFindsItsTableAndWarns) {
+  const auto warns = [](const ViewScene& view) {
+    const std::vector<std::string>& warnings = view.built.scene.warnings;
+    return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("held upright") != std::string::npos;
+    });
+  };
+  using Eigen::Vector3d;
+  for (const Vector3d& up : {Vector3d(0, 0, -1), Vector3d(1, 0, 0), Vector3d(-1, 0, 0)}) {
+    const Eigen::Isometry3d pose = looking({0.05, -1.1, 1.25}, {0, 0, 0.8}, up);
+    const Image image = render(table_on_floor(), pose, noise);
+    const ViewScene view = view_scene({image.frame, image.camera});
+    expect_table(view, pose, 0.75);
+    const std::map<int, int> counts = labels_of(view.built.scene, image);
+    for (const int object : {1, 2, 3}) EXPECT_GT(counts.at(object), 50) << object;
+    EXPECT_TRUE(warns(view)) << up.transpose();
+  }
+  const Image upright = render(table_on_floor(), looking({0, -1.1, 1.25}, {0, 0, 0.8}), noise);
+  EXPECT_FALSE(warns(view_scene({upright.frame, upright.camera})));
+}
+
+TEST(ViewScene, AnEmptyTableIsNotReplacedByASmallerWallWithThingsOnIt) {
+  World world;
+  world.add({-0.5, -0.35, 0.75}, {1.0, 0, 0}, {0, 0.7, 0}, 0);
+  world.add({-0.3, 0.36, 0.75}, {0.6, 0, 0}, {0, 0, 0.5}, -1);
+  world.add_box({-0.1, 0.26, 0.95}, {0.2, 0.1, 0.1}, 1);
+  const Eigen::Isometry3d pose = looking({0, -0.9, 1.3}, {0, 0, 0.85});
+  const Image image = render(world, pose, noise);
+  const ViewScene view = view_scene({image.frame, image.camera});
+  expect_table(view, pose, 0.75);
 }
 
 TEST(ViewScene, WhatStandsBehindAShadowThatSplitsTheTableIsKept) {

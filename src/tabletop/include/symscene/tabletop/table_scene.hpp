@@ -55,6 +55,8 @@ struct TableObjects {
 struct TableScene {
   SupportPlanes planes;  ///< the table is the first of the supports
   TableObjects objects;
+  bool is_against_up = false;  ///< found where `up` was disregarded, as no table with objects faces
+                               ///< up: the camera was not upright
 };
 
 }  // namespace symscene
