@@ -1,11 +1,11 @@
 #include "symscene/core/normal_estimation.hpp"
 
 #include <cmath>
-#include <queue>
 
 #include <Eigen/Eigenvalues>
 
 #include "core/parallel.hpp"
+#include "core/sign_spreading.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/neighbors.hpp"
 
@@ -33,40 +33,6 @@ Eigen::Vector3f tangent_plane_normal(const Points& points, Index i,
                      : Eigen::Vector3f::Zero();
 }
 
-/// An edge of the spanning tree; edges of low cost are taken first.
-struct Spread {
-  float cost;
-  Index from;
-  Index to;
-  bool operator<(const Spread& other) const {
-    if (cost != other.cost) return cost > other.cost;
-    return std::pair(from, to) > std::pair(other.from, other.to);
-  }
-};
-
-/// Propagates the orientation of the seed over its connected piece. Returns the piece.
-PointIndices align_piece(Index seed, const NeighborLists& lists, Points& normals,
-                         std::vector<bool>& visited) {
-  PointIndices piece;
-  std::priority_queue<Spread> queue;
-  const auto visit = [&](Index i) {
-    visited[i] = true;
-    piece.push_back(i);
-    for (const Index j : lists.of(i)) {
-      if (!visited[j]) queue.push({1.0F - std::abs(normals.row(i).dot(normals.row(j))), i, j});
-    }
-  };
-  visit(seed);
-  while (!queue.empty()) {
-    const Spread edge = queue.top();
-    queue.pop();
-    if (visited[edge.to]) continue;
-    if (normals.row(edge.from).dot(normals.row(edge.to)) < 0.0F) normals.row(edge.to) *= -1.0F;
-    visit(edge.to);
-  }
-  return piece;
-}
-
 }  // namespace
 
 Points estimate_normals(const Points& points, const OutwardVote& outward,
@@ -86,7 +52,7 @@ Points estimate_normals(const Points& points, const OutwardVote& outward,
   std::vector<bool> visited(lists.size(), false);
   for (Index seed = 0; seed < lists.size(); ++seed) {
     if (visited[seed]) continue;
-    const PointIndices piece = align_piece(seed, lists, normals, visited);
+    const PointIndices piece = spread_signs({seed}, lists, normals, visited);
     double votes = 0.0;
     for (const Index i : piece)
       votes += outward(points.row(i).transpose(), normals.row(i).transpose());

@@ -3,23 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sign_spreading.hpp"
 #include "core/voxel_sampling.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/neighbors.hpp"
+#include "visibility.hpp"
 
 namespace symscene {
 namespace {
-
-/// Unit normals that point to the viewpoint.
-Points normals_towards(const Points& points, const Eigen::Vector3d& viewpoint,
-                       const NormalEstimationOptions& options) {
-  const auto undecided = [](const Eigen::Vector3f&, const Eigen::Vector3f&) { return 0.0; };
-  Points normals = estimate_normals(points, undecided, options);
-  const Eigen::RowVector3f eye = viewpoint.cast<float>().transpose();
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    if (normals.row(i).dot(eye - points.row(i)) < 0.0F) normals.row(i) *= -1.0F;
-  }
-  return normals;
-}
 
 /// The share of the points that satisfy a condition.
 template <class Condition>
@@ -35,6 +26,67 @@ bool faces_viewpoint(const PointCloud& cloud, const Eigen::Vector3d& viewpoint) 
   return share(cloud, [&](Index i) {
            return cloud.normal(i).dot(viewpoint.cast<float>() - cloud.position(i)) > 0.0F;
          }) > nearly_all;
+}
+
+/// Where the points of a fused cloud are looked at from: a viewpoint amid them is none of a camera,
+/// and high above (z) takes its place.
+Eigen::Vector3f outer_viewpoint(const Points& points, const Eigen::Vector3f& viewpoint) {
+  constexpr float diagonals_above = 10.0F;
+  const Box box = bounding_box(points);
+  if ((viewpoint - box.min).minCoeff() < 0.0F || (box.max - viewpoint).minCoeff() < 0.0F)
+    return viewpoint;
+  return 0.5F * (box.min + box.max) +
+         diagonals_above * (box.max - box.min).norm() * Eigen::Vector3f::UnitZ();
+}
+
+void turn_towards(const Eigen::Vector3f& eye, PointCloud& cloud, const PointIndices& points) {
+  for (const Index i : points) {
+    if (cloud.normal(i).dot(eye - cloud.position(i)) < 0.0F) cloud.normals.row(i) *= -1.0F;
+  }
+}
+
+/// The points at which the surface faces `eye` clearly or faces away clearly.
+PointIndices without_grazing(const PointCloud& cloud, const Eigen::Vector3f& eye,
+                             const PointIndices& points) {
+  constexpr float min_cosine = 0.3F;
+  PointIndices kept;
+  for (const Index i : points) {
+    const Eigen::Vector3f ray = (eye - cloud.position(i)).stableNormalized();
+    if (std::abs(cloud.normal(i).dot(ray)) > min_cosine) kept.push_back(i);
+  }
+  return kept;
+}
+
+/// Estimates normals. All surfaces of a single view face the viewpoint, which sees nearly all
+/// points. In a fused cloud those that are seen do, and signs spread from them to the others.
+void add_normals(PointCloud& cloud, const Eigen::Vector3d& viewpoint,
+                 const NormalEstimationOptions& options) {
+  constexpr double nearly_all = 0.9;
+  // In spacings of the points. A surface at a slant of 75° spans `slanted_depth` in a cell. Cells
+  // that are wide hold no gap through which hidden surfaces are seen, and the other one is the
+  // thickness of the walls of vessels.
+  constexpr float narrow = 2.0F, slanted_depth = 8.0F, wide = 4.0F, thin_wall = 1.5F;
+  const Eigen::Vector3f eye = viewpoint.cast<float>();
+  const Eigen::Vector3f outer = outer_viewpoint(cloud.positions, eye);
+  const auto towards_outer = [&](const Eigen::Vector3f& position,
+                                 const Eigen::Vector3f& direction) {
+    return double{direction.dot(outer - position)};
+  };
+  cloud.normals = estimate_normals(cloud.positions, towards_outer, options);
+  const Visibility from_sensor(cloud.positions, eye, narrow);
+  const auto seen = static_cast<double>(from_sensor.seen(cloud.positions, slanted_depth).size());
+  if (seen > nearly_all * cloud.size()) {
+    turn_towards(eye, cloud, evenly_spread(cloud.size(), cloud.size()));
+    return;
+  }
+  const Visibility from_outside(cloud.positions, outer, wide);
+  const PointIndices known =
+      without_grazing(cloud, outer, from_outside.seen(cloud.positions, thin_wall));
+  turn_towards(outer, cloud, known);
+  std::vector<bool> visited(cloud.size(), false);
+  spread_signs(known,
+               nearest_neighbors(cloud.positions, static_cast<std::size_t>(options.neighbors)),
+               cloud.normals, visited);
 }
 
 /// The upward direction in the frame of a sensor that was held upright: −y if it looks along +z, as
@@ -61,8 +113,8 @@ BuiltScene cloud_scene(const PointCloud& cloud, const Eigen::Vector3d& viewpoint
   options.validate();
   PointCloud points = voxel_downsample(cloud, options.scene.table.crop.voxel_size);
   if (points.empty()) throw InputError("point cloud", "points with finite coordinates", "none");
-  if (oriented_points(points).empty())
-    points.normals = normals_towards(points.positions, viewpoint, options.normals);
+  const bool lacks_normals = oriented_points(points).empty();
+  if (lacks_normals) add_normals(points, viewpoint, options.normals);
   points = select(points, oriented_points(points));
   if (points.empty()) throw InputError("point cloud", "points of surfaces", "none");
   if (faces_viewpoint(points, viewpoint)) {
@@ -72,6 +124,10 @@ BuiltScene cloud_scene(const PointCloud& cloud, const Eigen::Vector3d& viewpoint
   BuiltScene built = build_scene(points, OccupancyVolume(), known, options.scene);
   // No voxel was observed.
   built.scene.occupancy.reset();
+  if (lacks_normals) {
+    built.scene.warnings.emplace_back(
+        "the cloud has no usable normals: they are estimated from neighbouring points");
+  }
   return built;
 }
 

@@ -93,6 +93,48 @@ TEST(CloudScene, EstimatedNormalsPointToTheSensor) {
   }
 }
 
+/// A sphere that stands at `middle`, seen from all sides.
+PointCloud sphere_around(const Eigen::Vector3d& middle, double radius) {
+  Random random(3);
+  PointCloud cloud;
+  cloud.positions.resize(8000, 3);
+  for (Eigen::Index i = 0; i < cloud.positions.rows(); ++i) {
+    const Eigen::Vector3d direction =
+        Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+    cloud.positions.row(i) = (middle + radius * direction).cast<float>().transpose();
+  }
+  return cloud;
+}
+
+TEST(CloudScene, EstimatedNormalsOfAFusedCloudPointOutwardsOnTheFarSideToo) {
+  const Eigen::Vector3d middle(0.1, 0.2, 0.9);
+  const PointCloud sphere = sphere_around(middle, 0.08);
+  for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.3, -0.5, 1.2)}) {
+    const BuiltScene built = cloud_scene(sphere, eye);
+    ASSERT_GT(built.scene.cloud.size(), 1000U);
+    Index inwards = 0;
+    for (Index i = 0; i < built.scene.cloud.size(); ++i) {
+      const Eigen::Vector3d radial = built.scene.cloud.position(i).cast<double>() - middle;
+      inwards += built.scene.cloud.normal(i).cast<double>().dot(radial) < 0.0 ? 1 : 0;
+    }
+    // The far side may be seen through a gap between the random points.
+    EXPECT_LT(100 * inwards, built.scene.cloud.size());
+    EXPECT_NE(built.scene.warnings.back().find("no usable normals"), std::string::npos);
+  }
+}
+
+TEST(CloudScene, TheOriginAmidAFusedCloudIsNoViewpoint) {
+  const Eigen::Vector3d middle(-0.1, 0.0, 0.08);
+  const PointCloud sphere = sphere_around(middle, 0.08), table = table_with_box(true);
+  PointCloud cloud;
+  cloud.positions.resize(sphere.positions.rows() + table.positions.rows(), 3);
+  cloud.positions << sphere.positions, table.positions;
+  const BuiltScene built = cloud_scene(cloud, middle);
+  ASSERT_TRUE(built.scene.table);
+  EXPECT_GT(built.scene.table->normal.z(), 0.99);
+  EXPECT_GT(built.scene.cloud.size(), 2500U) << "the sphere and the box";
+}
+
 TEST(CloudScene, WithoutItsTableAllPointsAreKept) {
   const BuiltScene built = cloud_scene(table_with_box(false), viewpoint);
   EXPECT_FALSE(built.scene.table);

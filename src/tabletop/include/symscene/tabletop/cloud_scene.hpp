@@ -20,8 +20,9 @@ struct CloudSceneOptions {
 };
 
 /// Makes a scene of a cloud that may still contain its table. Normals are estimated if there are
-/// none, and then point to `viewpoint`, the position of the sensor. Without a table the scene holds
-/// all points. The scene has no occupancy. Throws InputError if no coordinate is finite.
+/// none. They point to `viewpoint`, the position of the sensor, if the cloud is a single view; in a
+/// fused cloud their signs spread over connected surfaces. Without a table the scene holds all
+/// points. The scene has no occupancy. Throws InputError if no coordinate is finite.
 BuiltScene cloud_scene(const PointCloud& cloud, const Eigen::Vector3d& viewpoint,
                        TablePrior known = {}, const CloudSceneOptions& options = {});
 
