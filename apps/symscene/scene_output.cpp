@@ -44,13 +44,16 @@ TablePrior TableArguments::known(TablePrior from_cameras) const {
   return from_cameras;
 }
 
-void report_table(const BuiltScene& built, Session& session) {
+void print_table(const BuiltScene& built, Session& session) {
   const auto& supports = built.table.planes.supports;
-  if (!supports.empty()) {
-    session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
-                                   plane_text(supports.front().plane), supports.front().area,
-                                   1e3 * supports.front().residual));
-  }
+  if (supports.empty()) return;
+  session.print_line(fmt::format("table {}: {:.2f} m^2, residual {:.1f} mm",
+                                 plane_text(supports.front().plane), supports.front().area,
+                                 1e3 * supports.front().residual));
+}
+
+void report_table(const BuiltScene& built, Session& session) {
+  print_table(built, session);
   session.warn(built.scene.warnings);
 }
 

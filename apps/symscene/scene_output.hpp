@@ -36,6 +36,9 @@ struct TableArguments {
   /// Throws InputError if the text of --plane is not a plane, or if two of the options are given.
   std::optional<Plane> table() const;
 
+  /// Whether the command line tells where the table is, or that there is none.
+  bool is_told() const { return none || !plane.empty(); }
+
   /// What is known about the table, from the command line and the cameras.
   TablePrior known(TablePrior from_cameras) const;
 };
@@ -71,6 +74,9 @@ struct SceneOutput {
   std::vector<ReportMember> write(const SceneContent& content, const SceneSource& source,
                                   Session& session, StageTimer& timer) const;
 };
+
+/// Prints the table that was found.
+void print_table(const BuiltScene& built, Session& session);
 
 /// Prints the table that was found and the warnings of the scene.
 void report_table(const BuiltScene& built, Session& session);

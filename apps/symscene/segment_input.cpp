@@ -62,12 +62,41 @@ void SegmentSource::require_no_camera(const char* kind) const {
   }
 }
 
-SegmentInput SegmentSource::read_folder(Session& session) const {
+/// Whether the cloud of a scene folder may hold its table still: one that symscene wrote does not.
+bool SegmentSource::may_hold_table() const {
+  return !table.is_told() && !fs::exists(path / "table_plane.txt") &&
+         !fs::exists(path / "scene.json");
+}
+
+/// Takes the table, if one with objects on it is found, from the cloud of a scene folder. The
+/// occupancy stays.
+void SegmentSource::crop_table(Scene& scene, const SegmentOptions& options,
+                               Session& session) const {
+  const fs::path file = path / (fs::exists(path / "cloud.ply") ? "cloud.ply" : "cloud.pcd");
+  BuiltScene built = naming(file, [&] {
+    return cloud_scene(scene.cloud, read_sensor_cloud(file).viewpoint, table.known({}),
+                       {options.cloud_normals, options.view.scene});
+  });
+  if (!built.scene.table || built.scene.cloud.empty()) {
+    scene.warnings.push_back(
+        fmt::format("{} is missing, and no table with objects on it is found in the cloud",
+                    (path / "table_plane.txt").string()));
+    return;
+  }
+  print_table(built, session);
+  scene.cloud = std::move(built.scene.cloud);
+  scene.table = built.scene.table;
+  for (std::string& warning : built.scene.warnings) scene.warnings.push_back(std::move(warning));
+}
+
+SegmentInput SegmentSource::read_folder(const SegmentOptions& options, Session& session) const {
   SegmentInput input;
-  input.scene = read_scene(path);
+  const bool is_searched = may_hold_table();
+  input.scene = read_scene(path, {.expects_table = !is_searched && !table.is_told()});
   require_no_camera("a scene");
   if (table.any_up && input.scene.table)
     throw InputError("--any-up", "a table to search", "a scene with table_plane.txt");
+  if (is_searched && !input.scene.cloud.empty()) crop_table(input.scene, options, session);
   if (const std::optional<Plane> plane = table.table()) input.scene.table = plane;
   if (table.none) input.scene.table.reset();
   // Those of the reader first: they explain why segmentation may fail. The result repeats them.
@@ -126,11 +155,11 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
 }
 
 SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session) const {
-  if (is_scene_folder(path)) return read_folder(session);
+  if (is_scene_folder(path)) return read_folder(options, session);
   if (fs::is_regular_file(path) && is_cloud_file(path)) return read_cloud_file(options, session);
   if (is_sequence(path)) return read_view(options, session);
   if (!fs::exists(path)) throw InputError(path.string(), an_input, "nothing of that name");
-  return read_folder(session);
+  return read_folder(options, session);
 }
 
 }  // namespace symscene::app

@@ -35,7 +35,9 @@ struct SegmentSource {
  private:
   /// Throws InputError if an option is given that only depth images have a use for.
   void require_no_camera(const char* kind) const;
-  SegmentInput read_folder(Session& session) const;
+  SegmentInput read_folder(const SegmentOptions& options, Session& session) const;
+  bool may_hold_table() const;
+  void crop_table(Scene& scene, const SegmentOptions& options, Session& session) const;
   SegmentInput read_cloud_file(const SegmentOptions& options, Session& session) const;
   SegmentInput read_view(const SegmentOptions& options, Session& session) const;
 };

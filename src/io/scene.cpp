@@ -56,7 +56,7 @@ std::string scene_text(const std::string& scene_json) {
 
 }  // namespace
 
-Scene read_scene(const fs::path& dir) {
+Scene read_scene(const fs::path& dir, const SceneReading& reading) {
   Scene scene;
   scene.cloud = read_cloud(find_cloud(dir));
   const fs::path occupancy = dir / "occupancy.bt";
@@ -67,8 +67,9 @@ Scene read_scene(const fs::path& dir) {
     scene.occupancy = read_octomap(occupancy);
   }
   const fs::path table = dir / "table_plane.txt";
-  if (exists_or_warn(table, "the table is not known", scene.warnings))
-    scene.table = read_table_plane(table);
+  if (fs::exists(table)) scene.table = read_table_plane(table);
+  if (!scene.table && reading.expects_table)
+    scene.warnings.push_back(table.string() + " is missing: the table is not known");
   return scene;
 }
 

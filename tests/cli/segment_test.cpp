@@ -59,6 +59,56 @@ TEST_F(Command, ReplacesAnEarlierResult) {
   EXPECT_EQ(objects_without_times("replaced"), objects_without_times("result"));
 }
 
+/// A table of points 5 mm apart with two boxes on it, as cloud.ply.
+std::string cloud_of_a_table() {
+  std::string points;
+  std::size_t count = 0;
+  const auto add = [&](double x, double y, double z, const char* normal) {
+    for (const double value : {x, y, z}) points += std::to_string(value) + " ";
+    points += normal + std::string("\n");
+    ++count;
+  };
+  for (int i = -60; i <= 60; ++i) {
+    for (int j = -60; j <= 60; ++j) add(0.005 * i, 0.005 * j, 0.5, "0 0 1");
+  }
+  for (const double x : {-0.15, 0.1}) {
+    for (int i = 0; i <= 16; ++i) {
+      for (int j = 0; j <= 16; ++j) {
+        const double a = 0.005 * i, b = 0.005 * j;
+        add(x + a, b, 0.58, "0 0 1");
+        add(x + a, 0.0, 0.5 + b, "0 -1 0");
+        add(x + a, 0.08, 0.5 + b, "0 1 0");
+        add(x, a, 0.5 + b, "-1 0 0");
+        add(x + 0.08, a, 0.5 + b, "1 0 0");
+      }
+    }
+  }
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
+         "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+         "property float ny\nproperty float nz\nend_header\n" +
+         points;
+}
+
+TEST_F(Command, TakesTheTableFromTheCloudOfAFolderWithoutTablePlane) {
+  fs::create_directory(file("fused"));
+  write(file("fused") / "cloud.ply", cloud_of_a_table());
+  const Outcome cropped = run("segment fused -o cropped");
+  ASSERT_EQ(cropped.code, 0) << cropped.err;
+  EXPECT_EQ(cropped.err.find("table_plane.txt"), std::string::npos) << cropped.err;
+  EXPECT_NE(cropped.out.find("table 0,0,1,-0.5"), std::string::npos) << cropped.out;
+  const nlohmann::json found = objects_without_times("cropped");
+  EXPECT_TRUE(found.contains("table"));
+  EXPECT_EQ(found.at("objects").size(), 2U);
+  const Outcome whole = run("segment fused -o whole --no-table");
+  EXPECT_EQ(whole.out.find("table 0,0,1"), std::string::npos) << whole.out;
+  EXPECT_FALSE(objects_without_times("whole").contains("table"));
+  // A folder that symscene wrote has no table in its cloud, or was made with --no-table.
+  write(file("fused") / "scene.json", "{\"version\": 1}\n");
+  const Outcome written = run("segment fused -o written");
+  EXPECT_NE(written.err.find("table_plane.txt is missing"), std::string::npos) << written.err;
+  EXPECT_FALSE(objects_without_times("written").contains("table"));
+}
+
 TEST_F(Command, WritesASelfContainedPage) {
   ASSERT_EQ(run("view result -o page.html --title 'Mugs & bowls'").code, 0);
   const std::string page = contents(file("page.html"));

@@ -9,10 +9,14 @@
 
 namespace symscene {
 
+struct SceneReading {
+  bool expects_table = true;  ///< warn if the folder has no table
+};
+
 /// Reads a scene folder: cloud.ply or cloud.pcd, and occupancy.bt and table_plane.txt if they
 /// exist; Scene::warnings names those that are missing. Throws InputError if `dir` is not a scene
 /// folder or a file is not valid.
-Scene read_scene(const std::filesystem::path& dir);
+Scene read_scene(const std::filesystem::path& dir, const SceneReading& reading = {});
 
 /// Optional files of a scene folder.
 struct SceneExtras {
