@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "core/voxel_sampling.hpp"
+#include "fragments.hpp"
 #include "symscene/core/error.hpp"
-#include "table_objects.hpp"
 #include "table_search.hpp"
 #include "table_warnings.hpp"
 

@@ -17,7 +17,4 @@ struct FoundPlanes {
 TableObjects objects_on(const PointCloud& cloud, const FoundPlanes& planes,
                         const TableSceneOptions& options);
 
-/// The points in connected fragments that are not too small, ascending.
-PointIndices points_in_fragments(const Points& points, const TableCropOptions& options);
-
 }  // namespace symscene

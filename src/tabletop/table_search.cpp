@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "removed_table.hpp"
 #include "support_plane.hpp"
 #include "symscene/core/error.hpp"
 #include "table_objects.hpp"
@@ -20,9 +21,11 @@ TableScene table_scene_on(const PointCloud& cloud, const PointCloud& searched, c
                           const TableSceneOptions& options) {
   TableScene scene;
   scene.planes.supports.push_back(measure_support_plane(searched, table, options.plane));
-  if (scene.planes.supports[0].outline.size() < 3) return scene;
+  SupportPlane& support = scene.planes.supports.front();
+  extend_outline_below_objects(support, searched, options);
+  if (support.outline.size() < 3) return scene;
   scene.planes.status = SupportStatus::found;
-  scene.objects = objects_on(cloud, {searched, scene.planes.supports[0], {}}, options);
+  scene.objects = objects_on(cloud, {searched, support, {}}, options);
   return scene;
 }
 

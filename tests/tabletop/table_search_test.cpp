@@ -139,6 +139,20 @@ TEST(TableScene, AGivenPlaneIsUsed) {
   EXPECT_THROW(find_table_scene(builder.cloud(), {}, degenerate), InputError);
 }
 
+TEST(TableScene, AGivenPlaneWhoseTableWasRemovedKeepsAllThatStandsOnIt) {
+  CloudBuilder builder(8);
+  add_objects(builder);
+  builder.add_rectangle({0.9, 0.0, -0.1}, {0, 0.4, 0}, {0, 0, 0.8});  // a wall from below the table
+  builder.add_rectangle({-0.9, 0.0, 0.4}, {0.3, 0, 0}, {0, 0.3, 0});  // a board far above it
+  const TableScene scene = find_table_scene(builder.cloud(), {}, {.plane = Plane{{0, 0, 1}, 0.0}});
+  ASSERT_EQ(scene.planes.status, SupportStatus::found);
+  CloudBuilder alone(8);
+  add_objects(alone);
+  const Index standing = voxel_downsample(alone.cloud(), 0.005).size();
+  EXPECT_GT(scene.objects.cloud.size(), 0.95 * standing);
+  EXPECT_LT(scene.objects.cloud.size(), 1.02 * standing);
+}
+
 TEST(TableScene, TheSameInputGivesTheSameBytes) {
   CloudBuilder builder(9);
   add_table(builder);
