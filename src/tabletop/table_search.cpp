@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "core/plane_text.hpp"
 #include "removed_table.hpp"
 #include "support_plane.hpp"
 #include "symscene/core/error.hpp"
@@ -17,15 +20,34 @@ Index searched_points(const PointCloud& cloud) {
   return std::clamp(cloud.size() / interval, least, most);
 }
 
-TableScene table_scene_on(const PointCloud& cloud, const PointCloud& searched, const Plane& table,
-                          const TableSceneOptions& options) {
+/// The given table, with its normal to the side from which it was seen: that of the cameras, or of
+/// its points' normals where no camera is known.
+SupportPlane given_table(const PointCloud& searched, const TablePrior& known,
+                         const TableSceneOptions& options) {
+  SupportPlane table = measure_support_plane(searched, *known.plane, options.plane);
+  const Plane reverse{-table.plane.normal, -table.plane.offset};
+  SupportPlane reversed = measure_support_plane(searched, reverse, options.plane);
+  double height = 0.0;
+  for (const Eigen::Vector3d& viewpoint : known.viewpoints)
+    height += table.plane.signed_distance(viewpoint);
+  const bool is_seen_from_behind =
+      known.viewpoints.empty() ? reversed.inliers.size() > table.inliers.size() : height < 0.0;
+  return is_seen_from_behind ? reversed : table;
+}
+
+TableScene table_scene_on(const PointCloud& cloud, const PointCloud& searched,
+                          const TablePrior& known, const TableSceneOptions& options) {
   TableScene scene;
-  scene.planes.supports.push_back(measure_support_plane(searched, table, options.plane));
-  SupportPlane& support = scene.planes.supports.front();
-  extend_outline_below_objects(support, searched, options);
-  if (support.outline.size() < 3) return scene;
+  scene.planes.supports.push_back(given_table(searched, known, options));
+  SupportPlane& table = scene.planes.supports.front();
+  extend_outline_below_objects(table, searched, options);
+  if (table.outline.size() < 3) {
+    throw InputError("--plane", "a plane with points on it",
+                     fmt::format("none within {} m of {}", options.plane.inlier_distance,
+                                 plane_text(*known.plane)));
+  }
   scene.planes.status = SupportStatus::found;
-  scene.objects = objects_on(cloud, {searched, support, {}}, options);
+  scene.objects = objects_on(cloud, {searched, table, {}}, options);
   return scene;
 }
 
@@ -75,7 +97,7 @@ TableScene find_table_scene(const PointCloud& cloud, const TableSceneOptions& op
                             const TablePrior& known) {
   options.validate();
   const PointCloud searched = select(cloud, evenly_spread(cloud.size(), searched_points(cloud)));
-  if (known.plane) return table_scene_on(cloud, searched, *known.plane, options);
+  if (known.plane) return table_scene_on(cloud, searched, known, options);
   TableScene scene = searched_table_scene(cloud, searched, known, options);
   if (!known.up || !scene.objects.cloud.empty()) return scene;
   TablePrior turned = known;

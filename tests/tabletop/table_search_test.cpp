@@ -135,8 +135,24 @@ TEST(TableScene, AGivenPlaneIsUsed) {
   EXPECT_GT(scene.objects.cloud.positions.col(0).minCoeff(), 1.9F);
   const TablePrior aside{.plane = Plane{{0, 0, 1.0}, 5.0}},
       degenerate{.plane = Plane{{0, 0, 0}, 1.0}};
-  EXPECT_EQ(find_table_scene(builder.cloud(), {}, aside).planes.status, SupportStatus::none);
+  EXPECT_THROW(find_table_scene(builder.cloud(), {}, aside), InputError);
   EXPECT_THROW(find_table_scene(builder.cloud(), {}, degenerate), InputError);
+}
+
+TEST(TableScene, AGivenPlaneOfEitherSignIsTurnedToTheSideFromWhichItWasSeen) {
+  CloudBuilder builder(8);
+  add_table(builder);
+  add_objects(builder);
+  const PointCloud cloud = builder.cloud();
+  const std::vector<Eigen::Vector3d> above{{0.2, -0.8, 0.7}, {-0.2, -0.8, 0.6}};
+  for (const std::vector<Eigen::Vector3d>& viewpoints : {above, {}}) {
+    for (const double sign : {1.0, -1.0}) {
+      const TableScene scene = find_table_scene(
+          cloud, {}, {.plane = Plane{{0, 0, sign}, 0.0}, .viewpoints = viewpoints});
+      EXPECT_EQ(scene.planes.supports[0].plane.normal.z(), 1.0);
+      EXPECT_GT(scene.objects.cloud.size(), 1000U);
+    }
+  }
 }
 
 TEST(TableScene, AGivenPlaneWhoseTableWasRemovedKeepsAllThatStandsOnIt) {

@@ -33,7 +33,7 @@ struct BuiltScene {
 /// Finds the table in the oriented points of a reconstruction or a single view (the given one if
 /// `known` has it) and the objects on it, and crops the occupancy to a box around them. If there is
 /// no table, the scene holds all points; it is empty if the table is bare. Throws InputError if
-/// there is no point or points have no normals.
+/// there is no point, points have no normals, or no point is on a given plane.
 BuiltScene build_scene(const PointCloud& points, const OccupancyVolume& occupancy,
                        const TablePrior& known = {}, const SceneBuildingOptions& options = {});
 
