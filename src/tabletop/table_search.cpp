@@ -71,12 +71,20 @@ TableScene searched_table_scene(const PointCloud& cloud, const PointCloud& searc
   return scene;
 }
 
-/// Whether `other` carries objects and is larger than the table of `bare`, so that this is more
-/// likely a face of an object than an empty table.
-bool is_rather_the_table(const TableScene& other, const TableScene& bare) {
+/// Whether a table may be a face of an object: it is small, or nothing stands on it.
+bool may_be_a_face(const TableScene& scene, const TableSceneOptions& options) {
+  return scene.objects.cloud.empty() || scene.planes.supports[0].area < options.plane.wall_area;
+}
+
+/// Whether `other` carries objects and is so much larger than the table that was found that this is
+/// more likely a face of one of them.
+bool is_rather_the_table(const TableScene& other, const TableScene& found) {
+  constexpr double much_larger = 5.0, much_better = 3.0;
   if (other.objects.cloud.empty()) return false;
-  return bare.planes.supports.empty() ||
-         other.planes.supports[0].area > bare.planes.supports[0].area;
+  if (found.planes.supports.empty()) return true;
+  const SupportPlane &large = other.planes.supports[0], &small = found.planes.supports[0];
+  if (found.objects.cloud.empty()) return large.area > small.area;
+  return large.area > much_larger * small.area && large.score > much_better * small.score;
 }
 
 }  // namespace
@@ -99,7 +107,7 @@ TableScene find_table_scene(const PointCloud& cloud, const TableSceneOptions& op
   const PointCloud searched = select(cloud, evenly_spread(cloud.size(), searched_points(cloud)));
   if (known.plane) return table_scene_on(cloud, searched, known, options);
   TableScene scene = searched_table_scene(cloud, searched, known, options);
-  if (!known.up || !scene.objects.cloud.empty()) return scene;
+  if (!known.up || !may_be_a_face(scene, options)) return scene;
   TablePrior turned = known;
   turned.up.reset();
   TableScene other = searched_table_scene(cloud, searched, turned, options);

@@ -258,6 +258,19 @@ TEST(ViewScene, ACameraOnItsSideOrUpsideDownFindsItsTableAndWarns) {
   EXPECT_FALSE(warns(view_scene({upright.frame, upright.camera})));
 }
 
+TEST(ViewScene, AFaceOfAnObjectWithSomethingOnItIsNoTableOfACameraOnItsSide) {
+  World world = table_on_floor();
+  world.rectangles.erase(world.rectangles.begin());  // the floor
+  // A box whose side faces the upward direction of the turned camera, with a knob on that side.
+  world.add_box({-0.45, 0.05, 0.75}, {0.1, 0.25, 0.25}, 4);
+  world.add_box({-0.35, 0.12, 0.82}, {0.06, 0.08, 0.08}, 5);
+  const Eigen::Isometry3d pose = looking({0.5, -0.9, 1.35}, {0, 0, 0.8}, {1, 0, 0});
+  const Image image = render(world, pose, noise);
+  const ViewScene view = view_scene({image.frame, image.camera});
+  expect_table(view, pose, 0.75);
+  EXPECT_TRUE(view.built.table.is_against_up);
+}
+
 TEST(ViewScene, AnEmptyTableIsNotReplacedByASmallerWallWithThingsOnIt) {
   World world;
   world.add({-0.5, -0.35, 0.75}, {1.0, 0, 0}, {0, 0.7, 0}, 0);
