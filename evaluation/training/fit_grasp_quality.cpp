@@ -1,14 +1,11 @@
-// Fits the weights of src/grasping/quality.cpp to the outcomes of grasps in physics, and prints
-// them (evaluation/training/README.md).
+// Fits the offset and slope of src/grasping/quality.cpp to the outcomes of grasps in physics, and
+// prints them (evaluation/training/README.md).
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <limits>
-#include <tuple>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "grasp_outcomes.hpp"
 #include "grasping/quality.hpp"
@@ -18,40 +15,41 @@ namespace symscene::bench {
 namespace {
 
 constexpr std::size_t folds = 5;
+constexpr double prior_precision = 1e-3;  // all but none
 
+/// The inputs are 1 and the score.
 LogisticData data_of(const std::vector<GraspSample>& samples) {
   const auto rows = static_cast<Eigen::Index>(samples.size());
-  LogisticData data{Eigen::MatrixXd(rows, QualityVector::RowsAtCompileTime), Eigen::VectorXd(rows)};
+  LogisticData data{Eigen::MatrixXd(rows, 2), Eigen::VectorXd(rows)};
   for (Eigen::Index i = 0; i < rows; ++i) {
     const GraspSample& sample = samples[static_cast<std::size_t>(i)];
+    data.inputs.row(i) << 1.0, quality_score(sample.grasp);
     data.success[i] = sample.success ? 1.0 : 0.0;
-    data.inputs.row(i) = quality_inputs(sample.grasp).transpose();
   }
   return data;
 }
 
+/// Offset and slope of the score.
+Eigen::VectorXd fitted(const std::vector<GraspSample>& samples) {
+  return fit_logistic(data_of(samples), Eigen::Vector2d(0.0, 1.0), prior_precision);
+}
+
 /// The log-odds of every sample by a fit to the rounds of the other folds.
-Eigen::VectorXd cross_validated(const std::vector<GraspSample>& samples, double precision) {
-  Eigen::VectorXd log_odds(static_cast<Eigen::Index>(samples.size()));
+Eigen::VectorXd cross_validated(const std::vector<GraspSample>& samples) {
   const LogisticData all = data_of(samples);
+  Eigen::VectorXd log_odds(all.success.size());
   for (std::size_t fold = 0; fold < folds; ++fold) {
     std::vector<GraspSample> others;
     for (const GraspSample& sample : samples) {
       if (sample.group % folds != fold) others.push_back(sample);
     }
-    const Eigen::VectorXd weights =
-        fit_logistic(data_of(others), prior_quality_weights(), precision);
+    const Eigen::VectorXd weights = fitted(others);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       if (samples[i].group % folds == fold) log_odds[row] = all.inputs.row(row).dot(weights);
     }
   }
   return log_odds;
-}
-
-double loss_of(const std::vector<GraspSample>& samples, const Eigen::VectorXd& log_odds) {
-  LogisticData data{log_odds, data_of(samples).success};
-  return log_loss(data, Eigen::VectorXd::Ones(1));
 }
 
 void print_reliability(const std::vector<GraspSample>& samples, const Eigen::VectorXd& log_odds) {
@@ -72,28 +70,22 @@ void print_reliability(const std::vector<GraspSample>& samples, const Eigen::Vec
   }
 }
 
-double best_precision(const std::vector<GraspSample>& samples) {
-  double best = 0.0, least = std::numeric_limits<double>::infinity();
-  for (const double precision : {0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0}) {
-    const double loss = loss_of(samples, cross_validated(samples, precision));
-    fmt::print("precision of the prior {:6}: log loss {:.4f}\n", precision, loss);
-    if (loss < least) std::tie(least, best) = std::tuple(loss, precision);
-  }
-  return best;
+void print_quality_of(const std::string& what, const std::vector<GraspSample>& samples,
+                      const Eigen::VectorXd& log_odds) {
+  const double loss = log_loss({log_odds, data_of(samples).success}, Eigen::VectorXd::Ones(1));
+  fmt::print("\n{}: log loss {:.4f}\n\n", what, loss);
+  print_reliability(samples, log_odds);
 }
 
 void fit(const std::vector<std::filesystem::path>& files) {
   const std::vector<GraspSample> samples = read_grasp_samples(files);
   const LogisticData data = data_of(samples);
   fmt::print("{} grasps, {:.0f} succeeded\n", samples.size(), data.success.sum());
-  const Eigen::VectorXd by_hand = data.inputs * prior_quality_weights();
-  fmt::print("weights by hand: log loss {:.4f}\n", loss_of(samples, by_hand));
-  print_reliability(samples, by_hand);
-  const double precision = best_precision(samples);
-  fmt::print("fitted, {} folds of rounds, precision {}:\n", folds, precision);
-  print_reliability(samples, cross_validated(samples, precision));
-  const Eigen::VectorXd weights = fit_logistic(data, prior_quality_weights(), precision);
-  fmt::print("weights: {}\n", fmt::join(weights, ", "));
+  print_quality_of("The score as log-odds", samples, data.inputs.col(1));
+  print_quality_of(fmt::format("Fitted, {} folds of rounds", folds), samples,
+                   cross_validated(samples));
+  const Eigen::VectorXd weights = fitted(samples);
+  fmt::print("\noffset {:.3f}, slope {:.3f}\n", weights[0], weights[1]);
 }
 
 }  // namespace

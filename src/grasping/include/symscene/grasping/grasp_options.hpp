@@ -66,7 +66,7 @@ struct GraspBoundOptions {
   double own_clearance = 0.001;
   double own_reach = 0.05;
   double max_unknown = 0.02;
-  double min_quality = 0.1;
+  double min_quality = 0.6;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
