@@ -69,6 +69,12 @@ struct GraspCommand {
       return naming(source.path, [&] { return segment_scene(read.scene); });
     });
     session.warn(std::span(input.result.warnings).subspan(read.scene.warnings.size()));
+    if (!read.scene.occupancy && !read.scene.cloud.empty()) {
+      session.warn(
+          fmt::format("{}: no occupancy, so that space which was never seen counts as free for the "
+                      "gripper",
+                      source.path.string()));
+    }
     input.scene = grasp_scene(input.result, &read.scene, options);
     if (!page.empty()) {
       input.around = {surface_around(read.surface, input.result, source.path, session),

@@ -18,13 +18,11 @@ std::string best_grasp_of(const GraspPlan& plan, std::size_t id) {
                      degrees(best->features.tilt), to_string(best->source));
 }
 
-/// "none: the gripper would hit the table (212 of 340 candidates)".
+/// "none of 340 candidates: the gripper would hit the table".
 std::string reason_against(const ObjectGraspSummary& object) {
   if (!object.reason) return "";
-  const std::size_t count = object.rejected.at(static_cast<std::size_t>(*object.reason));
-  if (count == 0) return fmt::format("  none: {}", description(*object.reason));
-  return fmt::format("  none: {} ({} of {} candidates)", description(*object.reason), count,
-                     object.candidates);
+  if (object.candidates == 0) return fmt::format("  none: {}", description(*object.reason));
+  return fmt::format("  none of {} candidates: {}", object.candidates, description(*object.reason));
 }
 
 }  // namespace

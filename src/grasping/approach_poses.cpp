@@ -47,12 +47,10 @@ GraspSource source_of(const ClosingLine& line, const Eigen::Vector3d& z) {
   return line.axis && line_angle(*line.axis, z) < top_angle ? GraspSource::axis_top : line.source;
 }
 
-}  // namespace
-
-std::vector<ApproachPose> approach_poses(const GraspTarget& target, const ClosingLine& line,
-                                         const Gripper& gripper, const std::optional<Plane>& table,
-                                         const GraspOptions& options) {
-  std::vector<ApproachPose> poses;
+/// Appends the poses whose y axis is the line's direction.
+void append_poses(const GraspTarget& target, const ClosingLine& line, const Gripper& gripper,
+                  const std::optional<Plane>& table, const GraspOptions& options,
+                  std::vector<ApproachPose>& poses) {
   const GraspCandidateOptions& made = options.candidates;
   const HandShape shape = hand_shape(gripper, gripper.max_opening, 0.0);
   const auto height = [&](const Eigen::Isometry3d& pose) {
@@ -74,6 +72,20 @@ std::vector<ApproachPose> approach_poses(const GraspTarget& target, const Closin
       poses.push_back({pose, source_of(line, z), height(pose)});
       if (deep - shallow < least_difference) break;
     }
+  }
+}
+
+}  // namespace
+
+std::vector<ApproachPose> approach_poses(const GraspTarget& target, const ClosingLine& line,
+                                         const Gripper& gripper, const std::optional<Plane>& table,
+                                         const GraspOptions& options) {
+  std::vector<ApproachPose> poses;
+  append_poses(target, line, gripper, table, options, poses);
+  if (gripper.kind == GripperKind::three_finger) {  // two fingers at +y against one
+    ClosingLine reversed = line;
+    reversed.direction = -line.direction;
+    append_poses(target, reversed, gripper, table, options, poses);
   }
   return poses;
 }

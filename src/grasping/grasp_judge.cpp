@@ -134,10 +134,8 @@ GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose) const {
   verdict.grasp.T_world_tool = pose.T_world_tool;
   verdict.grasp.source = pose.source;
   verdict.grasp.features.tilt = angle_between(pose.T_world_tool.linear().col(2), -target_.up);
-  const double clearance = std::min(pose.table_clearance, double{greatest_distance});
-  verdict.grasp.features.clearance = clearance;
-  if (clearance < options_.bounds.table_clearance)
-    fail(verdict, GraspRejection::table, clearance, options_.bounds.table_clearance);
+  if (pose.table_clearance < options_.bounds.table_clearance)  // before contacts are searched
+    fail(verdict, GraspRejection::table, pose.table_clearance, options_.bounds.table_clearance);
   using Step = void (GraspJudge::*)(Verdict&) const;
   constexpr std::array<Step, 4> steps{&GraspJudge::require_contact, &GraspJudge::require_clear_way,
                                       &GraspJudge::require_seen_space,
@@ -223,9 +221,19 @@ float GraspJudge::distance_from(const SurfaceSamples& samples,
   return least_distance(samples, T_tool_world, shape.palm, bounds);
 }
 
+double GraspJudge::height_on_way(const Eigen::Isometry3d& T_world_tool) const {
+  if (!around_.scene.table) return greatest_distance;
+  const Plane& table = *around_.scene.table;
+  return std::min({height_over(table, T_world_tool, swept_.fingers),
+                   height_over(table, T_world_tool, swept_.palm), double{greatest_distance}});
+}
+
 void GraspJudge::require_clear_way(Verdict& verdict) const {
   const GraspBoundOptions& bounds = options_.bounds;
   Grasp& grasp = verdict.grasp;
+  const double height = height_on_way(grasp.T_world_tool);
+  if (height < bounds.table_clearance)
+    return fail(verdict, GraspRejection::table, height, bounds.table_clearance);
   const double others =
       distance_from(obstacles_, grasp.T_world_tool, swept_, bounds.object_clearance);
   if (others < bounds.object_clearance)
@@ -238,7 +246,7 @@ void GraspJudge::require_clear_way(Verdict& verdict) const {
       distance_from(target_.samples, grasp.T_world_tool, swept_, bounds.own_clearance);
   if (own < bounds.own_clearance)
     return fail(verdict, GraspRejection::own_shape, own, bounds.own_clearance);
-  grasp.features.clearance = std::min(grasp.features.clearance, others);
+  grasp.features.clearance = std::min(height, others);
   grasp.features.own_clearance = own;
 }
 

@@ -44,6 +44,8 @@ class GraspJudge {
   void require_clear_lift(Verdict& verdict) const;
   void require_seen_space(Verdict& verdict) const;
   double unknown_share(const Eigen::Matrix3Xf& points, const Eigen::Isometry3f& T_world_tool) const;
+  /// The least height of the open gripper over the table on its way, or greatest_distance. [m]
+  double height_on_way(const Eigen::Isometry3d& T_world_tool) const;
   float distance_from(const SurfaceSamples& samples, const Eigen::Isometry3d& T_world_tool,
                       const HandShape& shape, double enough) const;
 

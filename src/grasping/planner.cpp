@@ -26,34 +26,35 @@ struct ObjectPlan {
       ++level.at(reason);
     rejected.push_back(rejection);
   }
-  void keep_distinct(const GraspOptions& options);
+  void keep_distinct(GripperKind kind, const GraspOptions& options);
   void keep_some_rejected(std::size_t most);
   void name_reason();
 };
 
 bool is_better(const Grasp& a, const Grasp& b) { return a.quality > b.quality; }
 
-/// The angle between two poses of a gripper that half a turn about z does not change.
-double turned_by(const Grasp& a, const Grasp& b) {
+/// The angle between two poses of a gripper. Half a turn about z does not change a parallel one.
+double turned_by(const Grasp& a, const Grasp& b, GripperKind kind) {
   const Eigen::Matrix3d turn = a.T_world_tool.linear().transpose() * b.T_world_tool.linear();
   const double same = Eigen::AngleAxisd(turn).angle();
+  if (kind != GripperKind::parallel) return same;
   const Eigen::Matrix3d half = Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal();
   return std::min(same, Eigen::AngleAxisd(turn * half).angle());
 }
 
-bool is_near(const Grasp& a, const Grasp& b, const GraspOptions& options) {
+bool is_near(const Grasp& a, const Grasp& b, GripperKind kind, const GraspOptions& options) {
   const double distance = (a.T_world_tool.translation() - b.T_world_tool.translation()).norm();
-  return distance < options.distinct_distance && turned_by(a, b) < options.distinct_angle;
+  return distance < options.distinct_distance && turned_by(a, b, kind) < options.distinct_angle;
 }
 
 /// Keeps the best grasps that differ from each other.
-void ObjectPlan::keep_distinct(const GraspOptions& options) {
+void ObjectPlan::keep_distinct(GripperKind kind, const GraspOptions& options) {
   std::stable_sort(grasps.begin(), grasps.end(), is_better);
   std::vector<Grasp> kept;
   for (const Grasp& grasp : grasps) {
     const bool is_full = kept.size() >= static_cast<std::size_t>(options.max_grasps);
     const bool repeats = std::any_of(kept.begin(), kept.end(), [&](const Grasp& better) {
-      return is_near(grasp, better, options);
+      return is_near(grasp, better, kind, options);
     });
     if (is_full || repeats)
       reject({grasp, GraspRejection::outranked, grasp.quality, kept.front().quality});
@@ -76,13 +77,15 @@ void ObjectPlan::keep_some_rejected(std::size_t most) {
   }
 }
 
-/// Without a grasp: the bound that most candidates failed. Those that close steeply do not count,
-/// as under an object there is the table.
+/// Without a grasp: the bound that most candidates failed. Those that close steeply count only if
+/// there are no others, as under an object there is the table.
 void ObjectPlan::name_reason() {
   if (!grasps.empty()) return;
-  const auto most = std::max_element(level.begin(), level.end());
+  const bool has_level = std::any_of(level.begin(), level.end(), [](auto n) { return n > 0; });
+  const auto& counts = has_level ? level : summary.rejected;
+  const auto most = std::max_element(counts.begin(), counts.end());
   summary.reason =
-      *most == 0 ? GraspRejection::no_contact : static_cast<GraspRejection>(most - level.begin());
+      *most == 0 ? GraspRejection::no_contact : static_cast<GraspRejection>(most - counts.begin());
 }
 
 std::vector<ClosingLine> closing_lines(const GraspTarget& target,
@@ -137,7 +140,7 @@ ObjectPlan plan_object(const GraspSurroundings& around, std::size_t id, const Gr
         plan.grasps.push_back(verdict.grasp);
     }
   }
-  plan.keep_distinct(options);
+  plan.keep_distinct(gripper.kind, options);
   plan.name_reason();
   plan.keep_some_rejected(static_cast<std::size_t>(options.max_rejected));
   return plan;

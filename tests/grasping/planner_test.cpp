@@ -7,6 +7,7 @@
 
 #include "core/surface_sampling.hpp"
 #include "grasp_scenes.hpp"
+#include "grasping/hand_collision.hpp"
 #include "grasping/hand_shape.hpp"
 #include "symscene/core/error.hpp"
 #include "threads.hpp"
@@ -132,12 +133,22 @@ TEST(PlanGrasps, PenetratesNeitherTableNorObjects) {
         EXPECT_LT(penetration(scene.objects[i].surface.mesh, grasp, boxes), 0.001)
             << gripper.name << ", object " << i << " by a grasp of " << grasp.object;
       }
-      for (const HandBox& box : boxes) {
-        const Eigen::Vector3d corner = grasp.T_world_tool * (box.centre + box.half).cast<double>();
-        EXPECT_GT(corner.z(), 0.0);
-      }
+      const double height = height_over(*scene.table, grasp.T_world_tool, boxes);
+      EXPECT_GE(height, GraspBoundOptions{}.table_clearance - 1e-6) << gripper.name;
+      EXPECT_LE(grasp.features.clearance, height + 1e-6) << gripper.name;
     }
   }
+}
+
+TEST(PlanGrasps, TriesBothSidesForTheSingleFingerOfThree) {
+  Gripper symmetric = reflex_gripper();
+  symmetric.kind = GripperKind::parallel;
+  symmetric.finger_spacing = 0.0;
+  const GraspScene scene = clutter();
+  const GraspPlan two = plan_grasps(scene, symmetric);
+  const GraspPlan three = plan_grasps(scene, reflex_gripper());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    EXPECT_GT(2 * three.objects[i].candidates, 3 * two.objects[i].candidates) << "object " << i;
 }
 
 TEST(PlanGrasps, ClosesOnNormalsInTheFrictionCone) {

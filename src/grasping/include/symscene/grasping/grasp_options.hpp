@@ -81,7 +81,7 @@ struct GraspBoundOptions {
     visit(
         "max_torque_ratio", self.max_torque_ratio, "", at_least(0.0),
         "greatest torque of the weight about the closing direction, relative to what the friction "
-        "of the pads holds");
+        "of the pads holds; above 1, as most objects are hollow and so lighter than assumed");
     visit("table_clearance", self.table_clearance, "m", at_least(0.0),
           "least distance of the gripper from the table");
     visit("object_clearance", self.object_clearance, "m", any_value(),
