@@ -58,7 +58,6 @@ void plan_on_cylinders(const Scene& scene, const Gripper& gripper, GraspProposal
   const CylinderScene cylinders = fit_cylinders(scene);
   const Stopwatch watch;
   take_plan(cylinder_grasps(cylinders, gripper), proposals);
-  proposals.objects = cylinders.clusters.size();
   proposals.grasping_seconds = watch.seconds();
 }
 

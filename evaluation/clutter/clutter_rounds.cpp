@@ -35,8 +35,25 @@ Aim aim_of(const ClutterWorld& world, const Grasp& grasp, int views) {
 }
 
 /// How a grasp is tried.
-using WayToTry = GraspOutcome (ClutterWorld::*)(const Eigen::Isometry3d&,
-                                                const GraspExecutionOptions&);
+using WayToTry = GraspOutcome (*)(ClutterWorld&, const Eigen::Isometry3d&,
+                                  const GraspExecutionOptions&);
+
+/// A grasp in which the physics diverges has failed.
+GraspOutcome executed(ClutterWorld& world, const Eigen::Isometry3d& T_world_tool,
+                      const GraspExecutionOptions& options) {
+  try {
+    return world.execute(T_world_tool, options);
+  } catch (const PhysicsDiverged&) {
+    GraspOutcome outcome;
+    outcome.end = GraspEnd::diverged;
+    return outcome;
+  }
+}
+
+GraspOutcome rehearsed(ClutterWorld& world, const Eigen::Isometry3d& T_world_tool,
+                       const GraspExecutionOptions& options) {
+  return world.rehearse(T_world_tool, options);
+}
 
 ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposals,
                              std::size_t chosen, WayToTry way, const ClutterRoundOptions& options) {
@@ -51,7 +68,7 @@ ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposal
   attempt.seconds = proposals.seconds;
   attempt.grasping_seconds = proposals.grasping_seconds;
   attempt.penetration = world.penetration(attempt.grasp.T_world_tool, aim.item);
-  attempt.outcome = (world.*way)(attempt.grasp.T_world_tool, options.execution);
+  attempt.outcome = way(world, attempt.grasp.T_world_tool, options.execution);
   const GraspOutcome& outcome = attempt.outcome;
   const bool is_other = outcome.body && *outcome.body != aim.item;
   attempt.removed_other = is_other && outcome.end == GraspEnd::success;
@@ -65,8 +82,7 @@ void rehearse(ClutterWorld& world, const GraspProposals& proposals,
   Random random(seed);
   const auto grasps = static_cast<std::uint32_t>(proposals.grasps.size());
   for (int k = 0; k < options.rehearsals; ++k) {
-    tried.push_back(
-        attempt_grasp(world, proposals, random.below(grasps), &ClutterWorld::rehearse, options));
+    tried.push_back(attempt_grasp(world, proposals, random.below(grasps), rehearsed, options));
   }
 }
 
@@ -84,16 +100,16 @@ bool try_once(ClutterWorld& world, const ClutterRoundOptions& options, int round
     result.outside = proposals.outside;
     return false;
   }
-  const std::size_t rehearsed = result.rehearsals.size();
+  const std::size_t first_rehearsal = result.rehearsals.size();
   rehearse(world, proposals, options, method_seed, result.rehearsals);
-  result.attempts.push_back(attempt_grasp(world, proposals, 0, &ClutterWorld::execute, options));
+  result.attempts.push_back(attempt_grasp(world, proposals, 0, executed, options));
   const auto number = static_cast<int>(result.attempts.size());
   const auto name = [&](ClutterAttempt& attempt) {
     attempt.round = round;
     attempt.number = number;
   };
   name(result.attempts.back());
-  std::for_each(result.rehearsals.begin() + static_cast<std::ptrdiff_t>(rehearsed),
+  std::for_each(result.rehearsals.begin() + static_cast<std::ptrdiff_t>(first_rehearsal),
                 result.rehearsals.end(), name);
   if (observer.after) observer.after(result.attempts.back());
   return true;
@@ -107,9 +123,14 @@ void play(ClutterWorld& world, const ClutterRoundOptions& options, int round, Ra
       result.end = RoundEnd::no_grasp;
       return;
     }
-    const bool succeeded = result.attempts.back().outcome.end == GraspEnd::success;
+    const GraspEnd end = result.attempts.back().outcome.end;
+    const bool succeeded = end == GraspEnd::success;
     result.removed += succeeded ? 1 : 0;
     result.left = static_cast<int>(world.present().size());
+    if (end == GraspEnd::diverged) {
+      result.end = RoundEnd::diverged;
+      return;
+    }
     failures = succeeded ? 0 : failures + 1;
     if (failures == options.max_failures) {
       result.end = RoundEnd::failures;

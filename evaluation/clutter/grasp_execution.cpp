@@ -103,9 +103,11 @@ const char* to_string(GraspEnd end) {
     case GraspEnd::nothing_between_fingers:
       return "nothing between the fingers";
     case GraspEnd::slipped:
+      return "slipped";
+    case GraspEnd::diverged:
       break;
   }
-  return "slipped";
+  return "the physics diverged";
 }
 
 const char* to_string(ApproachContact contact) {

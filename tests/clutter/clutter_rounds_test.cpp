@@ -58,6 +58,25 @@ TEST_F(ClutterRoundTest, TwoFailuresInARowEndTheRound) {
   EXPECT_EQ(round.left, static_cast<int>(round.left_objects.size()));
 }
 
+TEST_F(ClutterRoundTest, AnAttemptInWhichThePhysicsDivergesHasFailed) {
+  ClutterRoundOptions options;
+  options.kind = ClutterKind::packed;
+  options.objects = 2;
+  options.method = GraspMethod::true_meshes;
+  options.seed = 5;
+  options.physics.hand_stiffness = 1e13;  // unstable at this time step
+  options.physics.hand_force = 1e13;
+  const ClutterRound round = run_clutter_round(objects_, options, 3);
+  EXPECT_EQ(round.end, RoundEnd::diverged);
+  ASSERT_EQ(round.attempts.size(), 1);
+  EXPECT_EQ(round.attempts.front().outcome.end, GraspEnd::diverged);
+  EXPECT_EQ(round.attempts.front().round, 3);
+  EXPECT_EQ(round.left, round.placed);
+  const RoundShare success = grasp_success_rate(std::vector{round});
+  EXPECT_EQ(success.part, 0);
+  EXPECT_EQ(success.whole, 1);
+}
+
 TEST_F(ClutterRoundTest, TheSameOptionsGiveTheSameAttempts) {
   const ClutterRound a = play(GraspMethod::antipodal, 3), b = play(GraspMethod::antipodal, 3);
   ASSERT_EQ(a.attempts.size(), b.attempts.size());

@@ -40,7 +40,8 @@ enum class GraspEnd {
   success,
   contact_at_start,         ///< the open hand touches something before its approach
   nothing_between_fingers,  ///< after closing, no body touches both fingers or they are too close
-  slipped                   ///< a body between the fingers was lost in the retreat
+  slipped,                  ///< a body between the fingers was lost in the retreat
+  diverged                  ///< the physics diverged; execute_grasp throws instead
 };
 
 const char* to_string(GraspEnd end);
