@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
 #include "symscene/io/gripper.hpp"
 
@@ -16,7 +17,11 @@ void GripperChoice::add_to(Arguments& arguments) {
 
 Gripper GripperChoice::gripper() const {
   if (std::filesystem::path(name).extension() == ".json") return read_gripper(name);
-  return named_gripper(name);
+  try {
+    return named_gripper(name);
+  } catch (const InputError& error) {
+    throw InputError(error.where(), error.expected() + " or a .json file", error.found());
+  }
 }
 
 }  // namespace symscene::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -24,12 +25,37 @@ std::string member_of(const char* field, const char* unit) {
   return *unit == '\0' ? field : fmt::format("{}_{}", field, unit);
 }
 
-std::set<std::string> known_members() {
-  std::set<std::string> names{"name", "kind", palm_size, tool_pose};
+/// The members that stand for fields of Gripper, by the name of the field.
+std::map<std::string, std::string> members_by_field() {
+  std::map<std::string, std::string> members{{"palm_size", palm_size}};
   const Gripper gripper;
   Gripper::visit_fields(gripper, [&](const char* field, double, const char* unit, const Range&,
-                                     const char*) { names.insert(member_of(field, unit)); });
+                                     const char*) { members[field] = member_of(field, unit); });
+  return members;
+}
+
+std::set<std::string> known_members() {
+  std::set<std::string> names{"name", "kind", tool_pose};
+  for (const auto& [field, member] : members_by_field()) names.insert(member);
   return names;
+}
+
+/// The text with the members of the file in place of the fields of Gripper.
+std::string naming_members(const std::string& text) {
+  const std::map<std::string, std::string> members = members_by_field();
+  const auto in_word = [](char c) {
+    return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  std::string result;
+  for (auto at = text.begin(); at != text.end();) {
+    const auto end = std::find_if_not(at, text.end(), in_word);
+    const auto next = std::find_if(end, text.end(), in_word);
+    const auto member = members.find(std::string(at, end));
+    result += member == members.end() ? std::string(at, end) : member->second;
+    result.append(end, next);
+    at = next;
+  }
+  return result;
 }
 
 void require_members(const JsonCursor& root) {
@@ -57,6 +83,8 @@ void read_numbers(const JsonCursor& root, Gripper& gripper) {
       gripper, [&](const char* field, double& value, const char* unit, const Range&, const char*) {
         if (const auto member = root.find(member_of(field, unit).c_str())) value = member->number();
       });
+  if (root.find("finger_thickness_m") && !root.find("tip_thickness_m"))
+    gripper.tip_thickness = gripper.finger_thickness;
 }
 
 }  // namespace
@@ -97,7 +125,8 @@ Gripper parse_gripper(std::string_view text, const std::string& file) {
   try {
     gripper.validate();
   } catch (const InputError& error) {
-    throw InputError(file + ": " + error.where(), error.expected(), error.found());
+    throw InputError(file + ": " + naming_members(error.where()), naming_members(error.expected()),
+                     error.found());
   }
   return gripper;
 }

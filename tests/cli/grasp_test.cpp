@@ -57,7 +57,7 @@ TEST_F(GraspCommand, RefusesGrippersThatItCannotUse) {
   expect_refusal("grasp result -o new.json --gripper nowhere.json", 1, "nowhere.json");
   write(file("odd.json"), R"({"name": "odd", "kind": "parallel", "max_opening_m": 0.05,
     "min_opening_m": 0.06, "finger_depth_m": 0.04, "palm_size_m": [0.05, 0.1, 0.08]})");
-  expect_refusal("grasp result -o new.json --gripper odd.json", 1, "more than min_opening");
+  expect_refusal("grasp result -o new.json --gripper odd.json", 1, "more than min_opening_m");
 }
 
 TEST_F(GraspCommand, RefusesInputsThatItCannotUse) {

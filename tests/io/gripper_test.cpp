@@ -35,6 +35,17 @@ TEST(GripperFile, NeedsOnlyWhatHasNoDefault) {
   EXPECT_EQ(gripper.force, Gripper{}.force);
 }
 
+TEST(GripperFile, MakesFingersThatTaperOnlyToAGivenTip) {
+  const Gripper even =
+      parse_gripper(replaced(smallest, "0.06", "0.06, \"finger_thickness_m\": 0.005"), "hand.json");
+  EXPECT_EQ(even.tip_thickness, 0.005);
+  const Gripper tapered = parse_gripper(
+      replaced(smallest, "0.06", "0.06, \"finger_thickness_m\": 0.03, \"tip_thickness_m\": 0.01"),
+      "hand.json");
+  EXPECT_EQ(tapered.tip_thickness, 0.01);
+  EXPECT_EQ(parse_gripper(smallest, "hand.json").tip_thickness, Gripper{}.tip_thickness);
+}
+
 TEST(GripperFile, IsReadAsItWasWritten) {
   Gripper gripper;
   gripper.name = "three";
@@ -58,10 +69,13 @@ TEST(GripperFile, RefusesWhatItDoesNotKnowInOneSentence) {
            {replaced(smallest, "max_opening_m", "max_opening_mm"), "max_opening_mm"},
            {replaced(smallest, "\"parallel\"", "\"claw\""), "hand.json: kind"},
            {replaced(smallest, "0.06", "\"wide\""), "max_opening_m"},
-           {replaced(smallest, "0.06", "-0.06"), "hand.json: max_opening"},
+           {replaced(smallest, "0.06", "-0.06"), "hand.json: max_opening_m: expected"},
            {replaced(smallest, "\"name\": \"clamp\", ", ""), "name"},
            {replaced(smallest, "0.06", "0.06, \"min_opening_m\": 0.07"),
-            "more than min_opening"}}) {
+            "max_opening_m: expected more than min_opening_m, found"},
+           {replaced(smallest, "0.05", "-0.05"), "hand.json: palm_size_m: expected"},
+           {replaced(smallest, "parallel", "three_finger"),
+            "finger_spacing_m: expected at least finger_width_m, so"}}) {
     const std::string refusal = refusal_of(text);
     EXPECT_NE(refusal.find(sentence), std::string::npos) << refusal;
     EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;

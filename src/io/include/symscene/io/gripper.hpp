@@ -10,8 +10,9 @@ namespace symscene {
 
 /// Parses a gripper file (docs/formats.md): JSON whose members name their units. Members that are
 /// absent keep the defaults of Gripper, except `name`, `kind`, `max_opening_m`, `finger_depth_m`
-/// and `palm_size_m`, which are required. `file` is the name of the file in messages. Throws
-/// InputError if the text is not valid, has an unknown member, or the gripper contradicts itself.
+/// and `palm_size_m`, which are required; with `finger_thickness_m` alone the tip is as thick.
+/// `file` is its name in messages, which name members of the file. Throws InputError if the text is
+/// not valid, has an unknown member, or the gripper contradicts itself.
 Gripper parse_gripper(std::string_view text, const std::string& file);
 Gripper read_gripper(const std::filesystem::path& path);
 
