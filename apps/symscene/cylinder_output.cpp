@@ -126,9 +126,8 @@ SegmentationResult cylinders_as_objects(const CylinderScene& scene) {
   for (const ClusterCylinder& cluster : scene.clusters) {
     SceneObject object;
     object.points = cluster.points;
-    if (cluster.judgement.outcome != AxisOutcome::no_fit)
-      object.confidence = 1.0 - cluster.quality.symmetry_residual;
     if (cluster.cylinder) {
+      object.confidence = 1.0 - cluster.quality.symmetry_residual;
       object.rotational.push_back({{cluster.cylinder->center, cluster.cylinder->direction},
                                    cluster.quality.symmetry_residual});
       object.symmetry_class = as_class(*cluster.cylinder);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -79,6 +80,19 @@ struct ClusterGrasps {
   std::vector<RejectedGrasp> rejected;
 };
 
+/// Of each reason at most so many candidates, evenly spread over those that failed by it.
+std::vector<RejectedGrasp> some_of_each_reason(const std::vector<RejectedGrasp>& all, int most) {
+  std::array<std::vector<RejectedGrasp>, grasp_rejections> by_reason;
+  for (const RejectedGrasp& rejected : all)
+    by_reason.at(static_cast<std::size_t>(rejected.reason)).push_back(rejected);
+  std::vector<RejectedGrasp> kept;
+  for (const std::vector<RejectedGrasp>& alike : by_reason) {
+    for (const Index i : evenly_spread(static_cast<Index>(alike.size()), static_cast<Index>(most)))
+      kept.push_back(alike[i]);
+  }
+  return kept;
+}
+
 ClusterGrasps grasps_of(const CylinderScene& scene, std::size_t id, const Gripper& gripper,
                         const CylinderGraspOptions& options) {
   ClusterGrasps result;
@@ -144,7 +158,9 @@ GraspPlan cylinder_grasps(const CylinderScene& scene, const Gripper& gripper,
     for (const ClusterGrasps& cluster : clusters) {
       plan.objects.push_back(summary_of(cluster));
       plan.grasps.insert(plan.grasps.end(), cluster.grasps.begin(), cluster.grasps.end());
-      plan.rejected.insert(plan.rejected.end(), cluster.rejected.begin(), cluster.rejected.end());
+      const std::vector<RejectedGrasp> kept =
+          some_of_each_reason(cluster.rejected, options.max_rejected);
+      plan.rejected.insert(plan.rejected.end(), kept.begin(), kept.end());
     }
     std::stable_sort(plan.grasps.begin(), plan.grasps.end(),
                      [](const Grasp& a, const Grasp& b) { return a.quality > b.quality; });

@@ -48,7 +48,8 @@ TEST_F(Command, FitsTheSameCylindersForAnyNumberOfThreads) {
 
 TEST_F(Command, KeepsTheBoundThatTheAxisOfAClusterFails) {
   write(file("strict.json"), R"({"axis": {"max_symmetry_residual": 0.0}})");
-  const Outcome outcome = run("cylinders scene -o strict_cylinders.json --config strict.json");
+  const Outcome outcome =
+      run("cylinders scene -o strict_cylinders.json --config strict.json --page strict.html");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const nlohmann::json document = nlohmann::json::parse(contents(file("strict_cylinders.json")));
   for (const nlohmann::json& cluster : document.at("clusters")) {
@@ -59,6 +60,15 @@ TEST_F(Command, KeepsTheBoundThatTheAxisOfAClusterFails) {
   for (const nlohmann::json& object : document.at("objects"))
     EXPECT_EQ(object.at("reason"), "no_axis");
   EXPECT_TRUE(document.at("grasps").empty());
+  // On the page no cluster has a score.
+  const std::string html = contents(file("strict.html"));
+  const std::string score = "\"score\":";
+  std::size_t scores = 0;
+  for (std::size_t at = html.find(score); at != std::string::npos; at = html.find(score, at + 1)) {
+    EXPECT_EQ(html.substr(at + score.size(), 3), "0.0");
+    ++scores;
+  }
+  EXPECT_EQ(scores, document.at("clusters").size());
   EXPECT_NE(outcome.out.find("the normals do not lie in planes through the axis"),
             std::string::npos);
 }
@@ -91,7 +101,8 @@ TEST_F(Command, GraspsNothingOnAnEmptyTable) {
 }
 
 TEST_F(Command, RefusesPagesAndGrippersThatCannotBe) {
-  expect_refusal("cylinders scene -o new.json --gripper claw", 1, "panda");
+  expect_refusal("cylinders scene -o new.json --gripper hand.yaml", 1,
+                 "expected one of panda, baxter, reflex or a .json file, found \"hand.yaml\"");
   expect_refusal("cylinders scene -o new.json --gripper nothing.json", 1, "nothing.json");
   expect_refusal("cylinders scene -o scene/cloud.ply", 1, "cloud.ply");
   expect_refusal("cylinders scene -o new.json --page new.json", 1, "new.json");

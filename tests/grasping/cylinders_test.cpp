@@ -203,6 +203,29 @@ TEST(CylinderGrasps, StayAboveTheTable) {
             plan.grasps.size());
 }
 
+TEST(CylinderGrasps, KeepABoundedNumberOfRejectedOnesPerReasonAndCountAll) {
+  const BoundingCylinder cylinder{{0.0, 0.0, 0.05}, Eigen::Vector3d::UnitZ(), 0.03, 0.1};
+  CylinderGraspOptions options;
+  options.max_rejected = 100000;
+  const GraspPlan all = cylinder_grasps(known_cylinder(cylinder, Plane{}), panda_hand(), options);
+  options.max_rejected = 3;
+  const GraspPlan few = cylinder_grasps(known_cylinder(cylinder, Plane{}), panda_hand(), options);
+  EXPECT_EQ(few.objects.at(0).rejected, all.objects.at(0).rejected);
+  EXPECT_EQ(few.objects.at(0).candidates, all.objects.at(0).candidates);
+  for (std::size_t k = 0; k < grasp_rejections; ++k) {
+    const auto kept = [&](const GraspPlan& plan) {
+      return static_cast<std::size_t>(std::count_if(
+          plan.rejected.begin(), plan.rejected.end(), [&](const RejectedGrasp& rejected) {
+            return rejected.reason == static_cast<GraspRejection>(k);
+          }));
+    };
+    const std::size_t counted = all.objects.at(0).rejected.at(k);
+    EXPECT_EQ(kept(all), counted);
+    EXPECT_EQ(kept(few), std::min<std::size_t>(3, counted));
+  }
+  EXPECT_GT(all.rejected.size(), few.rejected.size());
+}
+
 TEST(CylinderGrasps, MissThePointsOfOtherClusters) {
   const Scene scene = on_table(joined(can(0.03, 0.12), can(0.03, 0.12, {0.08, 0.0, 0.0})));
   const CylinderScene cylinders = fit_cylinders(scene);

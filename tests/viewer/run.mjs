@@ -23,7 +23,7 @@ const pages = {};
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
-  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }),
+  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }), noGrasps: tabletop({ grasps: { max_opening: 0.01 } }),
     threeFingers: tabletop({ grasps: { kind: 'three_finger', finger_spacing: 0.05, max_opening: 0.16 } }), empty: emptyResult(), noPoints: noPoints(), bare: bareTable(), hostile: hostileScene() };
   for (const [name, scene] of Object.entries(scenes)) {
     pages[name] = join(folder, `${name}.html`);
@@ -361,6 +361,19 @@ describe('a result with grasps', () => {
     assert.deepEqual(await hook(page, 'grasps'), []);
     assert.match(await page.textContent(`${row(1)} .object-grasps h3`), /No grasp: too wide for the gripper/);
     assert.match(await page.textContent(`${row(1)} .object-grasps`), /210\.0 mm > 80\.0 mm/);
+  });
+
+  pageTest('does not speak of drawn grasps where there is none', () => pages.noGrasps, WINDOW, async (page) => {
+    const text = await page.textContent('.grasp-section');
+    assert.match(text, /0 of 8 objects.*which opens 10 mm: 0 grasps of 56 candidates\./s);
+    assert.doesNotMatch(text, /drawn/);
+  });
+
+  pageTest('shows the number of grasps in the row of an object, not cut off', path, WINDOW, async (page) => {
+    assert.match(await page.textContent('.grasp-section'), /The best of each object is drawn/);
+    const small = page.locator(`${row(0)} .name small`);
+    assert.equal(await small.textContent(), '5 grasps');
+    assert.ok(await small.evaluate((element) => element.scrollWidth <= element.clientWidth));
   });
 
   pageTest('counts the rejected candidates of all objects by reason', path, WINDOW, async (page) => {

@@ -103,8 +103,8 @@ export function createGraspSection({ grasps, objects }) {
   return h('details', { class: 'grasp-section', open: true },
     h('summary', {}, 'Grasps', h('span', { class: 'aside' }, `${graspable} of ${format.plural(objects.length, 'object')}`)),
     h('p', { class: 'more' }, `Gripper ${grasps.gripper.name}, which opens ${millimetres(grasps.gripper.max_opening)}: ` +
-      `${format.plural(count, 'grasp')} of ${format.plural(candidates, 'candidate')}. The best of each object is drawn; ` +
-      'select an object for all of its grasps.'),
+      `${format.plural(count, 'grasp')} of ${format.plural(candidates, 'candidate')}.` +
+      (count > 0 ? ' The best of each object is drawn; select an object for all of its grasps.' : '')),
     qualityScale(),
     reasons.length > 0 && h('h3', {}, 'Rejected candidates by reason (log scale)'),
     reasons.length > 0 && h('table', { class: 'bars' }, h('tbody', {}, reasons.map((entry) => reasonRow(grasps, entry, reasons[0][1])))));

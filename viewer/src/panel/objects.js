@@ -13,12 +13,8 @@ export function symmetrySummary({ rotational, reflectional }) {
   return parts.join(' · ') || 'no symmetry';
 }
 
-// Why an object has no grasp takes all the room.
-function summary(object, { grasps }) {
-  if (!grasps) return symmetrySummary(object);
-  const text = graspSummary(grasps, object.index);
-  return grasps.objects[object.index].grasps > 0 ? `${symmetrySummary(object)} · ${text}` : text;
-}
+// A row has no room for both symmetries and grasps; the details of the object list both.
+const summary = (object, { grasps }) => (grasps ? graspSummary(grasps, object.index) : symmetrySummary(object));
 
 const iconButton = (name, title, onclick, extra = '') =>
   h('button', { class: `icon-button ${extra}`, type: 'button', title, 'aria-label': title, onclick }, icon(name));

@@ -13,6 +13,7 @@ struct CylinderGraspOptions {
   double palm_clearance = 0.005;
   double opening_margin = 0.002;
   double table_clearance = 0.002;
+  int max_rejected = 20;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -27,6 +28,8 @@ struct CylinderGraspOptions {
           "a cylinder must be thinner than the open gripper by this");
     visit("table_clearance", self.table_clearance, "m", between(0.0, 0.1),
           "least distance of the gripper from the table");
+    visit("max_rejected", self.max_rejected, "", between(0, 100000),
+          "most rejected candidates that an object keeps for each reason; all are counted");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
