@@ -19,7 +19,7 @@ struct PointBlock {
 /// Points of a surface about 4 mm apart, each with the area that it stands for, in blocks.
 struct SurfaceSamples {
   Points positions;  ///< N×3 [m]
-  Points normals;    ///< N×3, outwards; of mere points 0×3
+  Points normals;    ///< N×3, outwards; of mere points zero
   Eigen::VectorXf areas;
   std::vector<std::uint8_t> observed;
   std::vector<PointBlock> blocks;

@@ -31,7 +31,7 @@ struct GraspFeatures {
   double cone_margin = 0.0;     ///< friction angle minus the angle between closing direction and
                                 ///< mean normal, of the worse pad [rad]
   double cone_share = 0.0;      ///< share of the contact's normals in the cone, of the worse pad
-  double contact_area = 0.0;    ///< share of the pad that touches, of the worse pad
+  double contact_area = 0.0;    ///< touched area / finger width², of the worse pad; may exceed 1
   double depth = 0.0;           ///< extent of the contact along the approach, of the worse pad [m]
   double opening_margin = 0.0;  ///< lesser distance of `opening` from the gripper's bounds [m]
   double lever_arm = 0.0;     ///< horizontal distance of the centre of mass from the middle between
@@ -39,7 +39,7 @@ struct GraspFeatures {
   double torque_ratio = 0.0;  ///< torque of the weight about the closing direction, relative to
                               ///< what the friction of the pads holds
   double clearance = 0.0;     ///< least distance of the open gripper, on its whole way, from the
-                              ///< table, other objects and never-seen space [m]
+                              ///< table and other objects; never-seen space is not included [m]
   double own_clearance = 0.0;    ///< the same of the object itself [m]
   double depth_tolerance = 0.0;  ///< error of the measured depth at which an open finger would meet
                                  ///< the object, at most 0.05 [m]
@@ -69,7 +69,7 @@ struct Grasp {
   int object = 0;  ///< index into the objects of the scene
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
   double opening = 0.0;  ///< width of the object between the pads [m]
-  double quality = 0.0;  ///< probability of success, in [0, 1]
+  double quality = 0.0;  ///< estimated probability of success, in [0, 1]
   GraspSource source = GraspSource::antipodal;
   GraspFeatures features = {};
 };
@@ -80,13 +80,13 @@ enum class GraspRejection : std::uint8_t {
   no_axis,        ///< no axis of symmetry, where grasps need one
   too_wide,       ///< wider than the gripper opens [m]
   too_thin,       ///< thinner than the gripper closes [m]
-  no_contact,     ///< a pad touches too little of the object [share of the pad]
+  no_contact,     ///< a pad touches too little of the object [as contact_area]
   friction,       ///< a contact's normal is outside the friction cone [rad]
   torque,         ///< the weight turns the object between the pads [share of what friction holds]
   table,          ///< the gripper reaches into the table [m]
   own_shape,      ///< the open gripper meets the object on its way [m]
   other_object,   ///< the gripper meets another object [m]
-  never_seen,     ///< the gripper meets space that was never seen [points of the gripper]
+  never_seen,     ///< the gripper meets space that was never seen [share of the gripper]
   outside_space,  ///< the object lies outside the mapped space [m]
   low_quality,    ///< the quality is too low
   outranked       ///< valid, but a better grasp of the object is near, or there are enough of them
