@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "core/parallel.hpp"
 #include "cylinder_candidates.hpp"
 #include "hand_collision.hpp"
+#include "rejected_grasps.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 
 namespace symscene {
@@ -79,19 +79,6 @@ struct ClusterGrasps {
   std::vector<Grasp> grasps;
   std::vector<RejectedGrasp> rejected;
 };
-
-/// Of each reason at most so many candidates, evenly spread over those that failed by it.
-std::vector<RejectedGrasp> some_of_each_reason(const std::vector<RejectedGrasp>& all, int most) {
-  std::array<std::vector<RejectedGrasp>, grasp_rejections> by_reason;
-  for (const RejectedGrasp& rejected : all)
-    by_reason.at(static_cast<std::size_t>(rejected.reason)).push_back(rejected);
-  std::vector<RejectedGrasp> kept;
-  for (const std::vector<RejectedGrasp>& alike : by_reason) {
-    for (const Index i : evenly_spread(static_cast<Index>(alike.size()), static_cast<Index>(most)))
-      kept.push_back(alike[i]);
-  }
-  return kept;
-}
 
 ClusterGrasps grasps_of(const CylinderScene& scene, std::size_t id, const Gripper& gripper,
                         const CylinderGraspOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "grasp_judge.hpp"
+#include "rejected_grasps.hpp"
 
 namespace symscene {
 namespace {
@@ -27,7 +28,6 @@ struct ObjectPlan {
     rejected.push_back(rejection);
   }
   void keep_distinct(GripperKind kind, const GraspOptions& options);
-  void keep_some_rejected(std::size_t most);
   void name_reason();
 };
 
@@ -63,18 +63,6 @@ void ObjectPlan::keep_distinct(GripperKind kind, const GraspOptions& options) {
   }
   grasps = std::move(kept);
   summary.grasps = grasps.size();
-}
-
-/// Of each reason at most so many candidates, evenly spread over those that failed by it.
-void ObjectPlan::keep_some_rejected(std::size_t most) {
-  std::array<std::vector<RejectedGrasp>, grasp_rejections> by_reason;
-  for (const RejectedGrasp& rejection : rejected)
-    by_reason.at(static_cast<std::size_t>(rejection.reason)).push_back(rejection);
-  rejected.clear();
-  for (const std::vector<RejectedGrasp>& all : by_reason) {
-    for (const Index i : evenly_spread(static_cast<Index>(all.size()), static_cast<Index>(most)))
-      rejected.push_back(all[i]);
-  }
 }
 
 /// Without a grasp: the bound that most candidates failed. Those that close steeply count only if
@@ -142,7 +130,7 @@ ObjectPlan plan_object(const GraspSurroundings& around, std::size_t id, const Gr
   }
   plan.keep_distinct(gripper.kind, options);
   plan.name_reason();
-  plan.keep_some_rejected(static_cast<std::size_t>(options.max_rejected));
+  plan.rejected = some_of_each_reason(plan.rejected, options.max_rejected);
   return plan;
 }
 
