@@ -70,8 +70,8 @@ PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames&
 
 namespace {
 
-/// The scene of a reconstruction. A given plane that misses it does not cost the reconstruction:
-/// all points are taken, with a warning.
+/// The scene of a reconstruction. If no point is on the given plane, all points are taken, with a
+/// warning.
 BuiltScene scene_of(const PointCloud& points, const OccupancyVolume& occupancy, TablePrior known,
                     const SceneBuildingOptions& options) {
   try {

@@ -28,8 +28,8 @@ bool faces_viewpoint(const PointCloud& cloud, const Eigen::Vector3d& viewpoint) 
          }) > nearly_all;
 }
 
-/// Where the points of a fused cloud are looked at from: a viewpoint amid them is none of a camera,
-/// and high above (z) takes its place.
+/// Where the points of a fused cloud are looked at from. A camera does not stand inside the box of
+/// its points; such a viewpoint is replaced by one high above (z).
 Eigen::Vector3f outer_viewpoint(const Points& points, const Eigen::Vector3f& viewpoint) {
   constexpr float diagonals_above = 10.0F;
   const Box box = bounding_box(points);
@@ -62,9 +62,9 @@ PointIndices without_grazing(const PointCloud& cloud, const Eigen::Vector3f& eye
 void add_normals(PointCloud& cloud, const Eigen::Vector3d& viewpoint,
                  const NormalEstimationOptions& options) {
   constexpr double nearly_all = 0.9;
-  // In spacings of the points. A surface at a slant of 75° spans `slanted_depth` in a cell. Cells
-  // that are wide hold no gap through which hidden surfaces are seen, and the other one is the
-  // thickness of the walls of vessels.
+  // In spacings of the points: a cell for the sensor's view, in which a surface at a slant of 75°
+  // spans `slanted_depth`; a cell without gaps between points, through which hidden surfaces would
+  // be seen; and less than the thickness of a vessel's wall.
   constexpr float narrow = 2.0F, slanted_depth = 8.0F, wide = 4.0F, thin_wall = 1.5F;
   const Eigen::Vector3f eye = viewpoint.cast<float>();
   const Eigen::Vector3f outer = outer_viewpoint(cloud.positions, eye);

@@ -1,6 +1,7 @@
 #include "table_search.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,19 +21,40 @@ Index searched_points(const PointCloud& cloud) {
   return std::clamp(cloud.size() / interval, least, most);
 }
 
-/// The given table, with its normal to the side from which it was seen: that of the cameras, or of
-/// its points' normals where no camera is known.
+/// The number of points that stand on a plane.
+std::size_t standing_on(const Plane& plane, const PointCloud& cloud,
+                        const SupportPlaneOptions& options) {
+  std::size_t standing = 0;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const double height = plane.signed_distance(cloud.position(i).cast<double>());
+    standing += height > options.inlier_distance && height < options.max_height ? 1 : 0;
+  }
+  return standing;
+}
+
+/// The side with more points of its own surface, unless those are undersides of objects: nothing
+/// stands there, and more points stand on the other side.
+SupportPlane likelier_side(SupportPlane table, SupportPlane reversed, const PointCloud& cloud,
+                           const SupportPlaneOptions& options) {
+  if (reversed.inliers.size() > table.inliers.size()) std::swap(table, reversed);
+  const bool is_underside = standing_on(table.plane, cloud, options) == 0 &&
+                            standing_on(reversed.plane, cloud, options) > table.inliers.size();
+  return is_underside ? reversed : table;
+}
+
+/// The given table, with its normal to the side of the cameras or, where no camera is known, to the
+/// likelier side.
 SupportPlane given_table(const PointCloud& searched, const TablePrior& known,
                          const TableSceneOptions& options) {
   SupportPlane table = measure_support_plane(searched, *known.plane, options.plane);
   const Plane reverse{-table.plane.normal, -table.plane.offset};
   SupportPlane reversed = measure_support_plane(searched, reverse, options.plane);
+  if (known.viewpoints.empty())
+    return likelier_side(std::move(table), std::move(reversed), searched, options.plane);
   double height = 0.0;
   for (const Eigen::Vector3d& viewpoint : known.viewpoints)
     height += table.plane.signed_distance(viewpoint);
-  const bool is_seen_from_behind =
-      known.viewpoints.empty() ? reversed.inliers.size() > table.inliers.size() : height < 0.0;
-  return is_seen_from_behind ? reversed : table;
+  return height < 0.0 ? reversed : table;
 }
 
 TableScene table_scene_on(const PointCloud& cloud, const PointCloud& searched,
@@ -43,8 +65,8 @@ TableScene table_scene_on(const PointCloud& cloud, const PointCloud& searched,
   extend_outline_below_objects(table, searched, options);
   if (table.outline.size() < 3) {
     throw InputError("--plane", "a plane with points on it",
-                     fmt::format("none within {} m of {}", options.plane.inlier_distance,
-                                 plane_text(*known.plane)));
+                     fmt::format("fewer than three within {} m of {}",
+                                 options.plane.inlier_distance, plane_text(*known.plane)));
   }
   scene.planes.status = SupportStatus::found;
   scene.objects = objects_on(cloud, {searched, table, {}}, options);
@@ -83,8 +105,8 @@ bool is_rather_the_table(const TableScene& other, const TableScene& found) {
   if (other.objects.cloud.empty()) return false;
   if (found.planes.supports.empty()) return true;
   const SupportPlane &large = other.planes.supports[0], &small = found.planes.supports[0];
-  if (found.objects.cloud.empty()) return large.area > small.area;
-  return large.area > much_larger * small.area && large.score > much_better * small.score;
+  if (large.area <= much_larger * small.area) return false;
+  return found.objects.cloud.empty() || large.score > much_better * small.score;
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ std::vector<std::string> table_warnings(const TableScene& table) {
   std::vector<std::string> warnings;
   if (table.is_against_up)
     warnings.emplace_back(
-        "the camera seems not to have been held upright: the table does not face up in its image");
+        "the camera seems not to have been held upright: the table does not face its upward "
+        "direction");
   if (table.planes.status == SupportStatus::several) {
     const std::vector<SupportPlane> others = alternatives(supports);
     if (!others.empty()) warnings.push_back(other_tables(others));

@@ -169,6 +169,30 @@ TEST(TableScene, AGivenPlaneWhoseTableWasRemovedKeepsAllThatStandsOnIt) {
   EXPECT_LT(scene.objects.cloud.size(), 1.02 * standing);
 }
 
+TEST(TableScene, AGivenPlaneOfEitherSignKeepsObjectsWithUndersides) {
+  CloudBuilder builder(8);
+  add_objects(builder);
+  builder.add_rectangle({0.2, 0.2, 0.001}, {0.05, 0, 0}, {0, -0.05, 0});  // an underside
+  for (const double sign : {1.0, -1.0}) {
+    const Plane given{{0, 0, sign}, 0.0};
+    const TableScene scene = find_table_scene(builder.cloud(), {}, {.plane = given});
+    ASSERT_EQ(scene.planes.status, SupportStatus::found) << sign;
+    EXPECT_GT(scene.planes.supports[0].plane.normal.z(), 0.0) << sign;
+    EXPECT_GT(scene.objects.cloud.size(), 500) << sign;
+  }
+}
+
+TEST(TableScene, AnEmptyTableIsNotReplacedByAWallOfTwiceItsSize) {
+  CloudBuilder builder(8);
+  builder.add_rectangle({0, 0, 0}, {0.35, 0, 0}, {0, 0.35, 0});
+  builder.add_rectangle({0.8, 0, 0.2}, {0, 0.5, 0}, {0, 0, 0.5});  // a wall, and a shelf on it
+  builder.add_box({0.7, 0.0, 0.4}, {0.15, 0.3, 0.05});
+  const TableScene scene = find_table_scene(builder.cloud(), {}, {.up = Eigen::Vector3d::UnitZ()});
+  ASSERT_FALSE(scene.planes.supports.empty());
+  EXPECT_GT(scene.planes.supports[0].plane.normal.z(), 0.9);
+  EXPECT_FALSE(scene.is_against_up);
+}
+
 TEST(TableScene, TheSameInputGivesTheSameBytes) {
   CloudBuilder builder(9);
   add_table(builder);
