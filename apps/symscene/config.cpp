@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/nearest_name.hpp"
 #include "io/atomic_file.hpp"
 #include "option_text.hpp"
 
@@ -20,22 +20,6 @@ std::string describe(const json& value) {
   if (value.is_object()) return "a group in braces";
   if (value.is_array()) return "a list";
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-/// Levenshtein distance: letters to change, add or drop between two words.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
 }
 
 std::vector<std::string> names_and_groups(const OptionFields& fields) {
@@ -122,16 +106,7 @@ class Assignment {
 
   /// The name, with the most similar option or group if one is similar.
   std::string unknown(const std::string& name) const {
-    std::string best;
-    std::size_t least = name.size() / 2 + 1;
-    for (const std::string& candidate : names_and_groups(fields_)) {
-      const std::size_t distance = edit_distance(candidate, name);
-      if (distance >= least) continue;
-      best = candidate;
-      least = distance;
-    }
-    if (best.empty()) return fmt::format("\"{}\"", name);
-    return fmt::format("\"{}\" (did you mean \"{}\"?)", name, best);
+    return with_nearest_name(name, names_and_groups(fields_));
   }
 
   std::string file_;

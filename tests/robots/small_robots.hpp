@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+
+#include "symscene/core/types.hpp"
+#include "symscene/robots/robot_model.hpp"
+
+namespace symscene {
+
+/// Adds a link on a joint; angles up to ±170°.
+inline void add_link(RobotModel& model, std::size_t parent, const Eigen::Isometry3d& T_parent_joint,
+                     const Eigen::Vector3d& axis, JointKind kind = JointKind::revolute) {
+  Joint joint;
+  joint.name = "joint" + std::to_string(model.joints.size());
+  joint.kind = kind;
+  joint.parent = parent;
+  joint.child = model.links.size();
+  joint.T_parent_joint = T_parent_joint;
+  joint.axis = axis.normalized();
+  joint.limits = {-radians(170.0), radians(170.0), 1.0, 1.0};
+  if (kind != JointKind::fixed) joint.position = model.moving_joints();
+  model.joints.push_back(joint);
+  model.links.push_back({"link" + std::to_string(model.links.size()), {}});
+}
+
+inline RobotModel single_link() {
+  RobotModel model;
+  model.name = "small";
+  model.links.push_back({"link0", {}});
+  return model;
+}
+
+/// Two parallel joints about z, then a tip: links of 0.3 m and 0.2 m along x.
+inline RobotModel planar_arm() {
+  RobotModel model = single_link();
+  const auto along_x = [](double x) {
+    return Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.0));
+  };
+  add_link(model, 0, along_x(0.0), Eigen::Vector3d::UnitZ());
+  add_link(model, 1, along_x(0.3), Eigen::Vector3d::UnitZ());
+  add_link(model, 2, along_x(0.2), Eigen::Vector3d::UnitZ(), JointKind::fixed);
+  return model;
+}
+
+}  // namespace symscene
