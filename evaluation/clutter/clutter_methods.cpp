@@ -64,7 +64,10 @@ void plan_on_cylinders(const Scene& scene, const Gripper& gripper, GraspProposal
 void plan_on_views(GraspMethod method, std::span<const ClutterView> views, const Gripper& gripper,
                    const ClutterMethodOptions& options, GraspProposals& proposals) {
   const Scene scene = sensed_scene(views, options);
-  if (scene.cloud.empty()) return;
+  if (scene.cloud.empty()) {
+    proposals.reasons = scene.warnings;
+    return;
+  }
   if (method == GraspMethod::cylinders)
     plan_on_cylinders(scene, gripper, proposals);
   else

@@ -1,11 +1,13 @@
 #include "sensed_scene.hpp"
 
 #include "method_parts.hpp"
+#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
 
 const Plane table{Eigen::Vector3d::UnitZ(), -clutter::table_height};
+constexpr const char* given_plane = "--plane";  // where build_scene() finds fault with it
 
 DepthFrame scaled(const ClutterView& view, const CameraIntrinsics& camera) {
   DepthFrame frame = view.frame;
@@ -31,9 +33,7 @@ Scene scene_of_views(std::span<const DepthFrame> frames, const Trajectory& poses
       .scene;
 }
 
-}  // namespace
-
-Scene sensed_scene(std::span<const ClutterView> views, const ClutterMethodOptions& options) {
+Scene scene_of(std::span<const ClutterView> views, const ClutterMethodOptions& options) {
   Trajectory poses;
   std::vector<DepthFrame> frames;
   for (const ClutterView& view : views) {
@@ -46,6 +46,20 @@ Scene sensed_scene(std::span<const ClutterView> views, const ClutterMethodOption
   return views.size() == 1
              ? scene_of_view(frames.front(), poses.front().T_world_camera, prior, options)
              : scene_of_views(frames, poses, prior, options);
+}
+
+}  // namespace
+
+Scene sensed_scene(std::span<const ClutterView> views, const ClutterMethodOptions& options) {
+  try {
+    return scene_of(views, options);
+  } catch (const InputError& error) {
+    if (error.where() != given_plane) throw;
+    // The scale of the noise can put all that is seen of the table off the plane that is given.
+    Scene nothing;
+    nothing.warnings.emplace_back("no surface is seen at the table");
+    return nothing;
+  }
 }
 
 }  // namespace symscene
