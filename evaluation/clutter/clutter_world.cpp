@@ -169,7 +169,7 @@ void ClutterWorld::settle() {
 
 double ClutterWorld::penetration(const Eigen::Isometry3d& T_world_tool, std::size_t aimed) {
   world_->put_hand(Eigen::Translation3d(0, 0, -table_height) * T_world_tool);
-  const GraspWorld::HandContacts contacts = world_->hand_contacts();
+  const HandContacts contacts = world_->hand_contacts();
   world_->take_hand_away();
   double depth = contacts.table_depth;
   for (std::size_t k = 0; k < contacts.bodies.size(); ++k) {

@@ -37,7 +37,7 @@ class Execution {
 
   /// Whether the hand touches anything; if so it is noted.
   bool note_contact() {
-    const GraspWorld::HandContacts contacts = world_.hand_contacts();
+    const HandContacts contacts = world_.hand_contacts();
     if (!contacts.any()) return false;
     outcome_.contact = contacts.table ? ApproachContact::table : ApproachContact::body;
     if (!contacts.bodies.empty()) outcome_.body = contacts.bodies.front();
@@ -75,7 +75,7 @@ class Execution {
     const Eigen::Vector3d way = is_steep ? Eigen::Vector3d(-direction()) : Eigen::Vector3d::UnitZ();
     move(hand_ + options_.retreat * way, [] { return true; });
     outcome_.width = world_.opening();
-    const GraspWorld::HandContacts contacts = world_.hand_contacts();
+    const HandContacts contacts = world_.hand_contacts();
     if (!contacts.bodies.empty() && outcome_.width > options_.min_width) {
       outcome_.end = GraspEnd::success;
       outcome_.body = contacts.held.empty() ? contacts.bodies.front() : contacts.held.front();

@@ -64,6 +64,12 @@ void append_hull(std::string& mjcf, const std::string& name, const Points& verti
   mjcf += "\"/>\n";
 }
 
+void weigh(mjModel& model, int body, double mass) {
+  const double ratio = mass / model.body_mass[body];
+  model.body_mass[body] = mass;
+  for (int k = 0; k < 3; ++k) model.body_inertia[3 * body + k] *= ratio;
+}
+
 void MujocoWorld::start(MujocoModel compiled, std::size_t bodies) {
   model = std::move(compiled);
   time_step = model->opt.timestep;

@@ -26,6 +26,12 @@ MujocoModel compile_model(const std::string& mjcf);
 /// Appends the mesh asset `name` with the hull's vertices to a text in MJCF.
 void append_hull(std::string& mjcf, const std::string& name, const Points& vertices);
 
+/// Of bodies while they are compiled; then they are weighed. [kg/m³]
+constexpr double reference_density = 1000.0;
+
+/// Gives MuJoCo's body this mass, with the distribution that it has.
+void weigh(mjModel& model, int body, double mass);
+
 /// A compiled world whose first bodies move freely. Body b is MuJoCo's body b + 1, as 0 is the
 /// world itself, with 7 positions and 6 velocities.
 struct MujocoWorld {

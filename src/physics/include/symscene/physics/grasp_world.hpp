@@ -23,6 +23,16 @@ struct FixedBox {
   Eigen::Vector3d max = Eigen::Vector3d::Zero();  ///< [m]
 };
 
+/// What a hand touches.
+struct HandContacts {
+  bool table = false;               ///< the table or a fixed box
+  double table_depth = 0.0;         ///< to which the hand reaches into them [m]
+  std::vector<std::size_t> bodies;  ///< touched by the hand, ascending
+  std::vector<double> depths;       ///< per touched body, to which the hand reaches into it [m]
+  std::vector<std::size_t> held;    ///< touched by both fingers, ascending
+  bool any() const { return table || !bodies.empty(); }
+};
+
 /// Coefficients of friction between bodies are those of the clutter-removal benchmark of VGN:
 /// products of the coefficients of the two surfaces, where that of objects is 1.
 struct GraspWorldOptions {
@@ -105,14 +115,6 @@ class GraspWorld {
   Eigen::Isometry3d hand_pose() const;
 
   /// What the hand touches where it is now.
-  struct HandContacts {
-    bool table = false;               ///< the table or a fixed box
-    double table_depth = 0.0;         ///< to which the hand reaches into them [m]
-    std::vector<std::size_t> bodies;  ///< touched by the hand, ascending
-    std::vector<double> depths;       ///< per touched body, to which the hand reaches into it [m]
-    std::vector<std::size_t> held;    ///< touched by both fingers, ascending
-    bool any() const { return table || !bodies.empty(); }
-  };
   HandContacts hand_contacts() const;
 
   /// Simulates `seconds`, rounded to whole time steps. Throws PhysicsDiverged if the
