@@ -107,11 +107,13 @@ bool MujocoWorld::diverged() const {
          0;
 }
 
-void MujocoWorld::step() const {
+void MujocoWorld::step(const std::function<void()>& control) const {
   for (std::size_t b = 0; b < is_there.size(); ++b) {
     if (!is_there[b]) hold_away(b);
   }
-  mj_step(model.get(), data.get());
+  mj_step1(model.get(), data.get());
+  control();
+  mj_step2(model.get(), data.get());
   if (diverged()) throw PhysicsDiverged();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,8 +51,9 @@ struct MujocoWorld {
   void hold(std::size_t body, const Eigen::Isometry3d& pose) const;
   /// Whether MuJoCo's body takes part in contacts.
   void set_contacts(int mujoco_body, int contype, int conaffinity) const;
-  /// One time step. Throws PhysicsDiverged.
-  void step() const;
+  /// One time step. `control` sets forces once positions and velocities are known. Throws
+  /// PhysicsDiverged.
+  void step(const std::function<void()>& control = [] {}) const;
 
   void put(std::size_t body, const Eigen::Isometry3d& pose);
   void take_away(std::size_t body);

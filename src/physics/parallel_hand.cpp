@@ -64,6 +64,26 @@ Points hull(std::span<const std::array<float, 3>> corners, float height) {
   return points;
 }
 
+Points corners_of(const Eigen::AlignedBox3d& box) {
+  Points corners(8, 3);
+  for (int k = 0; k < 8; ++k)
+    corners.row(k) =
+        box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)).cast<float>().transpose();
+  return corners;
+}
+
+/// The finger at +y of a closed hand: its pad lies in the plane y = 0.
+Points finger_of(const Gripper& gripper) {
+  const Eigen::Vector3d half(0.5 * gripper.finger_width, 0, 0);
+  const Eigen::Vector3d far(half.x(), gripper.finger_thickness, gripper.finger_depth);
+  Points corners = corners_of({Eigen::Vector3d(-half), far});
+  for (Eigen::Index k = 0; k < corners.rows(); ++k) {
+    if (corners(k, 2) > 0.0F && corners(k, 1) > 0.0F)
+      corners(k, 1) = static_cast<float>(gripper.tip_thickness);
+  }
+  return corners;
+}
+
 }  // namespace
 
 void ParallelHand::validate() const {
@@ -79,6 +99,18 @@ void ParallelHand::validate() const {
 ParallelHand panda_parallel_hand() {
   return {
       {hull(palm_corners, 0.0F)}, {hull(finger_corners, finger_root)}, 0.08, 0.81, 0.1, 20.0, 0.2};
+}
+
+ParallelHand parallel_hand_of(const Gripper& gripper) {
+  gripper.validate();
+  if (gripper.kind != GripperKind::parallel)
+    throw InputError("the gripper", "two fingers that close along one line",
+                     to_string(gripper.kind));
+  const Eigen::Vector3d half = 0.5 * gripper.palm_size;
+  const Eigen::AlignedBox3d palm(Eigen::Vector3d(-half.x(), -half.y(), -gripper.palm_size.z()),
+                                 Eigen::Vector3d(half.x(), half.y(), 0.0));
+  return {
+      {corners_of(palm)}, {finger_of(gripper)}, gripper.max_opening, 0.8, 0.1, gripper.force, 0.2};
 }
 
 }  // namespace symscene

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "symscene/core/error.hpp"
+
 namespace symscene {
 namespace {
 
@@ -66,6 +68,30 @@ TEST(PandaParallelHand, ItsFingersReachAsFarAsTheCollisionMesh) {
   for (const auto& [direction, value] : mesh)
     EXPECT_NEAR(reach(panda_parallel_hand().finger, direction, -0.0036F), value, tolerance)
         << direction.transpose();
+}
+
+TEST(ParallelHandOfAGripper, HasTheExtentsOfItsBoxes) {
+  Gripper gripper;
+  gripper.finger_thickness = 0.02;
+  gripper.tip_thickness = 0.01;
+  const ParallelHand hand = parallel_hand_of(gripper);
+  constexpr float tolerance = 1e-6F;
+  EXPECT_NEAR(reach(hand.palm, {0, 1, 0}, 0.0F), 0.1F, tolerance);
+  EXPECT_NEAR(reach(hand.palm, {0, 0, 1}, 0.0F), 0.0F, tolerance);
+  EXPECT_NEAR(reach(hand.palm, {0, 0, -1}, 0.0F), 0.1F, tolerance);
+  EXPECT_NEAR(reach(hand.finger, {0, 1, 0}, 0.0F), 0.02F, tolerance);
+  EXPECT_NEAR(reach(hand.finger, {0, -1, 0}, 0.0F), 0.0F, tolerance);
+  EXPECT_NEAR(reach(hand.finger, {0, 0, 1}, 0.0F), 0.05F, tolerance);
+  // At the tip it is as thick as the tip: the farthest corner along (0, 1, 10).
+  const float along = reach(hand.finger, {0, 1, 10}, 0.0F);
+  EXPECT_NEAR(along * std::sqrt(101.0F), 0.01F + 10 * 0.05F, 1e-5F);
+}
+
+TEST(ParallelHandOfAGripper, RefusesThreeFingers) {
+  Gripper gripper;
+  gripper.kind = GripperKind::three_finger;
+  gripper.finger_spacing = 0.06;
+  EXPECT_THROW(parallel_hand_of(gripper), InputError);
 }
 
 }  // namespace

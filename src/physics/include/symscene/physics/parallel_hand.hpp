@@ -1,5 +1,6 @@
 #pragma once
 
+#include "symscene/core/gripper.hpp"
 #include "symscene/physics/convex_parts.hpp"
 
 namespace symscene {
@@ -25,5 +26,9 @@ struct ParallelHand {
 /// its collision shapes, the tool frame 62 mm along z from the frame of the hand, fingertips 50 mm
 /// beyond it.
 ParallelHand panda_parallel_hand();
+
+/// The palm and the tapering fingers of a gripper as boxes, with a palm of 0.8 kg and fingers of
+/// 0.1 kg that move at 0.2 m/s. Throws InputError if the gripper is invalid or has three fingers.
+ParallelHand parallel_hand_of(const Gripper& gripper);
 
 }  // namespace symscene
