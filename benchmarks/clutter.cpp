@@ -12,6 +12,7 @@
 #include "program.hpp"
 #include "symscene/clutter/clutter_gallery.hpp"
 #include "symscene/clutter/clutter_report.hpp"
+#include "symscene/core/error.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/physics/physics_world.hpp"
 
@@ -25,6 +26,7 @@ struct Arguments {
   std::string kind = "packed";
   std::string method = "symscene";
   std::string table = "scale";
+  std::string completion = "on";
   std::string attempts;
   std::string gallery;
   int rounds = 100;
@@ -37,6 +39,9 @@ struct Arguments {
     options.kind = parse_clutter_kind(kind);
     options.method = parse_grasp_method(method);
     options.planning.table = parse_table_knowledge(table);
+    if (completion == "off" && options.method != GraspMethod::symscene)
+      throw InputError("--completion off", "--method symscene", method);
+    options.planning.pipeline.complete_by_symmetry = completion == "on";
   }
 };
 
@@ -55,6 +60,9 @@ void declare(CLI::App& app, Arguments& a) {
                  "--attempts only")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  app.add_flag("--rehearse-best", a.options.rehearse_best,
+               "the best grasp of each object is tried and undone before each attempt; the report "
+               "shows their success by occlusion");
   app.add_option("--views", a.options.views, "1 from the side, or several around")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -63,6 +71,12 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_option("--table", a.table,
                  "what is known of the table: none, plane, or scale (depths are scaled so that "
                  "they show it there)")
+      ->capture_default_str();
+  app.add_option(
+         "--completion", a.completion,
+         "hidden sides of method symscene: on (inferred from the symmetries) or off (closed "
+         "surfaces end at the visible hull)")
+      ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
   app.add_flag("!--exact", a.options.noise.enabled, "depth images without noise");
   app.add_flag("!--anywhere", a.options.planning.in_volume_only,
@@ -82,6 +96,7 @@ void print_attempt(const ClutterAttempt& a) {
   if (a.outcome.contact != ApproachContact::none)
     fmt::print(", touched {} {:.0f} mm before", to_string(a.outcome.contact),
                1e3 * a.outcome.short_by);
+  if (a.penetration > 0.0) fmt::print(", {:.1f} mm in others", 1e3 * a.penetration);
   fmt::print(", {:.0f} and {:.0f} mm wide\n", 1e3 * a.outcome.closed_width, 1e3 * a.outcome.width);
   std::fflush(stdout);
 }
@@ -117,8 +132,9 @@ class Gallery {
 };
 
 void print_round(const ClutterRound& round) {
-  fmt::print("  {}, {} of {} removed; left: {}; reasons: {}\n", to_string(round.end), round.removed,
-             round.placed, fmt::join(round.left_objects, ", "), fmt::join(round.reasons, ", "));
+  fmt::print("  {}, {} of {} removed; left: {}; reasons: {}; grasps outside the volume: {}\n",
+             to_string(round.end), round.removed, round.placed, fmt::join(round.left_objects, ", "),
+             fmt::join(round.reasons, ", "), round.outside);
 }
 
 int run(const Arguments& arguments) {
@@ -130,9 +146,11 @@ int run(const Arguments& arguments) {
   const std::vector<ClutterObject> objects =
       read_clutter_objects(arguments.objects, parse_object_share(arguments.share));
   const std::string run_name = fmt::format(
-      "{} objects ({}), {}, {} rounds of {}, {} view(s), method {}, table {}, seed {}",
+      "{} objects ({}), {}, {} rounds of {}, {} view(s), method {}, table {}, "
+      "completion {}, seed {}",
       objects.size(), arguments.share, arguments.kind, arguments.rounds, arguments.options.objects,
-      arguments.options.views, arguments.method, arguments.table, arguments.options.seed);
+      arguments.options.views, arguments.method, arguments.table, arguments.completion,
+      arguments.options.seed);
   fmt::print("{}\n", run_name);
   Gallery gallery(arguments.gallery);
   ClutterObserver observer;

@@ -27,6 +27,8 @@ struct Counts {
   }
 };
 
+Counts counts_of(bool part) { return {part ? std::size_t{1} : 0, 1}; }
+
 /// Of at least one value.
 double quantile_of(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
@@ -41,14 +43,14 @@ RoundShare with_interval(const std::vector<Counts>& rounds) {
   Counts all;
   for (const Counts& round : rounds) all.add(round);
   RoundShare share{all.share(), 0.0, 0.0, all.part, all.whole};
-  if (rounds.empty()) return share;
+  if (all.whole == 0) return share;
   Random random(1);
   std::vector<double> shares;
   for (int k = 0; k < resamples; ++k) {
     Counts drawn;
     for (std::size_t i = 0; i < rounds.size(); ++i)
       drawn.add(rounds[random.below(static_cast<std::uint32_t>(rounds.size()))]);
-    shares.push_back(drawn.share());
+    if (drawn.whole > 0) shares.push_back(drawn.share());
   }
   share.low = quantile_of(shares, 0.025);
   share.high = quantile_of(shares, 0.975);
@@ -87,7 +89,7 @@ Tally successes(const std::vector<const ClutterAttempt*>& attempts,
                 const std::function<std::string(const ClutterAttempt&)>& label) {
   Tally tally;
   for (const ClutterAttempt* attempt : attempts)
-    tally[label(*attempt)].add({succeeded(*attempt) ? std::size_t{1} : 0, 1});
+    tally[label(*attempt)].add(counts_of(succeeded(*attempt)));
   return tally;
 }
 
@@ -166,6 +168,65 @@ void append_row(const ClutterAttempt& a, bool is_rehearsal, std::string& text) {
                  o.short_by, o.closed_width, o.width, a.penetration, a.seconds);
 }
 
+/// Of objects on one side of the occlusion at which half of an object is hidden.
+class OcclusionClass {
+ public:
+  explicit OcclusionClass(bool hidden) : hidden_(hidden) {}
+
+  const char* name() const { return hidden_ ? "half or more hidden" : "less hidden"; }
+
+  Counts attempts(const ClutterRound& round) const {
+    Counts counts;
+    for (const ClutterAttempt& a : round.attempts) {
+      if (holds(a.occlusion)) counts.add(counts_of(succeeded(a)));
+    }
+    return counts;
+  }
+  Counts placed(const ClutterRound& round) const {
+    Counts counts;
+    for (const PlacedObject& object : round.placed_objects) {
+      if (holds(object.occlusion)) counts.add(counts_of(object.removed));
+    }
+    return counts;
+  }
+  Counts with_grasp(const ClutterRound& round) const {
+    Counts counts;
+    for (const ObjectTrial& trial : round.trials) {
+      if (holds(trial.occlusion)) counts.add(counts_of(trial.succeeded.has_value()));
+    }
+    return counts;
+  }
+  Counts best_grasps(const ClutterRound& round) const {
+    Counts counts;
+    for (const ObjectTrial& trial : round.trials) {
+      if (holds(trial.occlusion) && trial.succeeded) counts.add(counts_of(*trial.succeeded));
+    }
+    return counts;
+  }
+
+ private:
+  bool holds(double occlusion) const { return (occlusion >= 0.5) == hidden_; }
+
+  bool hidden_;
+};
+
+void append_occlusion_classes(std::string& text, std::span<const ClutterRound> rounds) {
+  for (const OcclusionClass hidden : {OcclusionClass(true), OcclusionClass(false)}) {
+    const auto append = [&](const char* what,
+                            Counts (OcclusionClass::*count)(const ClutterRound&) const) {
+      std::vector<Counts> counts;
+      for (const ClutterRound& round : rounds) counts.push_back((hidden.*count)(round));
+      const RoundShare share = with_interval(counts);
+      if (share.whole > 0) append_share(text, what, share);
+    };
+    text += fmt::format("objects {}\n", hidden.name());
+    append("  grasp success rate", &OcclusionClass::attempts);
+    append("  declutter rate, by occlusion at the start", &OcclusionClass::placed);
+    append("  objects with a grasp", &OcclusionClass::with_grasp);
+    append("  success of their best grasp", &OcclusionClass::best_grasps);
+  }
+}
+
 }  // namespace
 
 RoundShare grasp_success_rate(std::span<const ClutterRound> rounds) {
@@ -190,6 +251,7 @@ std::string format_clutter_report(std::span<const ClutterRound> rounds) {
   std::string text;
   append_share(text, "grasp success rate", grasp_success_rate(rounds));
   append_share(text, "declutter rate", declutter_rate(rounds));
+  append_occlusion_classes(text, rounds);
   if (!attempts.empty()) append_times(text, attempts);
   append_tally(text, "attempts by outcome", frequencies(attempts, end_label));
   append_tally(text, "hand at the grasp, in the true table or another true object",

@@ -25,14 +25,30 @@ struct Aim {
   double occlusion = 0.0;
 };
 
-Aim aim_of(const ClutterWorld& world, const Grasp& grasp, int views) {
-  constexpr double reach = 0.5;  // [m]
-  const std::vector<TriangleMesh> surfaces = present_surfaces(world);
-  const Eigen::Vector3d point = grasp.T_world_tool * Eigen::Vector3d(0, 0, tip_distance);
-  const TrueSurface::Nearest nearest = TrueSurface(surfaces).nearest(point, reach);
-  const std::size_t k = nearest.mesh == TrueSurface::Nearest::nothing ? 0 : nearest.mesh;
-  return {world.present()[k], nearest.distance, clutter_occlusion(world, views)[k]};
-}
+/// Which objects grasps aim at while no object moves.
+class Aims {
+ public:
+  Aims(const ClutterWorld& world, int views)
+      : items_(world.present()),
+        occlusion_(clutter_occlusion(world, views)),
+        surface_(present_surfaces(world)) {}
+
+  const std::vector<std::size_t>& items() const { return items_; }
+  const std::vector<double>& occlusion() const { return occlusion_; }
+
+  Aim of(const Grasp& grasp) const {
+    constexpr double reach = 0.5;  // [m]
+    const Eigen::Vector3d point = grasp.T_world_tool * Eigen::Vector3d(0, 0, tip_distance);
+    const TrueSurface::Nearest nearest = surface_.nearest(point, reach);
+    const std::size_t k = nearest.mesh == TrueSurface::Nearest::nothing ? 0 : nearest.mesh;
+    return {items_[k], nearest.distance, occlusion_[k]};
+  }
+
+ private:
+  std::vector<std::size_t> items_;
+  std::vector<double> occlusion_;
+  TrueSurface surface_;
+};
 
 /// How a grasp is tried.
 using WayToTry = GraspOutcome (*)(ClutterWorld&, const Eigen::Isometry3d&,
@@ -55,11 +71,12 @@ GraspOutcome rehearsed(ClutterWorld& world, const Eigen::Isometry3d& T_world_too
   return world.rehearse(T_world_tool, options);
 }
 
-ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposals,
-                             std::size_t chosen, WayToTry way, const ClutterRoundOptions& options) {
+ClutterAttempt attempt_grasp(ClutterWorld& world, const Aims& aims, const GraspProposals& proposals,
+                             std::size_t chosen, WayToTry way,
+                             const GraspExecutionOptions& execution) {
   ClutterAttempt attempt;
   attempt.grasp = proposals.grasps[chosen];
-  const Aim aim = aim_of(world, attempt.grasp, options.views);
+  const Aim aim = aims.of(attempt.grasp);
   attempt.aimed = world.object(aim.item).name;
   attempt.aimed_distance = aim.distance;
   attempt.occlusion = aim.occlusion;
@@ -68,7 +85,7 @@ ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposal
   attempt.seconds = proposals.seconds;
   attempt.grasping_seconds = proposals.grasping_seconds;
   attempt.penetration = world.penetration(attempt.grasp.T_world_tool, aim.item);
-  attempt.outcome = way(world, attempt.grasp.T_world_tool, options.execution);
+  attempt.outcome = way(world, attempt.grasp.T_world_tool, execution);
   const GraspOutcome& outcome = attempt.outcome;
   const bool is_other = outcome.body && *outcome.body != aim.item;
   attempt.removed_other = is_other && outcome.end == GraspEnd::success;
@@ -76,13 +93,33 @@ ClutterAttempt attempt_grasp(ClutterWorld& world, const GraspProposals& proposal
   return attempt;
 }
 
-void rehearse(ClutterWorld& world, const GraspProposals& proposals,
+void rehearse(ClutterWorld& world, const Aims& aims, const GraspProposals& proposals,
               const ClutterRoundOptions& options, std::uint64_t seed,
               std::vector<ClutterAttempt>& tried) {
   Random random(seed);
   const auto grasps = static_cast<std::uint32_t>(proposals.grasps.size());
   for (int k = 0; k < options.rehearsals; ++k) {
-    tried.push_back(attempt_grasp(world, proposals, random.below(grasps), rehearsed, options));
+    tried.push_back(
+        attempt_grasp(world, aims, proposals, random.below(grasps), rehearsed, options.execution));
+  }
+}
+
+/// Tries and undoes the best grasp of each object.
+void rehearse_best(ClutterWorld& world, const Aims& aims, const GraspProposals& proposals,
+                   const GraspExecutionOptions& execution, ClutterRound& result) {
+  const std::vector<Grasp>& grasps = proposals.grasps;
+  for (std::size_t k = 0; k < aims.items().size(); ++k) {
+    ObjectTrial trial{aims.occlusion()[k]};
+    const auto best = std::find_if(grasps.begin(), grasps.end(), [&](const Grasp& grasp) {
+      return aims.of(grasp).item == aims.items()[k];
+    });
+    if (best != grasps.end()) {
+      result.rehearsals.push_back(attempt_grasp(world, aims, proposals,
+                                                static_cast<std::size_t>(best - grasps.begin()),
+                                                rehearsed, execution));
+      trial.succeeded = result.rehearsals.back().outcome.end == GraspEnd::success;
+    }
+    result.trials.push_back(trial);
   }
 }
 
@@ -95,14 +132,16 @@ bool try_once(ClutterWorld& world, const ClutterRoundOptions& options, int round
   const GraspProposals proposals =
       propose_grasps(options.method, world, views, options.planning, method_seed);
   if (observer.before) observer.before(world, views, proposals);
+  const Aims aims(world, options.views);
+  const std::size_t first_rehearsal = result.rehearsals.size();
+  if (options.rehearse_best) rehearse_best(world, aims, proposals, options.execution, result);
   if (proposals.grasps.empty()) {
     result.reasons = proposals.reasons;
     result.outside = proposals.outside;
     return false;
   }
-  const std::size_t first_rehearsal = result.rehearsals.size();
-  rehearse(world, proposals, options, method_seed, result.rehearsals);
-  result.attempts.push_back(attempt_grasp(world, proposals, 0, executed, options));
+  rehearse(world, aims, proposals, options, method_seed, result.rehearsals);
+  result.attempts.push_back(attempt_grasp(world, aims, proposals, 0, executed, options.execution));
   const auto number = static_cast<int>(result.attempts.size());
   const auto name = [&](ClutterAttempt& attempt) {
     attempt.round = round;
@@ -115,23 +154,38 @@ bool try_once(ClutterWorld& world, const ClutterRoundOptions& options, int round
   return true;
 }
 
+void note_placed(const ClutterWorld& world, int views, ClutterRound& result) {
+  const std::vector<std::size_t> items = world.present();
+  const std::vector<double> occlusion = clutter_occlusion(world, views);
+  result.placed = result.left = static_cast<int>(items.size());
+  for (std::size_t k = 0; k < items.size(); ++k)
+    result.placed_objects.push_back({items[k], occlusion[k], false});
+}
+
+void note_removed(const GraspOutcome& outcome, ClutterRound& result) {
+  if (outcome.end != GraspEnd::success) return;
+  ++result.removed;
+  for (PlacedObject& object : result.placed_objects) {
+    if (outcome.body == object.item) object.removed = true;
+  }
+}
+
 void play(ClutterWorld& world, const ClutterRoundOptions& options, int round, Random& random,
           const ClutterObserver& observer, ClutterRound& result) {
-  result.placed = result.left = static_cast<int>(world.present().size());
+  note_placed(world, options.views, result);
   for (int failures = 0; result.left > 0;) {
     if (!try_once(world, options, round, random, observer, result)) {
       result.end = RoundEnd::no_grasp;
       return;
     }
     const GraspEnd end = result.attempts.back().outcome.end;
-    const bool succeeded = end == GraspEnd::success;
-    result.removed += succeeded ? 1 : 0;
+    note_removed(result.attempts.back().outcome, result);
     result.left = static_cast<int>(world.present().size());
     if (end == GraspEnd::diverged) {
       result.end = RoundEnd::diverged;
       return;
     }
-    failures = succeeded ? 0 : failures + 1;
+    failures = end == GraspEnd::success ? 0 : failures + 1;
     if (failures == options.max_failures) {
       result.end = RoundEnd::failures;
       return;

@@ -82,11 +82,13 @@ void complete_objects(const DistanceField& field, const PipelineOptions& options
   result.surfaces.resize(result.objects.size());
   parallel_for_each(result.objects.size(), [&](std::size_t id) {
     SceneObject& object = result.objects[id];
+    const auto axes = options.complete_by_symmetry ? object.rotational : std::vector<ObjectAxis>{};
+    const auto planes =
+        options.complete_by_symmetry ? object.reflectional : std::vector<ObjectPlane>{};
     const PointCloud observed = select(result.cloud, object.points);
     PointCloud& added = result.completed[id];
-    added = complete_object(observed, object.rotational, object.reflectional, field,
-                            options.completion);
-    const CompletedObject completed{observed, added, object.rotational, object.reflectional};
+    added = complete_object(observed, axes, planes, field, options.completion);
+    const CompletedObject completed{observed, added, axes, planes};
     object.centroid = centre_of_mass(completed, options.completion);
     ObjectSurface& surface = result.surfaces[id];
     surface = object_surface(completed, {field, result.table}, options.object_surface,

@@ -103,6 +103,23 @@ TEST_F(ClutterRoundTest, RehearsalsAreUndone) {
       plain.attempts.front().grasp.T_world_tool, 0.0));
 }
 
+TEST_F(ClutterRoundTest, TheBestGraspOfEachObjectIsTriedAndUndone) {
+  ClutterRoundOptions options;
+  options.kind = ClutterKind::packed;
+  options.objects = 2;
+  options.method = GraspMethod::true_meshes;
+  options.seed = 5;
+  options.rehearse_best = true;
+  const ClutterRound round = run_clutter_round(objects_, options, 3);
+  ASSERT_EQ(round.placed_objects.size(), 2);
+  ASSERT_EQ(round.end, RoundEnd::cleared);
+  EXPECT_EQ(round.trials.size(), 3) << "two objects, then one";
+  for (const ObjectTrial& trial : round.trials) EXPECT_EQ(trial.succeeded, true);
+  EXPECT_EQ(round.rehearsals.size(), round.trials.size());
+  EXPECT_NE(round.rehearsals[0].grasp.object, round.rehearsals[1].grasp.object);
+  for (const PlacedObject& object : round.placed_objects) EXPECT_TRUE(object.removed);
+}
+
 TEST_F(ClutterRoundTest, AntipodalGraspsHaveTheirContactsOnOppositeSides) {
   const ClutterWorld world(objects_, ClutterKind::packed, 3, 2);
   const std::vector<Grasp> grasps = random_antipodal_grasps(world, panda_hand(), Random(1));
@@ -170,6 +187,26 @@ TEST(ClutterReport, TheIntervalNarrowsWithTheRounds) {
   const RoundShare a = declutter_rate(few), b = declutter_rate(many);
   EXPECT_DOUBLE_EQ(a.value, b.value);
   EXPECT_NEAR((b.high - b.low) / (a.high - a.low), 0.25, 0.06);
+}
+
+TEST(ClutterReport, ObjectsThatAreHalfHiddenAreCountedApart) {
+  ClutterRound round = made_round(3, 1, 2);
+  round.attempts[0].occlusion = 0.5;
+  round.placed_objects = {{0, 0.7, true}, {1, 0.5, false}, {2, 0.1, false}};
+  round.trials = {{0.9, true}, {0.6, false}, {0.5, std::nullopt}, {0.49, true}};
+  const std::string report = format_clutter_report(std::vector{round});
+  const std::size_t less = report.find("objects less hidden");
+  ASSERT_NE(less, std::string::npos);
+  const auto expect = [](const std::string& text, const char* line) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
+  };
+  const std::string hidden = report.substr(0, less), others = report.substr(less);
+  expect(hidden, "  grasp success rate 100.0 % (95 % interval 100.0 to 100.0), 1 of 1\n");
+  expect(hidden, "  declutter rate, by occlusion at the start 50.0 %");
+  expect(hidden, "  objects with a grasp 66.7 %");
+  expect(hidden, "  success of their best grasp 50.0 %");
+  expect(others, "  grasp success rate 0.0 %");
+  expect(others, "  success of their best grasp 100.0 %");
 }
 
 TEST(ClutterReport, OneLinePerAttemptWithAsManyValuesAsNames) {

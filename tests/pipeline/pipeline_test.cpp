@@ -137,6 +137,23 @@ TEST(Pipeline, TakesCoarserFreeSpaceOfALargeSceneAndWarns) {
   EXPECT_EQ(result.objects.size(), result_of_four().objects.size());
 }
 
+TEST(Pipeline, WithoutSymmetriesHiddenSidesEndAtTheVisibleHull) {
+  PipelineOptions options;
+  options.complete_by_symmetry = false;
+  const SegmentationResult& on = result_of_four();
+  const SegmentationResult off = segment_scene(table_of_four().scene, options);
+  ASSERT_EQ(off.objects.size(), on.objects.size());
+  std::size_t images = 0;
+  for (std::size_t i = 0; i < on.objects.size(); ++i) {
+    images += on.completed[i].size();
+    EXPECT_TRUE(off.completed[i].empty());
+    EXPECT_EQ(off.objects[i].points, on.objects[i].points);
+    EXPECT_EQ(off.objects[i].rotational.size(), on.objects[i].rotational.size());
+    EXPECT_GT(off.surfaces[i].mesh.triangles.rows(), 0);
+  }
+  EXPECT_GT(images, 0);
+}
+
 TEST(Pipeline, EstimatesMissingNormalsAndWarns) {
   const SimulatedScene& simulated = table_of_four();
   Scene scene = simulated.scene;

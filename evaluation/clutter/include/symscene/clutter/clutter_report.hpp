@@ -23,8 +23,9 @@ RoundShare grasp_success_rate(std::span<const ClutterRound> rounds);
 /// Removed objects over those that were placed.
 RoundShare declutter_rate(std::span<const ClutterRound> rounds);
 
-/// The figures of a benchmark for people: rates, how attempts and rounds ended, success by
-/// occlusion and source of the grasp, planning time.
+/// The figures of a benchmark for people: rates, also of objects that are half or more hidden and
+/// of the others, how attempts and rounds ended, success by occlusion and source of the grasp,
+/// planning time.
 std::string format_clutter_report(std::span<const ClutterRound> rounds);
 
 /// One line per attempt with its features and outcome, the names of the columns first.

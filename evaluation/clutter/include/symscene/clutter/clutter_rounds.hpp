@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct ClutterRoundOptions {
   /// Proposals drawn at random that are tried and undone before each attempt: outcomes of grasps of
   /// any quality.
   int rehearsals = 0;
+  /// The best grasp of each object is tried and undone before each attempt: outcomes also of
+  /// objects that others hide, which an attempt with the best grasp of all seldom aims at.
+  bool rehearse_best = false;
   std::uint64_t seed = 0;
   GraspMethod method = GraspMethod::symscene;
   ClutterMethodOptions planning;
@@ -47,6 +51,19 @@ struct ClutterAttempt {
   double grasping_seconds = 0.0;
 };
 
+/// An object at the start of a round.
+struct PlacedObject {
+  std::size_t item = 0;
+  double occlusion = 0.0;
+  bool removed = false;
+};
+
+/// The best grasp of an object before an attempt, tried and undone.
+struct ObjectTrial {
+  double occlusion = 0.0;
+  std::optional<bool> succeeded = {};  ///< none without a grasp
+};
+
 /// Why a round ended.
 enum class RoundEnd { cleared, no_grasp, failures, diverged };
 
@@ -57,6 +74,8 @@ struct ClutterRound {
   int removed = 0;
   int left = 0;  ///< objects at the end; others fell off the table
   RoundEnd end = RoundEnd::cleared;
+  std::vector<PlacedObject> placed_objects;
+  std::vector<ObjectTrial> trials;        ///< with rehearse_best, of each object at each attempt
   std::vector<std::string> left_objects;  ///< their names
   std::vector<std::string> reasons;  ///< why objects have no grasp, where no grasp ended the round
   std::size_t outside = 0;  ///< grasps outside the grasp volume, where no grasp ended the round

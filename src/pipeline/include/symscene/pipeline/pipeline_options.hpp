@@ -31,6 +31,7 @@ struct PipelineOptions {
   bool rotational_stream = true;
   bool planes_of_surfaces = true;
   bool planes_of_curves = true;
+  bool complete_by_symmetry = true;
   NormalEstimationOptions normals;
   OutwardVoteOptions outward_vote;
   DistanceFieldOptions distance_field;
@@ -76,6 +77,9 @@ struct PipelineOptions {
           "detect reflection planes by fits to smooth segments (section 3.5.3)");
     visit("planes_of_curves", self.planes_of_curves, "", any_value(),
           "detect reflection planes by pairs of edge curves (section 3.4)");
+    visit("complete_by_symmetry", self.complete_by_symmetry, "", any_value(),
+          "infer the hidden side of an object from its symmetries (section 1.3); without this, its "
+          "closed surface ends at the visible hull of its observed points");
     visit("normals", self.normals);
     visit("outward_vote", self.outward_vote);
     visit("distance_field", self.distance_field);
