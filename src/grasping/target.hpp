@@ -16,7 +16,8 @@ struct PointBlock {
   Eigen::Index end = 0;
 };
 
-/// Points of a surface about 4 mm apart, each with the area that it stands for, in blocks.
+/// Points of a surface about 4 mm apart, each with the area that it stands for, in blocks. Every
+/// point of the surface has one within 4.5 mm; they lie up to 2 mm from it, as means of neighbours.
 struct SurfaceSamples {
   Points positions;  ///< N×3 [m]
   Points normals;    ///< N×3, outwards; of mere points zero
