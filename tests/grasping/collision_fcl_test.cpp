@@ -185,7 +185,7 @@ TEST(HandCollisionAgainstFcl, MeetsNeverSeenSpaceUpToTheSpacingOfTheHandsPoints)
     const HiddenCuboid hidden(random);
     const UnknownSpace unknown(hidden.grid, {}, {}, 0.0F);
     const std::vector<HandBox> boxes =
-        testing::swept_boxes(random_gripper(random, kinds[trial % 2]));
+        testing::swept_boxes(random_gripper(random, kinds[static_cast<std::size_t>(trial) % 2]));
     const Eigen::Matrix3Xf points = sample_boxes(boxes, spacing);
     for (int i = 0; i < 60; ++i) {
       Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
