@@ -29,8 +29,12 @@ void Gripper::validate() const {
   }
   require_option(palm_size.minCoeff() >= 0.0 && palm_size.maxCoeff() <= 1.0, "palm_size",
                  "three edges in [0, 1] m", palm_size.minCoeff());
-  require_option(T_wrist_tool.matrix().allFinite(), "T_wrist_tool", "finite numbers",
-                 T_wrist_tool.translation().norm());
+  require_option(T_wrist_tool.linear().allFinite(), "T_wrist_tool", "finite numbers",
+                 T_wrist_tool.linear().norm());
+  constexpr double farthest = 2.0;  // as two of the largest palm [m]
+  const double distance = T_wrist_tool.translation().norm();
+  require_option(distance <= farthest, "T_wrist_tool",
+                 "an origin within 2 m of the wrist (are the units metres?)", distance);
 }
 
 }  // namespace symscene

@@ -1,3 +1,4 @@
+#include "surface_checks.hpp"
 #include "symscene/core/neighbors.hpp"
 #include "symscene/core/solid.hpp"
 #include "symscene/grasping/planner.hpp"
@@ -6,6 +7,7 @@ namespace symscene {
 namespace {
 
 GraspObject grasp_object(const SegmentationResult& result, std::size_t i) {
+  if (i < result.surfaces.size()) require_moderate_size(result.surfaces[i], i);
   const SceneObject& object = result.objects[i];
   return {select(result.cloud, object.points),
           i < result.surfaces.size() ? result.surfaces[i] : ObjectSurface{},

@@ -7,6 +7,7 @@
 #include "core/parallel.hpp"
 #include "grasp_judge.hpp"
 #include "rejected_grasps.hpp"
+#include "surface_checks.hpp"
 
 namespace symscene {
 namespace {
@@ -110,6 +111,10 @@ ObjectPlan plan_object(const GraspSurroundings& around, std::size_t id, const Gr
   plan.summary.reason = reason_against(around, id);
   if (plan.summary.reason) return plan;
   const GraspTarget target = grasp_target(around.scene, id, around.objects);
+  if (!(target.solid.volume > 0.0)) {
+    plan.summary.reason = GraspRejection::no_surface;
+    return plan;
+  }
   plan.up = target.up;
   const GraspJudge judge(around, target, gripper, options);
   const double widest = gripper.max_opening - options.bounds.opening_clearance;
@@ -164,6 +169,8 @@ GraspPlan plan_grasps(const GraspScene& scene, const Gripper& gripper,
                       const GraspOptions& options) {
   gripper.validate();
   options.validate();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    require_moderate_size(scene.objects[i].surface, i);
   StageTimer timer;
   const GraspSurroundings around =
       timer.time("surroundings", [&] { return surroundings(scene, options); });

@@ -58,15 +58,27 @@ std::string naming_members(const std::string& text) {
   return result;
 }
 
-void require_members(const JsonCursor& root) {
-  const std::set<std::string> known = known_members();
-  for (const auto& [name, value] : root.members()) {
-    if (!known.contains(name)) value.fail("no member of this name");
+/// The known member that is `name` with its unit, in quotes; or that there is none.
+std::string expected_instead(const std::string& name) {
+  const std::map<std::string, std::string> members = members_by_field();
+  const auto with_unit = members.find(name);
+  return with_unit == members.end() ? "no member of this name"
+                                    : fmt::format("\"{}\", with its unit", with_unit->second);
+}
+
+void refuse_unknown(const JsonCursor& object, const std::set<std::string>& known) {
+  for (const auto& [name, value] : object.members()) {
+    if (!known.contains(name)) value.fail(expected_instead(name));
   }
+}
+
+void require_members(const JsonCursor& root) {
+  refuse_unknown(root, known_members());
   for (const char* name : required) root.at(name);
 }
 
 Eigen::Isometry3d pose_of(const JsonCursor& json) {
+  refuse_unknown(json, {"position_m", "orientation_xyzw"});
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = json.at("position_m").vector3();
   const std::vector<JsonCursor> items = json.at("orientation_xyzw").items(4);

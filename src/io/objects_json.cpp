@@ -155,6 +155,7 @@ ObjectClass parse_class(const JsonCursor& json) {
 SolidProperties parse_solid(const JsonCursor& json) {
   SolidProperties solid;
   solid.volume = json.at("volume").number();
+  if (solid.volume < 0.0) json.at("volume").fail("a volume of at least 0 m3");
   solid.centre_of_mass = json.at("centre_of_mass").vector3();
   solid.principal_axes = parse_axes(json.at("principal_axes"));
   solid.principal_moments = json.at("principal_moments").vector3();

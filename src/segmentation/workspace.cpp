@@ -17,6 +17,16 @@ using Warnings = std::vector<std::string>;
 /// Whether so many points of a cloud are left out that the result may suffer: more than 5 %.
 bool is_notable(Index left_out, Index all) { return 20 * std::size_t{left_out} > all; }
 
+/// Objects of a hundred points do not fit into fewer voxels than these, along the longest side.
+constexpr float fewest_voxels = 10.0F;
+
+void warn_of_tiny(const Points& positions, double voxel_size, Warnings& warnings) {
+  const float extent = bounding_box(positions).extent().maxCoeff();
+  if (extent >= fewest_voxels * static_cast<float>(voxel_size)) return;
+  warnings.push_back(
+      fmt::format("the cloud is only {:.2g} m large (are the units metres?)", extent));
+}
+
 PointCloud sample_cloud(const Scene& scene, const WorkspaceOptions& options, Warnings& warnings) {
   const PointCloud sampled = voxel_downsample(scene.cloud, options.voxel_size);
   if (sampled.empty()) {
@@ -30,6 +40,7 @@ PointCloud sample_cloud(const Scene& scene, const WorkspaceOptions& options, War
                      fmt::format("points less than {} m apart", options.stray_radius),
                      fmt::format("{} points far from each other", sampled.size()));
   }
+  warn_of_tiny(scene.cloud.positions, options.voxel_size, warnings);
   const Index stray = sampled.size() - cloud.size();
   if (is_notable(stray, sampled.size())) {
     warnings.push_back(

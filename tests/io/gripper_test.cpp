@@ -74,6 +74,18 @@ TEST(GripperFile, RefusesWhatItDoesNotKnowInOneSentence) {
            {replaced(smallest, "0.06", "0.06, \"min_opening_m\": 0.07"),
             "max_opening_m: expected more than min_opening_m, found"},
            {replaced(smallest, "0.05", "-0.05"), "hand.json: palm_size_m: expected"},
+           {replaced(smallest, "max_opening_m", "max_opening"),
+            "\"max_opening\": expected \"max_opening_m\", with its unit, found 0.06"},
+           {replaced(smallest, "0.06", "0.06, \"force_N\": 0"), "force_N: expected"},
+           {replaced(smallest, "0.06", "60"), "max_opening_m: expected"},
+           {replaced(smallest, "0.06",
+                     "0.06, \"T_wrist_tool\": {\"position_m\": [0, 0, 62],"
+                     "\"orientation_xyzw\": [0, 0, 0, 1]}"),
+            "T_wrist_tool: expected an origin within 2 m"},
+           {replaced(smallest, "0.06",
+                     "0.06, \"T_wrist_tool\": {\"position_m\": [0, 0, 0],"
+                     "\"orientation_xyzw\": [0, 0, 0, 1], \"frame\": \"wrist\"}"),
+            "expected no member of this name"},
            {replaced(smallest, "parallel", "three_finger"),
             "finger_spacing_m: expected at least finger_width_m, so"}}) {
     const std::string refusal = refusal_of(text);

@@ -32,12 +32,14 @@ struct GraspScene {
 };
 
 /// Grasps of every object, judged on its completed shape. Apart from the times, the result has the
-/// same bits for any number of threads. Throws InputError if the gripper or an option is invalid.
+/// same bits for any number of threads. Throws InputError if the gripper or an option is invalid,
+/// or a surface has more than 25 m².
 GraspPlan plan_grasps(const GraspScene& scene, const Gripper& gripper,
                       const GraspOptions& options = {});
 
 /// The scene of a result with its objects' points, closed surfaces and symmetries. `scene` is that
 /// from which the result was made; without one, or without occupancy, no space is never seen.
+/// Throws InputError if a surface has more than 25 m².
 GraspScene grasp_scene(const SegmentationResult& result, const Scene* scene = nullptr,
                        const GraspOptions& options = {});
 
