@@ -77,6 +77,17 @@ void require_members(const JsonCursor& root) {
   for (const char* name : required) root.at(name);
 }
 
+void read_numbers(const JsonCursor& root, Gripper& gripper) {
+  Gripper::visit_fields(
+      gripper, [&](const char* field, double& value, const char* unit, const Range&, const char*) {
+        if (const auto member = root.find(member_of(field, unit).c_str())) value = member->number();
+      });
+  if (root.find("finger_thickness_m") && !root.find("tip_thickness_m"))
+    gripper.tip_thickness = gripper.finger_thickness;
+}
+
+}  // namespace
+
 Eigen::Isometry3d pose_of(const JsonCursor& json) {
   refuse_unknown(json, {"position_m", "orientation_xyzw"});
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -89,17 +100,6 @@ Eigen::Isometry3d pose_of(const JsonCursor& json) {
   pose.linear() = orientation.normalized().toRotationMatrix();
   return pose;
 }
-
-void read_numbers(const JsonCursor& root, Gripper& gripper) {
-  Gripper::visit_fields(
-      gripper, [&](const char* field, double& value, const char* unit, const Range&, const char*) {
-        if (const auto member = root.find(member_of(field, unit).c_str())) value = member->number();
-      });
-  if (root.find("finger_thickness_m") && !root.find("tip_thickness_m"))
-    gripper.tip_thickness = gripper.finger_thickness;
-}
-
-}  // namespace
 
 Json pose_json(const Eigen::Isometry3d& pose, const char* what) {
   Eigen::Quaterniond q(pose.linear());

@@ -10,5 +10,7 @@ Json gripper_json(const Gripper& gripper, const char* what);
 
 /// {"position_m": [x, y, z], "orientation_xyzw": [x, y, z, w]}, w not negative.
 Json pose_json(const Eigen::Isometry3d& pose, const char* what);
+/// Reads it. Throws InputError unless the quaternion has unit length.
+Eigen::Isometry3d pose_of(const JsonCursor& json);
 
 }  // namespace symscene

@@ -42,4 +42,23 @@ inline RobotModel planar_arm() {
   return model;
 }
 
+/// Seven joints as of a human arm: three in the shoulder, one elbow, three in the wrist, with
+/// offsets, so that neither axes nor origins coincide everywhere. Its length is about 1 m.
+inline RobotModel seven_joint_arm() {
+  RobotModel model = single_link();
+  const auto at = [](double x, double y, double z) {
+    return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
+  };
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+  add_link(model, 0, at(0.0, 0.0, 0.3), z);
+  add_link(model, 1, at(0.05, 0.0, 0.0), y);
+  add_link(model, 2, at(0.0, 0.0, 0.35), z);
+  add_link(model, 3, at(0.06, 0.0, 0.0), y);
+  add_link(model, 4, at(-0.06, 0.0, 0.3), z);
+  add_link(model, 5, at(0.0, 0.02, 0.0), Eigen::Vector3d(0.1, 1.0, 0.0));
+  add_link(model, 6, at(0.08, 0.0, 0.1), z);
+  add_link(model, 7, at(0.0, 0.0, 0.1), z, JointKind::fixed);
+  return model;
+}
+
 }  // namespace symscene
