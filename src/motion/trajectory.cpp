@@ -27,12 +27,12 @@ void require_limits(const char* name, const Eigen::VectorXd& limits, Eigen::Inde
 
 }  // namespace
 
-Trajectory::Trajectory(JointPath path, std::vector<MotionPhase> phases)
+TimedPath::TimedPath(JointPath path, std::vector<MotionPhase> phases)
     : path_(std::move(path)), phases_(std::move(phases)) {
   if (!phases_.empty()) duration_ = phases_.back().time + phases_.back().duration;
 }
 
-JointState Trajectory::at(double time) const {
+JointState TimedPath::at(double time) const {
   if (time >= duration_) return at_end();
   const double t = std::max(time, 0.0);
   auto phase = std::upper_bound(phases_.begin(), phases_.end(), t,
@@ -47,7 +47,7 @@ JointState Trajectory::at(double time) const {
           phase->acceleration * first + speed * speed * segment.second_derivative(s)};
 }
 
-JointState Trajectory::at_end() const {
+JointState TimedPath::at_end() const {
   const Eigen::VectorXd& last = path_.last();
   JointState state{duration_, last, Eigen::VectorXd::Zero(last.size()),
                    Eigen::VectorXd::Zero(last.size())};
@@ -58,7 +58,7 @@ JointState Trajectory::at_end() const {
   return state;
 }
 
-Trajectory time_optimal_trajectory(const std::vector<Eigen::VectorXd>& waypoints,
+TimedPath time_optimal_trajectory(const std::vector<Eigen::VectorXd>& waypoints,
                                    const MotionLimits& limits, const TrajectoryOptions& options) {
   options.validate();
   JointPath path(waypoints, options.max_deviation);
@@ -68,7 +68,7 @@ Trajectory time_optimal_trajectory(const std::vector<Eigen::VectorXd>& waypoints
   return {std::move(path), std::move(phases)};
 }
 
-std::vector<JointState> sampled(const Trajectory& trajectory, double period) {
+std::vector<JointState> sampled(const TimedPath& trajectory, double period) {
   require_option(period > 0.0, "period", "a time above 0", period);
   std::vector<JointState> states{trajectory.at(0.0)};
   const double end = trajectory.duration();

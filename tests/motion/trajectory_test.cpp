@@ -23,7 +23,7 @@ Eigen::VectorXd vector(std::initializer_list<double> values) {
                                            static_cast<Eigen::Index>(values.size()));
 }
 
-Trajectory trajectory_of(const RandomPath& path, double max_deviation = 0.1) {
+TimedPath trajectory_of(const RandomPath& path, double max_deviation = 0.1) {
   TrajectoryOptions options;
   options.max_deviation = max_deviation;
   return time_optimal_trajectory(path.waypoints, path.limits, options);
@@ -90,7 +90,7 @@ TEST(Trajectory, RunsFromTheFirstWaypointAtRestToTheLast) {
 TEST(Trajectory, IsContinuousWithItsVelocityAsDerivative) {
   for (int seed = 0; seed < paths / 3; ++seed) {
     const RandomPath path = random_path(static_cast<std::uint64_t>(seed));
-    const Trajectory trajectory = trajectory_of(path);
+    const TimedPath trajectory = trajectory_of(path);
     const double step = 1e-4;
     for (double t = step; t + step < trajectory.duration(); t += 0.0037) {
       const JointState state = trajectory.at(t);
@@ -146,7 +146,7 @@ TEST(Trajectory, ScalesWithTheLimits) {
 TEST(Trajectory, IsWithinTwoPercentOfABoundByBruteForce) {
   for (int seed = 0; seed < paths / 5; ++seed) {
     const RandomPath path = random_path(static_cast<std::uint64_t>(seed), 5);
-    const Trajectory trajectory = trajectory_of(path);
+    const TimedPath trajectory = trajectory_of(path);
     if (trajectory.path().segments().empty()) continue;
     const double bound = testing::FastestBound(trajectory.path(), path.limits, 600).duration();
     EXPECT_LE(trajectory.duration(), 1.02 * bound) << seed;
@@ -156,7 +156,7 @@ TEST(Trajectory, IsWithinTwoPercentOfABoundByBruteForce) {
 
 TEST(Trajectory, OfOneLineAcceleratesKeepsTheSpeedAndBrakes) {
   const MotionLimits limits{vector({1.0, 5.0}), vector({2.0, 50.0})};
-  const Trajectory trajectory =
+  const TimedPath trajectory =
       time_optimal_trajectory({vector({0.0, 0.0}), vector({3.0, 1.0})}, limits);
   EXPECT_NEAR(trajectory.duration(), 3.0 / 1.0 + 1.0 / 2.0, 1e-12);
   EXPECT_NEAR(trajectory.at(0.5).velocity[0], 1.0, 1e-12);
@@ -165,7 +165,7 @@ TEST(Trajectory, OfOneLineAcceleratesKeepsTheSpeedAndBrakes) {
 
 TEST(Trajectory, StopsWhereThePathTurnsBack) {
   const MotionLimits limits{vector({1.0}), vector({1.0})};
-  const Trajectory trajectory =
+  const TimedPath trajectory =
       time_optimal_trajectory({vector({0.0}), vector({1.0}), vector({0.0})}, limits);
   EXPECT_NEAR(trajectory.duration(), 4.0, 1e-12);
   EXPECT_NEAR(trajectory.at(2.0).position[0], 1.0, 1e-12);
@@ -175,7 +175,7 @@ TEST(Trajectory, StopsWhereThePathTurnsBack) {
 TEST(Trajectory, OfAPathWithoutLengthTakesNoTime) {
   const MotionLimits limits{vector({1.0}), vector({1.0})};
   for (const std::size_t count : {1U, 2U, 5U}) {
-    const Trajectory trajectory =
+    const TimedPath trajectory =
         time_optimal_trajectory(std::vector<Eigen::VectorXd>(count, vector({0.3})), limits);
     EXPECT_EQ(trajectory.duration(), 0.0);
     ASSERT_EQ(sampled(trajectory, 0.01).size(), 1U);

@@ -50,9 +50,9 @@ struct MotionPhase {
 };
 
 /// A path with its times. It starts and ends at rest.
-class Trajectory {
+class TimedPath {
  public:
-  Trajectory(JointPath path, std::vector<MotionPhase> phases);
+  TimedPath(JointPath path, std::vector<MotionPhase> phases);
 
   double duration() const { return duration_; }
   /// The state at a time, which is clamped to [0, duration()]. Position and velocity are
@@ -78,13 +78,13 @@ class Trajectory {
 /// An arc is cut into steps of constant acceleration; the limits hold inside the steps too, by a
 /// bound on the curvature of each constraint.
 /// Throws InputError if limits are missing or not above 0, or waypoints are invalid (JointPath).
-Trajectory time_optimal_trajectory(const std::vector<Eigen::VectorXd>& waypoints,
+TimedPath time_optimal_trajectory(const std::vector<Eigen::VectorXd>& waypoints,
                                    const MotionLimits& limits,
                                    const TrajectoryOptions& options = {});
 
 /// States at multiples of `period`, and at the end: times increase strictly, the last velocity is
 /// zero. The last step is between half and one and a half periods long, unless the whole
 /// trajectory is shorter. [s]
-std::vector<JointState> sampled(const Trajectory& trajectory, double period);
+std::vector<JointState> sampled(const TimedPath& trajectory, double period);
 
 }  // namespace symscene

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "symscene/core/gripper.hpp"
+
+namespace symscene {
+
+/// The palm and the fingers of a gripper as boxes of its tool frame. [m]
+std::vector<Eigen::AlignedBox3d> gripper_boxes(const Gripper& gripper, double opening);
+
+}  // namespace symscene
