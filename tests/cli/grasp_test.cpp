@@ -1,4 +1,7 @@
 // `symscene grasp` from outside: scenes, results, grippers and what it refuses.
+#include <Eigen/Core>
+#include <sstream>
+
 #include "cli/small_scene.hpp"
 
 namespace symscene::testing {
@@ -8,6 +11,33 @@ class GraspCommand : public Command {
  protected:
   static nlohmann::json json_of(const std::string& name) {
     return nlohmann::json::parse(contents(file(name)));
+  }
+  static void copy(const std::string& from, const std::string& to) {
+    fs::copy(file(from), file(to), fs::copy_options::recursive);
+  }
+  /// A scene folder with the top and one side of a box of these edges on the table z = 0. [m]
+  static void write_box_scene(const std::string& name, double width, double height) {
+    constexpr double step = 0.004;
+    std::string points;
+    int count = 0;
+    for (double u = 0.0; u <= width; u += step) {
+      for (double v = 0.0; v <= std::max(width, height); v += step) {
+        if (v <= width) points += line(u, v, height) + "0 0 1\n";
+        if (v <= height) points += line(u, 0.0, v) + "0 -1 0\n";
+        count += (v <= width ? 1 : 0) + (v <= height ? 1 : 0);
+      }
+    }
+    std::string header = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) + "\n";
+    for (const char* property : {"x", "y", "z", "nx", "ny", "nz"})
+      header += std::string("property float ") + property + "\n";
+    fs::create_directories(file(name));
+    write(file(name) / "cloud.ply", header + "end_header\n" + points);
+    write(file(name) / "table_plane.txt", "0 0 1 0\n");
+  }
+
+ private:
+  static std::string line(double x, double y, double z) {
+    return std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + " ";
   }
 };
 
@@ -39,6 +69,44 @@ TEST_F(GraspCommand, WarnsThatAResultDoesNotTellWhatWasNeverSeen) {
   const Outcome outcome = run("grasp result -o grasps.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("never seen counts as free"), std::string::npos) << outcome.err;
+}
+
+TEST_F(GraspCommand, NamesAReasonForAnObjectThatIsTooLarge) {
+  write_box_scene("large", 0.2, 0.15);
+  for (const char* command : {"grasp", "cylinders"}) {
+    const Outcome outcome = run(std::string(command) + " large -o large.json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto json = json_of("large.json");
+    EXPECT_TRUE(json.at("grasps").empty());
+    ASSERT_EQ(json.at("objects").size(), 1);
+    EXPECT_EQ(json.at("objects").at(0).at("reason"),
+              std::string(command) == "grasp" ? "too_wide" : "no_axis");
+  }
+}
+
+TEST_F(GraspCommand, RefusesAResultInMillimetres) {
+  copy("result", "millimetres");
+  const fs::path surface = file("millimetres") / "objects" / "0.obj";
+  std::istringstream lines(contents(surface));
+  std::ostringstream scaled;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line.starts_with("v ") ? line.substr(2) : "");
+    Eigen::Vector3d vertex;
+    if (words >> vertex.x() >> vertex.y() >> vertex.z())
+      scaled << "v " << 1000.0 * vertex.transpose() << "\n";
+    else
+      scaled << line << "\n";
+  }
+  write(surface, scaled.str());
+  expect_refusal("grasp millimetres --scene scene -o new.json", 1, "are the units metres?");
+}
+
+TEST_F(GraspCommand, RefusesASolidOfNegativeVolume) {
+  copy("result", "negative");
+  auto json = json_of("negative/objects.json");
+  json["objects"][0]["solid"]["volume"] = -1.0;
+  write(file("negative") / "objects.json", json.dump());
+  expect_refusal("grasp negative --scene scene -o new.json", 1, "objects[0].solid.volume");
 }
 
 TEST_F(GraspCommand, TakesTheGripperOfAFile) {
