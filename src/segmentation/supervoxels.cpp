@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <tuple>
 
@@ -99,8 +100,11 @@ class SupervoxelGrower {
   std::vector<Index> grow(const PointIndices& starts,
                           const std::vector<SupervoxelCentre>& centres) const {
     using Step = std::tuple<float, Index, Index>;  // distance, label, point
+    using Offer = std::pair<float, Index>;         // distance, label
     std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
     std::vector<Index> labels(cloud_.size(), no_label);
+    // Of the steps to a point only the least is taken, so that later ones must be less.
+    std::vector<Offer> least(cloud_.size(), {std::numeric_limits<float>::max(), no_label});
     for (Index label = 0; label < starts.size(); ++label)
       steps.emplace(-1.0F, label, starts[label]);
     while (!steps.empty()) {
@@ -109,7 +113,11 @@ class SupervoxelGrower {
       if (labels[point] != no_label) continue;
       labels[point] = label;
       for (const Index j : neighbors_.of(point)) {
-        if (labels[j] == no_label) steps.emplace(squared_distance(j, centres[label]), label, j);
+        if (labels[j] != no_label) continue;
+        const Offer offer{squared_distance(j, centres[label]), label};
+        if (!(offer < least[j])) continue;
+        least[j] = offer;
+        steps.emplace(offer.first, label, j);
       }
     }
     return labels;
