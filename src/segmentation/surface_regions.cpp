@@ -14,6 +14,48 @@
 namespace symscene {
 namespace {
 
+/// The borders of one node, by the node on the other side, ascending.
+using NodeBorders = std::vector<std::pair<Index, RegionBorder>>;
+
+NodeBorders::iterator place_of(NodeBorders& borders, Index other) {
+  return std::lower_bound(
+      borders.begin(), borders.end(), other,
+      [](const NodeBorders::value_type& border, Index node) { return border.first < node; });
+}
+
+void add_border_to(NodeBorders& borders, Index other, const RegionBorder& border) {
+  const auto place = place_of(borders, other);
+  if (place != borders.end() && place->first == other) {
+    place->second += border;
+  } else {
+    borders.emplace(place, other, border);
+  }
+}
+
+void erase_border_to(NodeBorders& borders, Index other) {
+  const auto place = place_of(borders, other);
+  if (place != borders.end() && place->first == other) borders.erase(place);
+}
+
+/// The borders of the union of two nodes `a` and `b`, without the one between them.
+NodeBorders joined_borders(Index a, const NodeBorders& of_a, Index b, const NodeBorders& of_b) {
+  NodeBorders joined;
+  joined.reserve(of_a.size() + of_b.size());
+  auto next_a = of_a.begin(), next_b = of_b.begin();
+  while (next_a != of_a.end() || next_b != of_b.end()) {
+    const bool takes_a =
+        next_b == of_b.end() || (next_a != of_a.end() && next_a->first <= next_b->first);
+    const bool takes_b =
+        next_a == of_a.end() || (next_b != of_b.end() && next_b->first <= next_a->first);
+    std::pair<Index, RegionBorder> border = takes_a ? *next_a : *next_b;
+    if (takes_a && takes_b) border.second += next_b->second;
+    if (takes_a) ++next_a;
+    if (takes_b) ++next_b;
+    if (border.first != a && border.first != b) joined.push_back(border);
+  }
+  return joined;
+}
+
 /// Merges nodes two at a time; a merged node gets the next number. Fragments, such as the rounding
 /// of an edge, are not surfaces of their own and are merged first.
 class RegionJoiner {
@@ -25,8 +67,8 @@ class RegionJoiner {
         alive_(sizes_.size(), true) {}
 
   void add_border(Index a, Index b, const RegionBorder& border) {
-    borders_[a][b] += border;
-    borders_[b][a] += border;
+    add_border_to(borders_[a], b, border);
+    add_border_to(borders_[b], a, border);
   }
 
   /// Calls on_join(a, b, bend of the border between them) before each merge.
@@ -41,8 +83,7 @@ class RegionJoiner {
       const Candidate next = queue_.top();
       queue_.pop();
       if (!alive_[next.a] || !alive_[next.b]) continue;
-      const double bend = borders_[next.a].at(next.b).bend();
-      on_join(next.a, next.b, bend);
+      on_join(next.a, next.b, next.bend);
       join(next.a, next.b);
     }
   }
@@ -53,14 +94,16 @@ class RegionJoiner {
   struct Candidate {
     double cost;
     Index a, b;
+    double bend;  ///< of their border, which stays as it is until one of them is merged
     bool operator<(const Candidate& other) const {  // the cheapest is on top
-      return std::tuple(cost, a, b) > std::tuple(other.cost, other.a, other.b);
+      return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
     }
   };
 
   void push(Index a, Index b, const RegionBorder& border) {
     const bool fragment = std::min(sizes_[a], sizes_[b]) < fragment_;
-    queue_.push({border.bend() - (fragment ? 1.0 : 0.0), a, b});
+    const double bend = border.bend();
+    queue_.push({bend - (fragment ? 1.0 : 0.0), a, b, bend});
   }
 
   void join(Index a, Index b) {
@@ -68,26 +111,21 @@ class RegionJoiner {
     sizes_.push_back(sizes_[a] + sizes_[b]);
     alive_[a] = alive_[b] = false;
     alive_.push_back(true);
-    // The shorter list goes into the longer: fragments join surfaces with many borders.
-    if (borders_[a].size() < borders_[b].size()) std::swap(borders_[a], borders_[b]);
-    std::map<Index, RegionBorder> around = std::move(borders_[a]);
-    for (const auto& [other, border] : borders_[b]) around[other] += border;
-    around.erase(a);
-    around.erase(b);
+    NodeBorders around = joined_borders(a, borders_[a], b, borders_[b]);
     for (const auto& [other, border] : around) {
-      borders_[other].erase(a);
-      borders_[other].erase(b);
-      borders_[other][joined] = border;
+      erase_border_to(borders_[other], a);
+      erase_border_to(borders_[other], b);
+      borders_[other].emplace_back(joined, border);  // the greatest number so far
       push(other, joined, border);
     }
-    borders_[a].clear();
-    borders_[b].clear();
+    borders_[a] = {};
+    borders_[b] = {};
     borders_.push_back(std::move(around));
   }
 
   std::size_t fragment_;
   std::vector<std::size_t> sizes_;
-  std::vector<std::map<Index, RegionBorder>> borders_;
+  std::vector<NodeBorders> borders_;
   std::vector<bool> alive_;
   std::priority_queue<Candidate> queue_;
 };
@@ -164,38 +202,46 @@ SurfaceRegions::Tree SurfaceRegions::tree() const {
   return tree;
 }
 
-/// The regions that belong to a proposal, and how many of its points each holds.
-std::map<Index, std::size_t> SurfaceRegions::held_by(std::span<const Index> points) const {
-  std::map<Index, std::size_t> held;
-  for (const Index i : points) ++held[region_of_[i]];
-  std::erase_if(held, [&](const auto& entry) {
-    return static_cast<double>(entry.second) <
-           options_.min_region_share * static_cast<double>(regions_[entry.first].size());
-  });
+SurfaceRegions::Held SurfaceRegions::held_by(std::span<const Index> points) const {
+  std::vector<std::size_t> counts(regions_.size(), 0);
+  for (const Index i : points) ++counts[region_of_[i]];
+  Held held;
+  held.place.assign(regions_.size(), Held::none);
+  for (Index region = 0; region < regions_.size(); ++region) {
+    const auto size = static_cast<double>(regions_[region].size());
+    if (counts[region] == 0 ||
+        static_cast<double>(counts[region]) < options_.min_region_share * size)
+      continue;
+    held.place[region] = static_cast<Index>(held.regions.size());
+    held.regions.push_back(region);
+    held.counts.push_back(counts[region]);
+  }
   return held;
 }
 
 double SurfaceRegions::unity(std::span<const Index> points) const {
-  const std::map<Index, std::size_t> held = held_by(points);
-  DisjointSets sets(regions_.size());
-  std::size_t all = 0, largest = 0;
-  for (const auto& [region, count] : held) {
-    all += count;
+  const Held held = held_by(points);
+  DisjointSets sets(held.regions.size());
+  for (const Index region : held.regions) {
     for (const Index m : meetings_of_[region]) {
       const Meeting& meeting = meetings_[m];
-      if (held.contains(meeting.a) && held.contains(meeting.b)) sets.join(meeting.a, meeting.b);
+      if (held.contains(meeting.a) && held.contains(meeting.b))
+        sets.join(held.place[meeting.a], held.place[meeting.b]);
     }
   }
-  std::map<Index, std::size_t> sizes;
-  for (const auto& [region, count] : held)
-    largest = std::max(largest, sizes[sets.leader(region)] += count);
+  std::vector<std::size_t> sizes(held.regions.size(), 0);
+  std::size_t all = 0, largest = 0;
+  for (Index node = 0; node < held.regions.size(); ++node) {
+    all += held.counts[node];
+    largest = std::max(largest, sizes[sets.leader(node)] += held.counts[node]);
+  }
   return all > 0 ? static_cast<double>(largest) / static_cast<double>(all) : 1.0;
 }
 
 double SurfaceRegions::rim(std::span<const Index> points) const {
-  const std::map<Index, std::size_t> held = held_by(points);
+  const Held held = held_by(points);
   RegionBorder rim;
-  for (const auto& [region, count] : held) {
+  for (const Index region : held.regions) {
     for (const Index m : meetings_of_[region]) {
       const Meeting& meeting = meetings_[m];
       if (!held.contains(meeting.a == region ? meeting.b : meeting.a)) rim += meeting.border;
@@ -205,20 +251,13 @@ double SurfaceRegions::rim(std::span<const Index> points) const {
 }
 
 double SurfaceRegions::seam(std::span<const Index> points) const {
-  const std::map<Index, std::size_t> held = held_by(points);
-  std::vector<std::size_t> sizes;
-  std::map<Index, Index> node_of;
-  for (const auto& [region, count] : held) {
-    node_of[region] = static_cast<Index>(sizes.size());
-    sizes.push_back(count);
-  }
-  RegionJoiner joiner(std::move(sizes), static_cast<std::size_t>(options_.fragment));
-  for (const auto& [region, node] : node_of) {
+  Held held = held_by(points);
+  RegionJoiner joiner(std::move(held.counts), static_cast<std::size_t>(options_.fragment));
+  for (const Index region : held.regions) {
     for (const Index m : meetings_of_[region]) {
       const Meeting& meeting = meetings_[m];
-      const auto other = node_of.find(meeting.b);
-      if (meeting.a == region && other != node_of.end())
-        joiner.add_border(node, other->second, meeting.border);
+      if (meeting.a == region && held.contains(meeting.b))
+        joiner.add_border(held.place[region], held.place[meeting.b], meeting.border);
     }
   }
   const double least = options_.min_seam_share * static_cast<double>(points.size());

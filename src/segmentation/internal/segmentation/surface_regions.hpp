@@ -71,8 +71,19 @@ class SurfaceRegions {
     std::vector<double> joined_at, consumed_at;
   };
 
+  /// The regions that belong to a proposal, ascending, and how many of its points each holds.
+  struct Held {
+    static constexpr Index none = ~Index{0};
+
+    std::vector<Index> regions;
+    std::vector<std::size_t> counts;
+    std::vector<Index> place;  ///< one per region of the cloud, into `regions`, or none
+
+    bool contains(Index region) const { return place[region] != none; }
+  };
+
   Tree tree() const;
-  std::map<Index, std::size_t> held_by(std::span<const Index> points) const;
+  Held held_by(std::span<const Index> points) const;
   void erase_small(std::vector<PointIndices>& parts) const;
 
   SurfacePartsOptions options_;
