@@ -65,27 +65,47 @@ Eigen::Vector3d solve_step(const PointCloud& cloud, const std::vector<Correspond
 
 }  // namespace
 
-std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<const Index> sources,
-                                         const ReflectionPlane& plane,
-                                         const CorrespondenceOptions& options) {
-  const PointCloud& cloud = target.cloud;
+ReflectionMatcher::ReflectionMatcher(const IndexedCloud& target, std::span<const Index> sources,
+                                     const CorrespondenceOptions& options)
+    : target_(target),
+      sources_(sources),
+      options_(options),
+      last_(sources.size(), CellList::none) {}
+
+float ReflectionMatcher::reach(std::size_t k, const Eigen::Vector3f& reflected) const {
+  constexpr float rounding = 1.0F + 1e-5F;
+  const auto radius = static_cast<float>(options_.max_distance);
+  if (last_[k] == CellList::none) return radius;
+  return std::min(radius, rounding * (target_.cloud.position(last_[k]) - reflected).norm());
+}
+
+std::vector<Correspondence> ReflectionMatcher::match(const ReflectionPlane& plane) {
+  const PointCloud& cloud = target_.cloud;
   const PlaneReflector reflector(plane);
-  const MatchCosine match_cosine(options);
-  const auto radius = static_cast<float>(options.max_distance);
-  const auto min_plane_distance = static_cast<float>(options.min_plane_distance);
-  const auto min_cosine = static_cast<float>(std::cos(options.max_angle));
+  const MatchCosine match_cosine(options_);
+  const auto min_plane_distance = static_cast<float>(options_.min_plane_distance);
+  const auto min_cosine = static_cast<float>(std::cos(options_.max_angle));
   std::vector<Correspondence> correspondences;
-  correspondences.reserve(sources.size());
-  for (const Index from : sources) {
+  correspondences.reserve(sources_.size());
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    const Index from = sources_[k];
     const Eigen::Vector3f p = cloud.position(from);
     if (std::abs(reflector.signed_distance(p)) < min_plane_distance) continue;
-    const auto [to, squared_distance] = target.cells.nearest(reflector.point(p), radius);
+    const Eigen::Vector3f reflected = reflector.point(p);
+    const auto [to, squared_distance] = target_.cells.nearest(reflected, reach(k, reflected));
     if (to == CellList::none) continue;
+    last_[k] = to;
     const float cosine =
         match_cosine(reflector.direction(cloud.normal(from)).dot(cloud.normal(to)));
     if (cosine >= min_cosine) correspondences.push_back({from, to, squared_distance, cosine});
   }
   return correspondences;
+}
+
+std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<const Index> sources,
+                                         const ReflectionPlane& plane,
+                                         const CorrespondenceOptions& options) {
+  return ReflectionMatcher(target, sources, options).match(plane);
 }
 
 std::vector<Correspondence> one_to_one(const std::vector<Correspondence>& correspondences) {
@@ -115,11 +135,11 @@ PlaneFit fit_plane(const IndexedCloud& target, std::span<const Index> sources,
   const auto as_plane = [&] {
     return ReflectionPlane{reference + plane.offset * plane.normal, plane.normal};
   };
+  ReflectionMatcher matcher(target, sources, options.matching);
   PlaneFit fit;
   fit.status = FitStatus::iteration_limit;
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
-    const std::vector<Correspondence> matches =
-        one_to_one(reflect_onto(target, sources, as_plane(), options.matching));
+    const std::vector<Correspondence> matches = one_to_one(matcher.match(as_plane()));
     fit.correspondences = matches.size();
     if (matches.size() < min_correspondences) {
       fit.status = FitStatus::too_few_points;

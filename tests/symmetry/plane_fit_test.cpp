@@ -59,6 +59,33 @@ TEST(Correspondences, OfASymmetricCloudPairEveryPointAwayFromThePlane) {
   }
 }
 
+TEST(Correspondences, DoNotDependOnThePlanesThatWereMatchedBefore) {
+  const PointCloud box = testing::box({0.1, 0.16, 0.06});
+  for (const std::uint32_t seed : testing::seeds) {
+    std::mt19937 generator(seed);
+    const PointCloud cloud = moved(box, testing::random_motion(generator));
+    const CellList cells(cloud.positions, 0.01F);
+    const std::vector<Index> sources = all_of(cloud);
+    const CorrespondenceOptions options;
+    ReflectionMatcher matcher({cloud, cells}, sources, options);
+    ReflectionPlane plane{centroid(cloud.positions), testing::random_direction(generator)};
+    for (int step = 0; step < 6; ++step) {
+      // Small steps, as those of a fit, then one to anywhere.
+      plane.point += 0.002 * plane.normal;
+      if (step == 4) plane.normal = testing::random_direction(generator);
+      const std::vector<Correspondence> matches = matcher.match(plane);
+      const std::vector<Correspondence> alone =
+          reflect_onto({cloud, cells}, sources, plane, options);
+      ASSERT_EQ(matches.size(), alone.size());
+      for (std::size_t k = 0; k < matches.size(); ++k) {
+        EXPECT_EQ(matches[k].from, alone[k].from);
+        EXPECT_EQ(matches[k].to, alone[k].to);
+        EXPECT_EQ(matches[k].squared_distance, alone[k].squared_distance);
+      }
+    }
+  }
+}
+
 TEST(Correspondences, OneToOneUseNoMatchTwiceAndKeepTheNearest) {
   const std::vector<Correspondence> one =
       one_to_one({{0, 7, 4.0F, 0.0F}, {1, 7, 1.0F, 0.0F}, {2, 8, 9.0F, 0.0F}});

@@ -25,6 +25,28 @@ struct Correspondence {
   float cosine;            ///< of the angle between their normals, folded where walls are thin
 };
 
+/// Finds the correspondences of the same points under several planes. Where the planes differ
+/// little, as in the rounds of a fit, the last correspondence of a point bounds how far away the
+/// next one is. That saves most of the search and does not change its result.
+class ReflectionMatcher {
+ public:
+  /// `sources` are indices into `target.cloud`; both are referred to.
+  ReflectionMatcher(const IndexedCloud& target, std::span<const Index> sources,
+                    const CorrespondenceOptions& options);
+
+  /// As reflect_onto().
+  std::vector<Correspondence> match(const ReflectionPlane& plane);
+
+ private:
+  /// How far the correspondence of the k-th source may be from its reflection. [m]
+  float reach(std::size_t k, const Eigen::Vector3f& reflected) const;
+
+  IndexedCloud target_;
+  std::span<const Index> sources_;
+  CorrespondenceOptions options_;
+  std::vector<Index> last_;  ///< per source the last nearest point
+};
+
 /// For every point of `sources` (indices into `target.cloud`) whose reflection lies near a point of
 /// the target: the nearest such point. Several sources may share one.
 std::vector<Correspondence> reflect_onto(const IndexedCloud& target, std::span<const Index> sources,
