@@ -1,5 +1,7 @@
 #include "point_field.hpp"
 
+#include <array>
+#include <cstdint>
 #include <limits>
 
 namespace symscene {
@@ -31,59 +33,92 @@ class Propagation {
   /// Nodes within `exact` [m²] of their point, and inactive ones, stay as they are.
   Propagation(const NodeGrid& grid, const SurfacePoints& points, float exact,
               NearestPoints& nearest)
-      : grid_(grid), points_(points), exact_(exact), nearest_(nearest) {}
+      : grid_(grid),
+        points_(points),
+        exact_(exact),
+        nearest_(nearest),
+        changed_(static_cast<std::size_t>(grid.size.y()) * static_cast<std::size_t>(grid.size.z()),
+                 0) {}
 
-  /// Repeats sweeps until nothing changes: a path of active nodes may turn many times.
+  /// Repeats sweeps up and down until nothing changes: a path of active nodes may turn many times.
   void run() {
     for (int round = 0; round < grid_.size.sum(); ++round) {
-      if (!sweep()) return;
+      has_changed_ = false;
+      sweep(-1);
+      sweep(1);
+      if (!has_changed_) return;
     }
   }
 
  private:
-  /// Up, then down; whether a node changed.
-  bool sweep() {
-    has_changed_ = false;
-    for (int z = 0; z < grid_.size.z(); ++z) sweep_slice(z, -1);
-    for (int z = grid_.size.z() - 1; z >= 0; --z) sweep_slice(z, 1);
-    return has_changed_;
-  }
-
-  /// Takes over the candidates of the neighbours on one side, in the order in which they are known.
-  void sweep_slice(int z, int side) {
+  /// Through all rows, each after those on one side of it.
+  void sweep(int side) {
+    ++sweep_;
     const Eigen::Vector3i& size = grid_.size;
-    for (int row = 0; row < size.y(); ++row) {
-      const int y = side < 0 ? row : size.y() - 1 - row;
-      for (int column = 0; column < size.x(); ++column) {
-        const int x = side < 0 ? column : size.x() - 1 - column;
-        improve({x, y, z}, side);
+    for (int slice = 0; slice < size.z(); ++slice) {
+      const int z = side < 0 ? slice : size.z() - 1 - slice;
+      for (int row = 0; row < size.y(); ++row) {
+        const int y = side < 0 ? row : size.y() - 1 - row;
+        if (may_change(y, z, side)) sweep_row(y, z, side);
       }
     }
   }
 
-  void improve(const Eigen::Vector3i& at, int side) {
-    const std::size_t node = grid_.at(at.x(), at.y(), at.z());
-    if (nearest_.squared_distance[node] <= exact_) return;
-    const Eigen::Vector3f position = grid_.position(at.x(), at.y(), at.z());
-    for (int axis = 0; axis < 3; ++axis) {
-      const int next = at[axis] + side;
-      if (next < 0 || next >= grid_.size[axis]) continue;
-      const std::size_t neighbour =
-          side < 0 ? node - grid_.stride(axis) : node + grid_.stride(axis);
-      const Index candidate = nearest_.point[neighbour];
-      if (candidate == NearestPoints::none || candidate == nearest_.point[node]) continue;
-      const float squared = (position - points_.positions[candidate]).squaredNorm();
-      if (squared >= nearest_.squared_distance[node]) continue;
-      nearest_.squared_distance[node] = squared;
-      nearest_.point[node] = candidate;
-      has_changed_ = true;
+  std::size_t row_at(int y, int z) const {
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(grid_.size.y()) +
+           static_cast<std::size_t>(y);
+  }
+
+  /// Whether the row or one beside it has changed since it was swept from this side.
+  bool may_change(int y, int z, int side) const {
+    if (sweep_ <= 2) return true;
+    const auto is_new = [&](int row_y, int row_z) {
+      return row_y >= 0 && row_y < grid_.size.y() && row_z >= 0 && row_z < grid_.size.z() &&
+             changed_[row_at(row_y, row_z)] + 1 >= sweep_;
+    };
+    return is_new(y, z) || is_new(y + side, z) || is_new(y, z + side);
+  }
+
+  /// Takes over the candidates of the neighbours on one side, in the order in which they are known.
+  void sweep_row(int y, int z, int side) {
+    const int length = grid_.size.x();
+    const std::size_t first = grid_.at(0, y, z);
+    const std::array<bool, 3> within{true, y + side >= 0 && y + side < grid_.size.y(),
+                                     z + side >= 0 && z + side < grid_.size.z()};
+    for (int column = 0; column < length; ++column) {
+      const int x = side < 0 ? column : length - 1 - column;
+      const std::size_t node = first + static_cast<std::size_t>(x);
+      if (nearest_.squared_distance[node] <= exact_) continue;
+      const Eigen::Vector3f position = grid_.position(x, y, z);
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool has_neighbour =
+            axis == 0 ? x + side >= 0 && x + side < length : within[static_cast<std::size_t>(axis)];
+        if (!has_neighbour) continue;
+        const std::size_t stride = grid_.stride(axis);
+        if (improve(node, side < 0 ? node - stride : node + stride, position))
+          changed_[row_at(y, z)] = sweep_;
+      }
     }
+  }
+
+  /// Takes over the point of a neighbour if it is nearer; whether it is.
+  bool improve(std::size_t node, std::size_t neighbour, const Eigen::Vector3f& position) {
+    const Index candidate = nearest_.point[neighbour];
+    if (candidate == NearestPoints::none || candidate == nearest_.point[node]) return false;
+    const float squared = (position - points_.positions[candidate]).squaredNorm();
+    if (squared >= nearest_.squared_distance[node]) return false;
+    nearest_.squared_distance[node] = squared;
+    nearest_.point[node] = candidate;
+    has_changed_ = true;
+    return true;
   }
 
   const NodeGrid& grid_;
   const SurfacePoints& points_;
   float exact_;
   NearestPoints& nearest_;
+  std::vector<std::uint32_t> changed_;  ///< per row, the last sweep that changed a node
+  std::uint32_t sweep_ = 0;             ///< counted from 1
   bool has_changed_ = false;
 };
 
