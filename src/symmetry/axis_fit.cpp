@@ -43,28 +43,60 @@ struct NormalEquations {
   double cost = 0.0;
 };
 
-/// The angular residual of one point (sine of the angle of Fig. 3.4): r = n · u with u the unit
-/// normal of the plane through axis and point.
-struct Residual {
-  double sine;
-  double across_length;
-  Eigen::Vector3d across;  ///< unit
+constexpr std::size_t lanes = 16;
+using Lanes = Eigen::Array<double, static_cast<int>(lanes), 1>;
+
+/// A vector for each point of a block.
+struct VectorLanes {
+  Lanes x, y, z;
+
+  void set(std::size_t k, const Eigen::Vector3d& vector) {
+    const auto lane = static_cast<Eigen::Index>(k);
+    x[lane] = vector.x();
+    y[lane] = vector.y();
+    z[lane] = vector.z();
+  }
 };
 
-Residual residual(const RotationAxis& axis, const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
-  const Eigen::Vector3d across = axis.direction.cross(p - axis.point);
-  const double length = across.norm();
-  if (length < 1e-9) return {0.0, 0.0, Eigen::Vector3d::Zero()};
-  const Eigen::Vector3d unit = across / length;
-  return {n.dot(unit), length, unit};
+VectorLanes cross(const VectorLanes& a, const VectorLanes& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Lanes dot(const VectorLanes& a, const VectorLanes& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+VectorLanes repeated(const Eigen::Vector3d& vector) {
+  return {Lanes::Constant(vector.x()), Lanes::Constant(vector.y()), Lanes::Constant(vector.z())};
+}
+
+/// Consecutive points, whose residuals are computed at once.
+struct PointBlock {
+  VectorLanes positions, normals;
+  std::size_t count = 0;
+};
+
+std::vector<PointBlock> blocks_of(const FitPoints& points) {
+  std::vector<PointBlock> blocks((points.positions.size() + lanes - 1) / lanes);
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    PointBlock& block = blocks[i / lanes];
+    block.positions.set(i % lanes, points.positions[i]);
+    block.normals.set(i % lanes, points.normals[i]);
+    block.count = i % lanes + 1;
+  }
+  // The rest of the last block is not used; its values are any finite ones.
+  if (!blocks.empty()) {
+    for (std::size_t k = blocks.back().count; k < lanes; ++k) {
+      blocks.back().positions.set(k, Eigen::Vector3d::Zero());
+      blocks.back().normals.set(k, Eigen::Vector3d::Zero());
+    }
+  }
+  return blocks;
 }
 
 /// Geman-McClure: ρ = r²/(r² + σ²) and its weight ρ'/2r.
 struct RobustLoss {
   double squared_scale;
-  double cost(double r) const { return r * r / (r * r + squared_scale); }
-  double weight(double r) const {
-    const double sum = r * r + squared_scale;
+  Lanes cost(const Lanes& r) const { return r * r / (r * r + squared_scale); }
+  Lanes weight(const Lanes& r) const {
+    const Lanes sum = r * r + squared_scale;
     return squared_scale / (sum * sum);
   }
 };
@@ -72,7 +104,8 @@ struct RobustLoss {
 class AxisProblem {
  public:
   AxisProblem(const FitPoints& points, const AxisFitOptions& options)
-      : points_(points),
+      : blocks_(blocks_of(points)),
+        size_(static_cast<double>(points.positions.size())),
         loss_{std::pow(std::sin(options.residual_scale), 2)},
         squared_noise_(options.position_noise * options.position_noise) {}
 
@@ -80,31 +113,49 @@ class AxisProblem {
   NormalEquations normal_equations(const RotationAxis& axis,
                                    const Eigen::Matrix<double, 3, 2>& basis) const {
     NormalEquations equations;
-    for (std::size_t i = 0; i < points_.positions.size(); ++i) {
-      const Residual r = residual(axis, points_.positions[i], points_.normals[i]);
-      if (r.across_length == 0.0) continue;
-      // dr = g · (δd × q − d × δc) = δd · (q × g) − δc · (g × d)
-      const Eigen::Vector3d q = points_.positions[i] - axis.point;
-      const Eigen::Vector3d g = (points_.normals[i] - r.sine * r.across) / r.across_length;
-      Eigen::Vector4d jacobian;
-      jacobian << basis.transpose() * q.cross(g), -basis.transpose() * g.cross(axis.direction);
-      const double weight = proximity_weight(r) * loss_.weight(r.sine);
-      equations.add(jacobian, weight, r.sine);
-      equations.cost += proximity_weight(r) * loss_.cost(r.sine);
-    }
-    equations.cost /= static_cast<double>(points_.positions.size());
+    for (const PointBlock& block : blocks_) add(block, axis, basis, equations);
+    equations.cost /= size_;
     return equations;
   }
 
  private:
+  /// Adds the points of a block, in order, except those on the axis. The residual of a point is the
+  /// sine of the angle of Fig. 3.4: r = n · u with u the unit normal of the plane through axis and
+  /// point.
+  void add(const PointBlock& block, const RotationAxis& axis,
+           const Eigen::Matrix<double, 3, 2>& basis, NormalEquations& equations) const {
+    const VectorLanes direction = repeated(axis.direction), point = repeated(axis.point);
+    const VectorLanes first = repeated(basis.col(0)), second = repeated(basis.col(1));
+    const VectorLanes &p = block.positions, &n = block.normals;
+    const VectorLanes q{p.x - point.x, p.y - point.y, p.z - point.z};
+    const VectorLanes across = cross(direction, q);
+    const Lanes length = dot(across, across).sqrt();
+    const VectorLanes u{across.x / length, across.y / length, across.z / length};
+    const Lanes sine = dot(n, u);
+    // dr = g · (δd × q − d × δc) = δd · (q × g) − δc · (g × d)
+    const VectorLanes g{(n.x - sine * u.x) / length, (n.y - sine * u.y) / length,
+                        (n.z - sine * u.z) / length};
+    const VectorLanes turn = cross(q, g), shift = cross(g, direction);
+    const Lanes a = dot(first, turn), b = dot(second, turn);
+    const Lanes c = -dot(first, shift), d = -dot(second, shift);
+    const Lanes proximity = proximity_weight(length);
+    const Lanes weight = proximity * loss_.weight(sine), cost = proximity * loss_.cost(sine);
+    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(block.count); ++k) {
+      if (length[k] < 1e-9) continue;
+      equations.add({a[k], b[k], c[k], d[k]}, weight[k], sine[k]);
+      equations.cost += cost[k];
+    }
+  }
+
   /// Noise in a position turns the plane of a point near the axis, so that its angle has less
   /// weight.
-  double proximity_weight(const Residual& r) const {
-    const double squared = r.across_length * r.across_length;
+  Lanes proximity_weight(const Lanes& length) const {
+    const Lanes squared = length * length;
     return squared / (squared + 4.0 * squared_noise_);
   }
 
-  const FitPoints& points_;
+  std::vector<PointBlock> blocks_;
+  double size_;
   RobustLoss loss_;
   double squared_noise_;
 };
