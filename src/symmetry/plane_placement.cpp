@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
+#include "core/dispatch.hpp"
 #include "core/median.hpp"
 #include "core/without_repeats.hpp"
 
@@ -41,6 +43,27 @@ std::vector<Eigen::Vector3d> upright_normals(const Eigen::Matrix3d& axes, const 
   return normals;
 }
 
+/// A point and those before it, with what the votes of their pairs depend on.
+struct PairVotes {
+  const float *squared_distance, *cosine, *heights, *facing;  ///< of the points before it
+  float height, twice_facing;                                 ///< of the point
+  float squared_radius, min_gap, min_cosine;
+  std::size_t count;
+};
+
+/// Sets votes[j] to 1 for the points that a plane could swap with the point, to 0 for others.
+SYMSCENE_MULTIVERSION
+void find_partners(const PairVotes& pairs, std::int32_t* votes) {
+  const PairVotes p = pairs;
+  for (std::size_t j = 0; j < p.count; ++j) {
+    const float gap = p.height - p.heights[j];
+    const bool apart = std::abs(gap) >= p.min_gap;
+    const bool near = p.squared_distance[j] - gap * gap <= p.squared_radius;
+    const bool facing_alike = p.cosine[j] - p.twice_facing * p.facing[j] > p.min_cosine;
+    votes[j] = (apart & near & facing_alike) ? 1 : 0;
+  }
+}
+
 /// The offset of a plane of known normal: pairs of points that such a plane could swap vote for it.
 class OffsetVotes {
  public:
@@ -67,10 +90,14 @@ class OffsetVotes {
     const Eigen::Vector3f n = plane_normal.cast<float>();
     const Eigen::VectorXf heights = points_.positions * n;
     const Eigen::VectorXf facing = points_.normals * n;
-    std::vector<int> votes(points_.size());
+    std::vector<std::int32_t> votes(points_.size());
     std::vector<float> offsets;
     for (Index i = 1; i < points_.size(); ++i) {
-      find_partners(i, heights, facing, votes);
+      const std::size_t first = std::size_t{i} * (i - 1) / 2;
+      find_partners({squared_distances_.data() + first, cosines_.data() + first, heights.data(),
+                     facing.data(), heights[i], 2.0F * facing[i], radius_ * radius_, min_gap_,
+                     min_cosine_, i},
+                    votes.data());
       for (Index j = 0; j < i; ++j) {
         if (votes[j] != 0) offsets.push_back(0.5F * (heights[i] + heights[j]));
       }
@@ -79,24 +106,6 @@ class OffsetVotes {
   }
 
  private:
-  /// Sets votes[j] for j < i. Without branches, so that the compiler vectorises it.
-  void find_partners(Index i, const Eigen::VectorXf& heights, const Eigen::VectorXf& facing,
-                     std::vector<int>& votes) const {
-    const std::size_t first = std::size_t{i} * (i - 1) / 2;
-    const float* squared_distance = squared_distances_.data() + first;
-    const float* cosine = cosines_.data() + first;
-    const float squared_radius = radius_ * radius_;
-    const float height = heights[i], twice_facing = 2.0F * facing[i];
-    const float min_gap = min_gap_, min_cosine = min_cosine_;
-    for (Index j = 0; j < i; ++j) {
-      const float gap = height - heights[j];
-      const int apart = std::abs(gap) >= min_gap ? 1 : 0;
-      const int near = squared_distance[j] - gap * gap <= squared_radius ? 1 : 0;
-      const int facing_alike = cosine[j] - twice_facing * facing[j] > min_cosine ? 1 : 0;
-      votes[j] = apart & near & facing_alike;
-    }
-  }
-
   /// Subsampled points have fewer partners, so that the radius grows with their spacing.
   static float reach(const PointCloud& all, const PointCloud& subsampled, double radius) {
     const double thinning = static_cast<double>(all.size()) / subsampled.size();
