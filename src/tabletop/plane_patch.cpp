@@ -39,15 +39,17 @@ ConvexOutline::ConvexOutline(std::vector<Eigen::Vector2d> points) {
   const std::vector<Eigen::Vector2d> upper = half_hull(points.rbegin(), points.rend());
   corners_.insert(corners_.end(), upper.begin(), upper.end());
   if (corners_.size() < 3) corners_.clear();
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Eigen::Vector2d edge = corners_[(i + 1) % corners_.size()] - corners_[i];
+    sides_.push_back({corners_[i], edge, edge.norm()});
+  }
 }
 
 double ConvexOutline::distance(const Eigen::Vector2d& point) const {
   if (corners_.empty()) return std::numeric_limits<double>::infinity();
   double farthest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    const Eigen::Vector2d edge = corners_[(i + 1) % corners_.size()] - corners_[i];
-    farthest = std::max(farthest, cross(point - corners_[i], edge) / edge.norm());
-  }
+  for (const Side& side : sides_)
+    farthest = std::max(farthest, cross(point - side.corner, side.edge) / side.length);
   return farthest;
 }
 

@@ -38,7 +38,14 @@ class ConvexOutline {
   double distance(const Eigen::Vector2d& point) const;
 
  private:
+  /// From a corner to the next one.
+  struct Side {
+    Eigen::Vector2d corner, edge;
+    double length;  ///< [m]
+  };
+
   std::vector<Eigen::Vector2d> corners_;
+  std::vector<Side> sides_;  ///< one per corner
 };
 
 /// The outline with these corners, given in the space around the plane.
