@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/dispatch.hpp"
+#include "core/parallel.hpp"
 #include "core/random.hpp"
 
 namespace symscene {
@@ -105,8 +106,13 @@ class PlaneSearch {
       Plane plane;
       plane.normal = sample_.normal(i).cast<double>().normalized();
       plane.offset = -plane.normal.dot(sample_.position(i).cast<double>());
-      tried.push_back({plane, count(plane, options_.coarse_factor * options_.inlier_distance)});
+      tried.push_back({plane, 0});
     }
+    constexpr std::size_t block = 32;
+    parallel_for_blocks(tried.size(), block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        tried[k].inliers = count(tried[k].plane, options_.coarse_factor * options_.inlier_distance);
+    });
     std::stable_sort(tried.begin(), tried.end(),
                      [](const Counted& a, const Counted& b) { return a.inliers > b.inliers; });
     tried.resize(std::min(tried.size(), refined_hypotheses));

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "core/parallel.hpp"
 #include "plane_patch.hpp"
 #include "plane_search.hpp"
 #include "symscene/core/error.hpp"
@@ -132,6 +134,16 @@ SupportPlane described(const PointCloud& cloud, const Plane& plane, PointIndices
   return support;
 }
 
+/// A plane of the search fitted to the points of its patch. `some` are those that it starts from.
+SupportPlane patch_plane(const PointCloud& cloud, const PointIndices& usable,
+                         const PointIndices& some, const Plane& start,
+                         const SupportPlaneOptions& options) {
+  const PlaneFit fit = fitted(cloud, some, start, options);
+  PointIndices patch = patch_of(cloud, usable, fit.plane, options.inlier_distance, options);
+  const Plane whole = refined(cloud, patch, fit);
+  return described(cloud, whole, std::move(patch), options);
+}
+
 /// The planes of the cloud. Two results of the search may be refined to the same plane; the second
 /// is dropped.
 std::vector<SupportPlane> distinct_planes(const PointCloud& cloud, const PointIndices& usable,
@@ -142,11 +154,12 @@ std::vector<SupportPlane> distinct_planes(const PointCloud& cloud, const PointIn
   for (const Index k : evenly_spread(static_cast<Index>(usable.size()), points_for_fit)) {
     some.push_back(usable[k]);
   }
-  for (const Plane& start : dominant_planes(cloud, usable, options)) {
-    const PlaneFit fit = fitted(cloud, some, start, options);
-    PointIndices patch = patch_of(cloud, usable, fit.plane, options.inlier_distance, options);
-    const Plane whole = refined(cloud, patch, fit);
-    SupportPlane plane = described(cloud, whole, std::move(patch), options);
+  const std::vector<Plane> starts = dominant_planes(cloud, usable, options);
+  std::vector<SupportPlane> found(starts.size());
+  parallel_for_each(starts.size(), [&](std::size_t k) {
+    found[k] = patch_plane(cloud, usable, some, starts[k], options);
+  });
+  for (SupportPlane& plane : found) {
     const auto known = std::count_if(plane.inliers.begin(), plane.inliers.end(),
                                      [&](Index i) { return taken[i]; });
     if (2 * static_cast<std::size_t>(known) > plane.inliers.size()) continue;
@@ -275,6 +288,21 @@ SupportPlane as_support(const PlaneContext& context, const Plane& plane) {
   return support;
 }
 
+/// Those of the planes that may be tables as tables, one entry per plane.
+std::vector<std::optional<SupportPlane>> supports_among(const std::vector<SupportPlane>& planes,
+                                                        const PlaneContext& context) {
+  std::vector<std::optional<SupportPlane>> supports(planes.size());
+  parallel_for_each(planes.size(), [&](std::size_t k) {
+    const double factor = direction_factor(planes[k], context.options, context.known);
+    if (factor == 0.0) return;
+    SupportPlane support = as_support(context, planes[k].plane);
+    support.score *= factor;
+    support.is_tilted = factor < 1.0;
+    if (support.beneath <= context.options.max_beneath) supports[k] = std::move(support);
+  });
+  return supports;
+}
+
 }  // namespace
 
 void SupportPlaneOptions::validate() const {
@@ -290,20 +318,13 @@ SupportPlanes find_support_planes(const PointCloud& cloud, const SupportPlaneOpt
   const std::vector<SupportPlane> planes = distinct_planes(cloud, context.usable, options);
   context.walls = points_of_walls(cloud, planes, options.wall_area);
   SupportPlanes result;
-  for (const SupportPlane& plane : planes) {
-    const double factor = direction_factor(plane, options, known);
-    if (factor == 0.0) {
-      result.others.push_back(plane);
-      continue;
+  std::vector<std::optional<SupportPlane>> supports = supports_among(planes, context);
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    if (supports[k]) {
+      result.supports.push_back(std::move(*supports[k]));
+    } else {
+      result.others.push_back(planes[k]);
     }
-    SupportPlane support = as_support(context, plane.plane);
-    support.score *= factor;
-    support.is_tilted = factor < 1.0;
-    if (support.beneath > options.max_beneath) {
-      result.others.push_back(plane);
-      continue;
-    }
-    result.supports.push_back(std::move(support));
   }
   std::stable_sort(result.supports.begin(), result.supports.end(),
                    [](const SupportPlane& a, const SupportPlane& b) { return a.score > b.score; });
