@@ -162,12 +162,19 @@ std::pair<Index, float> CellList::nearest(const Eigen::Vector3f& query, float ra
   const int own_z = std::clamp(static_cast<int>(at.z()), low.z(), high.z());
   visit_row({own_y, own_z, low.x(), high.x()}, query, best);
   const float squared_inverse = inverse_cell_size_ * inverse_cell_size_;
+  const auto length = static_cast<std::size_t>(cells_.x());
+  const std::size_t first = static_cast<std::size_t>(low.x());
+  const std::size_t end = static_cast<std::size_t>(high.x()) + 1;
   for (int z = low.z(); z <= high.z(); ++z) {
     const float dz = distance_to_cell(at.z(), z);
-    for (int y = low.y(); y <= high.y(); ++y) {
+    // What lies farther than the nearest point so far cannot change the result.
+    if (dz * dz > best.second * squared_inverse) continue;
+    const Index* row = cell_begin_.data() + row_begin(low.y(), z);
+    for (int y = low.y(); y <= high.y(); ++y, row += length) {
+      // Most rows are empty, as the points lie on a surface.
+      if (row[first] == row[end] || (y == own_y && z == own_z)) continue;
       const float dy = distance_to_cell(at.y(), y);
-      // What lies farther than the nearest point so far cannot change the result.
-      if (dy * dy + dz * dz > best.second * squared_inverse || (y == own_y && z == own_z)) continue;
+      if (dy * dy + dz * dz > best.second * squared_inverse) continue;
       visit_row({y, z, low.x(), high.x()}, query, best);
     }
   }
