@@ -154,9 +154,11 @@ struct Reconstruct {
     const Eigen::Isometry3d pose = given_pose(sequence, 0).value_or(Eigen::Isometry3d::Identity());
     const PlacedFrames placed{{{frame.time, pose}}, {0}};
     const ViewScene view = naming(path, [&] {
-      return view_scene({frame, sequence.camera(), pose},
-                        table_arguments.known(prior_of(placed.trajectory)),
-                        {options.view, options.reconstruction.occupancy, options.scene});
+      return even_if_plane_misses(
+          table_arguments.known(prior_of(placed.trajectory)), [&](const TablePrior& known) {
+            return view_scene({frame, sequence.camera(), pose}, known,
+                              {options.view, options.reconstruction.occupancy, options.scene});
+          });
     });
     for (const StageTime& time : view.stages) timer.add(time.stage, time.seconds);
     const TriangleMesh surface = timer.time(

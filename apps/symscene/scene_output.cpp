@@ -68,26 +68,6 @@ PosesAndTruth poses_and_truth(const DepthSequence& sequence, const PlacedFrames&
   return known;
 }
 
-namespace {
-
-/// The scene of a reconstruction. If no point is on the given plane, all points are taken, with a
-/// warning.
-BuiltScene scene_of(const PointCloud& points, const OccupancyVolume& occupancy, TablePrior known,
-                    const SceneBuildingOptions& options) {
-  try {
-    return build_scene(points, occupancy, known, options);
-  } catch (const InputError& error) {
-    if (!known.plane) throw;
-    known.plane.reset();
-    known.absent = true;
-    BuiltScene built = build_scene(points, occupancy, known, options);
-    built.scene.warnings.push_back(fmt::format("{}; all that is seen is taken", error.what()));
-    return built;
-  }
-}
-
-}  // namespace
-
 std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstruction,
                                              const SurfaceExtractionOptions& extraction,
                                              const SceneSource& source, Session& session,
@@ -96,9 +76,11 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
       timer.time("extract surface", [&] { return reconstruction.surface(extraction); });
   BuiltScene built = timer.time("find table", [&] {
     return naming(input, [&] {
-      return scene_of({surface.vertices, surface.normals, surface.colors},
-                      reconstruction.occupancy(), table.known(prior_of(source.placed.trajectory)),
-                      building);
+      return even_if_plane_misses(
+          table.known(prior_of(source.placed.trajectory)), [&](const TablePrior& known) {
+            return build_scene({surface.vertices, surface.normals, surface.colors},
+                               reconstruction.occupancy(), known, building);
+          });
     });
   });
   for (std::string& warning : reconstruction.warnings())

@@ -64,19 +64,21 @@ void SegmentSource::require_no_camera(const char* kind) const {
 
 /// Whether the cloud of a scene folder may hold its table still: one that symscene wrote does not.
 bool SegmentSource::may_hold_table() const {
-  return !table.is_told() && !fs::exists(path / "table_plane.txt") &&
-         !fs::exists(path / "scene.json");
+  return !table.none && !fs::exists(path / "table_plane.txt") && !fs::exists(path / "scene.json");
 }
 
 /// Takes the table, if one with objects on it is found, from the cloud of a scene folder. The
-/// occupancy stays.
+/// occupancy stays. Where no point is on the plane of --plane, the cloud is that of the objects.
 void SegmentSource::crop_table(Scene& scene, const SegmentOptions& options,
                                Session& session) const {
   const fs::path file = path / (fs::exists(path / "cloud.ply") ? "cloud.ply" : "cloud.pcd");
   BuiltScene built = naming(file, [&] {
-    return cloud_scene(scene.cloud, read_sensor_cloud(file).viewpoint, table.known({}),
-                       {options.cloud_normals, options.view.scene});
+    return even_if_plane_misses(table.known({}), [&](const TablePrior& known) {
+      return cloud_scene(scene.cloud, read_sensor_cloud(file).viewpoint, known,
+                         {options.cloud_normals, options.view.scene});
+    });
   });
+  if (!built.scene.table && !table.plane.empty()) return;
   if (!built.scene.table || built.scene.cloud.empty()) {
     scene.warnings.push_back(
         fmt::format("{} is missing, and no table with objects on it is found in the cloud",
@@ -96,6 +98,9 @@ SegmentInput SegmentSource::read_folder(const SegmentOptions& options, Session& 
   require_no_camera("a scene");
   if (table.any_up && input.scene.table)
     throw InputError("--any-up", "a table to search", "a scene with table_plane.txt");
+  if (table.any_up && !table.none && !is_searched)
+    throw InputError("--any-up", "a cloud that may hold its table",
+                     "a scene of objects without a table");
   if (is_searched && !input.scene.cloud.empty()) crop_table(input.scene, options, session);
   if (const std::optional<Plane> plane = table.table()) input.scene.table = plane;
   if (table.none) input.scene.table.reset();

@@ -247,6 +247,12 @@ TEST_F(ReconstructCommand, OneFrameGivesTheSameObjectsThroughAScene) {
     return nlohmann::json::parse(contents(file(result) / "objects.json")).at("objects").size();
   };
   EXPECT_EQ(count("direct"), count("through"));
+  // A plane that nothing is near does not cost the scene.
+  const Outcome aside = run("reconstruct one -o one_aside --plane 0,1,0,50");
+  ASSERT_EQ(aside.code, 0) << aside.err;
+  EXPECT_NE(aside.err.find("--plane: expected a plane with points on it"), std::string::npos)
+      << aside.err;
+  EXPECT_GT(fs::file_size(file("one_aside") / "cloud.ply"), 10000U);
 }
 
 TEST_F(ReconstructCommand, AWrongDepthScaleIsNoticed) {

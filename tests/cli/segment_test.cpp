@@ -99,11 +99,17 @@ TEST_F(Command, TakesTheTableFromTheCloudOfAFolderWithoutTablePlane) {
   const nlohmann::json found = objects_without_times("cropped");
   EXPECT_TRUE(found.contains("table"));
   EXPECT_EQ(found.at("objects").size(), 2U);
+  // A given plane is the table of the cloud too.
+  const std::string table = found.at("table").dump();
+  const Outcome given = run("segment fused -o given --plane=" + table.substr(1, table.size() - 2));
+  ASSERT_EQ(given.code, 0) << given.err;
+  EXPECT_EQ(objects_without_times("given").at("objects").size(), 2U);
   // A folder that symscene wrote has no table in its cloud, or was made with --no-table.
   write(file("fused") / "scene.json", "{\"version\": 1}\n");
   const Outcome written = run("segment fused -o written");
   EXPECT_NE(written.err.find("table_plane.txt is missing"), std::string::npos) << written.err;
   EXPECT_FALSE(objects_without_times("written").contains("table"));
+  expect_refusal("segment fused -o new --any-up", 1, "a scene of objects without a table");
 }
 
 TEST_F(Command, WritesASelfContainedPage) {
