@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -39,21 +40,46 @@ struct GraspCommand {
 
   bool input_is_result() const { return fs::exists(source.path / "objects.json"); }
 
+  GraspScene graspable(const SegmentationResult& result, const Scene* around) const {
+    return naming(source.path, [&] { return grasp_scene(result, around, options); });
+  }
+
+  void warn_without_occupancy(const fs::path& path, Session& session) const {
+    session.warn(
+        fmt::format("{}: no occupancy, so that space which was never seen counts as free for the "
+                    "gripper",
+                    path.string()));
+  }
+
+  /// Those of earlier versions have none.
+  void warn_without_surfaces(const SegmentationResult& result, Session& session) const {
+    const bool has_one =
+        std::any_of(result.surfaces.begin(), result.surfaces.end(),
+                    [](const ObjectSurface& s) { return s.mesh.triangles.rows() > 0; });
+    if (result.objects.empty() || has_one) return;
+    session.warn(fmt::format(
+        "{}: its objects have no closed surfaces, which grasps need; symscene segment writes them",
+        source.path.string()));
+  }
+
   /// The objects of a result, with the free space of its scene if that is given.
   SegmentedInput of_result(StageTimer& timer, Session& session) const {
     return timer.time("read", [&] {
       SegmentedInput input;
       input.result = read_result(source.path);
       if (!page.empty()) input.around = read_result_surroundings(source.path);
+      warn_without_surfaces(input.result, session);
       if (scene.empty()) {
         session.warn(
             fmt::format("{}: a result holds no occupancy, so that space which was never "
                         "seen counts as free; --scene names its scene",
                         source.path.string()));
-        input.scene = grasp_scene(input.result, nullptr, options);
+        input.scene = graspable(input.result, nullptr);
       } else {
         const Scene around = read_scene(scene);
-        input.scene = grasp_scene(input.result, &around, options);
+        session.warn(around.warnings);
+        if (!around.occupancy) warn_without_occupancy(scene, session);
+        input.scene = graspable(input.result, &around);
       }
       return input;
     });
@@ -69,13 +95,9 @@ struct GraspCommand {
       return naming(source.path, [&] { return segment_scene(read.scene); });
     });
     session.warn(std::span(input.result.warnings).subspan(read.scene.warnings.size()));
-    if (!read.scene.occupancy && !read.scene.cloud.empty()) {
-      session.warn(
-          fmt::format("{}: no occupancy, so that space which was never seen counts as free for the "
-                      "gripper",
-                      source.path.string()));
-    }
-    input.scene = grasp_scene(input.result, &read.scene, options);
+    if (!read.scene.occupancy && !read.scene.cloud.empty())
+      warn_without_occupancy(source.path, session);
+    input.scene = graspable(input.result, &read.scene);
     if (!page.empty()) {
       input.around = {surface_around(read.surface, input.result, source.path, session),
                       std::move(read.trajectory)};

@@ -184,7 +184,7 @@ class OcclusionClass {
   }
   Counts placed(const ClutterRound& round) const {
     Counts counts;
-    for (const PlacedObject& object : round.placed_objects) {
+    for (const PlacedItem& object : round.placed_objects) {
       if (holds(object.occlusion)) counts.add(counts_of(object.removed));
     }
     return counts;

@@ -165,7 +165,7 @@ void note_placed(const ClutterWorld& world, int views, ClutterRound& result) {
 void note_removed(const GraspOutcome& outcome, ClutterRound& result) {
   if (outcome.end != GraspEnd::success) return;
   ++result.removed;
-  for (PlacedObject& object : result.placed_objects) {
+  for (PlacedItem& object : result.placed_objects) {
     if (outcome.body == object.item) object.removed = true;
   }
 }

@@ -71,6 +71,15 @@ TEST_F(GraspCommand, WarnsThatAResultDoesNotTellWhatWasNeverSeen) {
   EXPECT_NE(outcome.err.find("never seen counts as free"), std::string::npos) << outcome.err;
 }
 
+TEST_F(GraspCommand, WarnsThatASceneDoesNotTellWhatWasNeverSeen) {
+  copy("scene", "unmapped");
+  fs::remove(file("unmapped") / "occupancy.bt");
+  const Outcome outcome = run("grasp result --scene unmapped -o grasps.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("unmapped: no occupancy"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("never seen counts as free"), std::string::npos) << outcome.err;
+}
+
 TEST_F(GraspCommand, NamesAReasonForAnObjectThatIsTooLarge) {
   write_box_scene("large", 0.2, 0.15);
   for (const char* command : {"grasp", "cylinders"}) {
@@ -82,6 +91,26 @@ TEST_F(GraspCommand, NamesAReasonForAnObjectThatIsTooLarge) {
     EXPECT_EQ(json.at("objects").at(0).at("reason"),
               std::string(command) == "grasp" ? "too_wide" : "no_axis");
   }
+}
+
+TEST_F(GraspCommand, TakesAResultOfAnEarlierVersion) {
+  copy("result", "earlier");
+  auto json = json_of("earlier/objects.json");
+  json["version"] = 1;
+  for (auto& object : json["objects"]) {
+    for (const char* member : {"class", "surface", "solid"}) object.erase(member);
+    for (const char* kind : {"rotational", "reflectional"}) {
+      for (auto& symmetry : object[kind]) symmetry["score"] = symmetry["residual"];
+    }
+  }
+  write(file("earlier") / "objects.json", json.dump());
+  for (std::size_t id = 0; id < json["objects"].size(); ++id)
+    fs::remove(file("earlier") / "objects" / (std::to_string(id) + ".obj"));
+  const Outcome outcome = run("grasp earlier -o grasps.json --page grasps.html");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("no closed surfaces"), std::string::npos) << outcome.err;
+  for (const auto& object : json_of("grasps.json").at("objects"))
+    EXPECT_EQ(object.at("reason"), "no_surface");
 }
 
 TEST_F(GraspCommand, RefusesAResultInMillimetres) {

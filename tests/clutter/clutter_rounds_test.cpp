@@ -117,7 +117,7 @@ TEST_F(ClutterRoundTest, TheBestGraspOfEachObjectIsTriedAndUndone) {
   for (const ObjectTrial& trial : round.trials) EXPECT_EQ(trial.succeeded, true);
   EXPECT_EQ(round.rehearsals.size(), round.trials.size());
   EXPECT_NE(round.rehearsals[0].grasp.object, round.rehearsals[1].grasp.object);
-  for (const PlacedObject& object : round.placed_objects) EXPECT_TRUE(object.removed);
+  for (const PlacedItem& object : round.placed_objects) EXPECT_TRUE(object.removed);
 }
 
 TEST_F(ClutterRoundTest, AntipodalGraspsHaveTheirContactsOnOppositeSides) {

@@ -7,7 +7,7 @@
 #include "small_arm.hpp"
 #include "symscene/core/error.hpp"
 
-#ifdef SYMSCENE_WITH_FCL
+#ifdef SYMSCENE_HAS_FCL
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/narrowphase/distance.h>
 #endif
@@ -57,7 +57,7 @@ TEST(CapsuleDistance, IsThatOfTheNearestPoints) {
   }
 }
 
-#ifdef SYMSCENE_WITH_FCL
+#ifdef SYMSCENE_HAS_FCL
 TEST(CapsuleDistance, EqualsThatOfFcl) {
   const auto fcl_object = [](const Capsule& capsule) {
     const Eigen::Vector3d along = capsule.end - capsule.begin;

@@ -52,7 +52,7 @@ struct ClutterAttempt {
 };
 
 /// An object at the start of a round.
-struct PlacedObject {
+struct PlacedItem {
   std::size_t item = 0;
   double occlusion = 0.0;
   bool removed = false;
@@ -74,7 +74,7 @@ struct ClutterRound {
   int removed = 0;
   int left = 0;  ///< objects at the end; others fell off the table
   RoundEnd end = RoundEnd::cleared;
-  std::vector<PlacedObject> placed_objects;
+  std::vector<PlacedItem> placed_objects;
   std::vector<ObjectTrial> trials;        ///< with rehearse_best, of each object at each attempt
   std::vector<std::string> left_objects;  ///< their names
   std::vector<std::string> reasons;  ///< why objects have no grasp, where no grasp ended the round
