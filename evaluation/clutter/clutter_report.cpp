@@ -9,53 +9,14 @@
 
 #include <fmt/format.h>
 
-#include "core/random.hpp"
-
 namespace symscene {
 namespace {
 
-struct Counts {
-  std::size_t part = 0;
-  std::size_t whole = 0;
-
-  double share() const {
-    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
-  }
-  void add(const Counts& other) {
-    part += other.part;
-    whole += other.whole;
-  }
-};
+using Counts = ShareCounts;
 
 Counts counts_of(bool part) { return {part ? std::size_t{1} : 0, 1}; }
 
-/// Of at least one value.
-double quantile_of(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(
-      std::lround(share * static_cast<double>(values.size() - 1)))];
-}
-
 bool succeeded(const ClutterAttempt& attempt) { return attempt.outcome.end == GraspEnd::success; }
-
-RoundShare with_interval(const std::vector<Counts>& rounds) {
-  constexpr int resamples = 2000;
-  Counts all;
-  for (const Counts& round : rounds) all.add(round);
-  RoundShare share{all.share(), 0.0, 0.0, all.part, all.whole};
-  if (all.whole == 0) return share;
-  Random random(1);
-  std::vector<double> shares;
-  for (int k = 0; k < resamples; ++k) {
-    Counts drawn;
-    for (std::size_t i = 0; i < rounds.size(); ++i)
-      drawn.add(rounds[random.below(static_cast<std::uint32_t>(rounds.size()))]);
-    if (drawn.whole > 0) shares.push_back(drawn.share());
-  }
-  share.low = quantile_of(shares, 0.025);
-  share.high = quantile_of(shares, 0.975);
-  return share;
-}
 
 std::vector<const ClutterAttempt*> all_attempts(std::span<const ClutterRound> rounds) {
   std::vector<const ClutterAttempt*> attempts;
@@ -216,7 +177,7 @@ void append_occlusion_classes(std::string& text, std::span<const ClutterRound> r
                             Counts (OcclusionClass::*count)(const ClutterRound&) const) {
       std::vector<Counts> counts;
       for (const ClutterRound& round : rounds) counts.push_back((hidden.*count)(round));
-      const RoundShare share = with_interval(counts);
+      const RoundShare share = share_with_interval(counts);
       if (share.whole > 0) append_share(text, what, share);
     };
     text += fmt::format("objects {}\n", hidden.name());
@@ -235,7 +196,7 @@ RoundShare grasp_success_rate(std::span<const ClutterRound> rounds) {
     const auto part = std::count_if(round.attempts.begin(), round.attempts.end(), succeeded);
     counts.push_back({static_cast<std::size_t>(part), round.attempts.size()});
   }
-  return with_interval(counts);
+  return share_with_interval(counts);
 }
 
 RoundShare declutter_rate(std::span<const ClutterRound> rounds) {
@@ -243,7 +204,7 @@ RoundShare declutter_rate(std::span<const ClutterRound> rounds) {
   for (const ClutterRound& round : rounds)
     counts.push_back(
         {static_cast<std::size_t>(round.removed), static_cast<std::size_t>(round.placed)});
-  return with_interval(counts);
+  return share_with_interval(counts);
 }
 
 std::string format_clutter_report(std::span<const ClutterRound> rounds) {

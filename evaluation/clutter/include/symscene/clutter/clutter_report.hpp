@@ -5,18 +5,9 @@
 #include <vector>
 
 #include "symscene/clutter/clutter_rounds.hpp"
+#include "symscene/clutter/round_share.hpp"
 
 namespace symscene {
-
-/// A share with its 95 % interval by resampling whole rounds, as attempts of one round depend on
-/// each other.
-struct RoundShare {
-  double value = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-  std::size_t part = 0;
-  std::size_t whole = 0;
-};
 
 /// Successful grasps over attempts.
 RoundShare grasp_success_rate(std::span<const ClutterRound> rounds);

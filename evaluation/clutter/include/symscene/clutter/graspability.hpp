@@ -1,0 +1,22 @@
+#pragma once
+
+#include "symscene/core/geometry.hpp"
+#include "symscene/core/gripper.hpp"
+#include "symscene/core/triangle_mesh.hpp"
+
+namespace symscene {
+
+/// Whether an object has two opposite places that a hand can close on, which is necessary for a
+/// grasp and not sufficient: whether there is a way to them is not asked.
+struct Graspability {
+  bool at_all = false;      ///< in some pose
+  bool as_it_lies = false;  ///< and the fingertips have room above the table
+};
+
+/// Draws lines from points of a closed surface along their inward normals. A line is a grasp if it
+/// leaves the solid again between `min_width` and the gripper's opening from its start, at a normal
+/// within the friction angle of the gripper. `mesh` and `table` in one frame. [m]
+Graspability graspability(const TriangleMesh& mesh, const Plane& table, const Gripper& gripper,
+                          double min_width = 0.001);
+
+}  // namespace symscene
