@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "closing_lines.hpp"
+#include "near_line.hpp"
 
 namespace symscene {
 namespace {
@@ -10,21 +11,31 @@ namespace {
 constexpr float ray_radius = 0.004F;    // somewhat more than the spacing of samples [m]
 constexpr float least_width = 0.0015F;  // between opposite points [m]
 
+Eigen::ArrayXf squared_distances(const Points& points, const Eigen::Vector3f& from) {
+  return (points.col(0).array() - from.x()).square() +
+         ((points.col(1).array() - from.y()).square() +
+          (points.col(2).array() - from.z()).square());
+}
+
+/// The first of the greatest values. Eigen's search for the index does not use vector instructions.
+Eigen::Index first_greatest(const Eigen::ArrayXf& values) {
+  const float greatest = values.maxCoeff();
+  return std::find(values.begin(), values.end(), greatest) - values.begin();
+}
+
 /// `count` samples that are far apart: each is the farthest from those before it (Gonzalez 1985).
 std::vector<Eigen::Index> spread_samples(const GraspTarget& target, std::size_t count) {
   const Points& points = target.samples.positions;
   std::vector<Eigen::Index> chosen;
   if (points.rows() == 0) return chosen;
-  const Eigen::RowVector3f start = target.solid.centre_of_mass.cast<float>().transpose();
-  Eigen::ArrayXf distance = (points.rowwise() - start).rowwise().squaredNorm();
-  Eigen::Index next = 0;
-  distance.maxCoeff(&next);
-  distance.setConstant(std::numeric_limits<float>::infinity());
+  Eigen::Index next =
+      first_greatest(squared_distances(points, target.solid.centre_of_mass.cast<float>()));
+  Eigen::ArrayXf distance =
+      Eigen::ArrayXf::Constant(points.rows(), std::numeric_limits<float>::infinity());
   while (chosen.size() < std::min(count, static_cast<std::size_t>(points.rows()))) {
     chosen.push_back(next);
-    const Eigen::RowVector3f point = points.row(next);
-    distance = distance.min((points.rowwise() - point).rowwise().squaredNorm().array());
-    distance.maxCoeff(&next);
+    distance = distance.min(squared_distances(points, points.row(next).transpose()));
+    next = first_greatest(distance);
   }
   return chosen;
 }
@@ -39,20 +50,11 @@ Exits exits_behind(const SurfaceSamples& samples, Eigen::Index start) {
   const Eigen::Vector3f origin = samples.positions.row(start).transpose();
   const Eigen::Vector3f inwards = -samples.normals.row(start).transpose();
   Exits exits;
-  const auto add = [&](Eigen::Index i) {
-    const Eigen::Vector3f offset = samples.positions.row(i).transpose() - origin;
-    const float along = offset.dot(inwards);
-    if (along < least_width || (offset - along * inwards).squaredNorm() > ray_radius * ray_radius)
-      return;
-    if (samples.normals.row(i).dot(inwards) < 0.5F) return;
+  for_each_near_line(samples, origin, inwards, ray_radius, [&](Eigen::Index i, float along) {
+    if (along < least_width || samples.normals.row(i).dot(inwards) < 0.5F) return;
     exits.first = std::min(exits.first, along);
     exits.last = std::max(exits.last, along);
-  };
-  for (const PointBlock& block : samples.blocks) {
-    const Eigen::Vector3f offset = block.centre - origin;
-    if ((offset - offset.dot(inwards) * inwards).norm() > block.radius + ray_radius) continue;
-    for (Eigen::Index i = block.begin; i < block.end; ++i) add(i);
-  }
+  });
   return exits;
 }
 

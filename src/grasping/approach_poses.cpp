@@ -5,6 +5,7 @@
 
 #include "hand_collision.hpp"
 #include "hand_shape.hpp"
+#include "tool_pose.hpp"
 
 namespace symscene {
 namespace {
@@ -12,20 +13,11 @@ namespace {
 constexpr double least_difference =
     0.005;  // between the overhangs of a shallow and a deep grasp [m]
 
-/// The direction across the line from which the angles of approach count: straight down, or for an
-/// upright line away from the camera.
-Eigen::Vector3d first_approach(const GraspTarget& target, const Eigen::Vector3d& y) {
-  for (const Eigen::Vector3d& preferred : {target.up, target.seen_from}) {
-    const Eigen::Vector3d across = preferred - preferred.dot(y) * y;
-    if (across.norm() > 0.2) return -across.normalized();
-  }
-  return orthonormal_complement(y).col(0);
-}
-
 std::vector<Eigen::Vector3d> approach_directions(const GraspTarget& target, const ClosingLine& line,
                                                  const GraspCandidateOptions& options) {
   std::vector<Eigen::Vector3d> directions;
-  const Eigen::Vector3d first = first_approach(target, line.direction);
+  // Straight down, or to an upright line away from the camera.
+  const Eigen::Vector3d first = direction_across(line.direction, {-target.up, -target.seen_from});
   const int steps = static_cast<int>(std::floor(std::numbers::pi / options.approach_step + 1e-9));
   for (int k = -steps; k <= steps; ++k) {
     const Eigen::Vector3d z = Eigen::AngleAxisd(k * options.approach_step, line.direction) * first;
@@ -36,10 +28,7 @@ std::vector<Eigen::Vector3d> approach_directions(const GraspTarget& target, cons
 
 Eigen::Isometry3d pose_at(const ClosingLine& line, const Eigen::Vector3d& z, double tip_overhang,
                           const Gripper& gripper) {
-  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
-  T_world_tool.linear() << line.direction.cross(z), line.direction, z;
-  T_world_tool.translation() = line.centre - (gripper.finger_depth - tip_overhang) * z;
-  return T_world_tool;
+  return tool_pose(line.centre - (gripper.finger_depth - tip_overhang) * z, line.direction, z);
 }
 
 GraspSource source_of(const ClosingLine& line, const Eigen::Vector3d& z) {
@@ -55,8 +44,7 @@ void append_poses(const GraspTarget& target, const ClosingLine& line, const Grip
   const HandShape shape = hand_shape(gripper, gripper.max_opening, 0.0);
   const auto height = [&](const Eigen::Isometry3d& pose) {
     if (!table) return std::numeric_limits<double>::infinity();
-    return std::min(height_over(*table, pose, shape.fingers),
-                    height_over(*table, pose, shape.palm));
+    return height_over(*table, pose, shape.boxes);
   };
   for (const Eigen::Vector3d& z : approach_directions(target, line, made)) {
     const double descent = std::max(-z.dot(target.up), 1e-9);

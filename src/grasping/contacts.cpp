@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "tool_points.hpp"
+
 namespace symscene {
 namespace {
 
@@ -14,16 +16,31 @@ struct Between {
   Eigen::Index index;
 };
 
+/// Appends those of the samples from `begin` to `end` that lie between the fingers.
+void append_between(const SurfaceSamples& samples, Eigen::Index begin, Eigen::Index end,
+                    const Eigen::Isometry3f& T_tool_world, const HandBox& space,
+                    std::vector<Between>& between) {
+  for (; begin < end; begin += ToolPoints::capacity) {
+    const ToolPoints points(samples.positions, begin, end, T_tool_world);
+    const ToolPoints::Values distances = points.distance_from_faces(space);
+    for (Eigen::Index i = 0; i < points.size(); ++i) {
+      if (distances[i] <= 0.0F) between.push_back({points[i], begin + i});
+    }
+  }
+}
+
 std::vector<Between> samples_between(const SurfaceSamples& samples,
                                      const Eigen::Isometry3f& T_tool_world, const HandBox& space) {
+  const PointBlocks& blocks = samples.blocks;
   std::vector<Between> between;
-  for (const PointBlock& block : samples.blocks) {
-    if (space.distance(T_tool_world * block.centre) > block.radius) continue;
-    for (Eigen::Index i = block.begin; i < block.end; ++i) {
-      const Eigen::Vector3f p =
-          T_tool_world * Eigen::Vector3f(samples.positions.row(i).transpose());
-      if (((p - space.centre).cwiseAbs().array() <= space.half.array()).all())
-        between.push_back({p, i});
+  between.reserve(512);
+  for (Eigen::Index begin = 0; begin < blocks.size(); begin += ToolPoints::capacity) {
+    const ToolPoints centres(blocks.centres, begin, blocks.size(), T_tool_world);
+    const ToolPoints::Values distances = centres.distance_from_faces(space);
+    for (Eigen::Index i = 0; i < centres.size(); ++i) {
+      const Eigen::Index block = begin + i;
+      if (distances[i] > blocks.radii[block]) continue;
+      append_between(samples, blocks.begin(block), blocks.end(block), T_tool_world, space, between);
     }
   }
   return between;
@@ -57,9 +74,9 @@ class TouchedArea {
 
   void add(const Eigen::Vector3f& position, const Eigen::Vector3f& normal_world, float sample_area,
            bool observed) {
-    const Eigen::Vector3f normal = R_tool_world_ * normal_world;
-    const float facing = side_ * normal.y();
+    const float facing = side_ * R_tool_world_.row(1).dot(normal_world);
     if (facing <= 0.0F) return;
+    const Eigen::Vector3f normal = R_tool_world_ * normal_world;
     const float weight = sample_area * facing;
     area_ += weight;
     normals_ += weight * normal;
@@ -99,10 +116,11 @@ std::optional<PadContact> pad_contact(const SurfaceSamples& samples,
                                       TouchedArea touched, float give) {
   float foremost = -std::numeric_limits<float>::infinity();
   for (const Between& sample : between) {
-    if (pad.faces(sample.position)) foremost = std::max(foremost, pad.side * sample.position.y());
+    const float y = pad.side * sample.position.y();
+    if (y > foremost && pad.faces(sample.position)) foremost = y;
   }
   for (const auto& [position, i] : between) {
-    if (!pad.faces(position) || pad.side * position.y() < foremost - give) continue;
+    if (pad.side * position.y() < foremost - give || !pad.faces(position)) continue;
     touched.add(position, samples.normals.row(i).transpose(), samples.areas[i],
                 samples.observed[static_cast<std::size_t>(i)] != 0);
   }
@@ -115,8 +133,8 @@ std::optional<Contacts> find_contacts(const SurfaceSamples& samples,
                                       const Eigen::Isometry3d& T_world_tool, const Gripper& gripper,
                                       double give) {
   const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
-  const HandShape shape = hand_shape(gripper, gripper.max_opening, 0.0);
-  const std::vector<Between> between = samples_between(samples, T_tool_world, shape.between);
+  const std::vector<Between> between =
+      samples_between(samples, T_tool_world, space_between(gripper, gripper.max_opening));
   const auto contact = [&](float side) {
     const Pad pad = pad_of(gripper, side);
     return pad_contact(samples, between, pad, {T_tool_world.linear(), pad, gripper.friction},

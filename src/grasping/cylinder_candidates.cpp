@@ -4,19 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tool_pose.hpp"
+
 namespace symscene {
 namespace {
-
-/// The pose with this origin, approach direction and closing direction, which are perpendicular.
-Eigen::Isometry3d tool_pose(const Eigen::Vector3d& origin, const Eigen::Vector3d& approach,
-                            const Eigen::Vector3d& closing) {
-  Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
-  T_world_tool.linear().col(0) = closing.cross(approach);
-  T_world_tool.linear().col(1) = closing;
-  T_world_tool.linear().col(2) = approach;
-  T_world_tool.translation() = origin;
-  return T_world_tool;
-}
 
 /// Unit vectors across the axis, evenly over `span`. [rad]
 std::vector<Eigen::Vector3d> directions_across(const Eigen::Vector3d& axis, int count,
@@ -51,7 +42,7 @@ void add_side_grasps(const BoundingCylinder& cylinder, const Gripper& gripper,
     for (const double height : heights) {
       const Eigen::Vector3d origin =
           cylinder.center + height * cylinder.direction - palm_distance * approach;
-      candidates.push_back({tool_pose(origin, approach, approach.cross(cylinder.direction)), height,
+      candidates.push_back({tool_pose(origin, approach.cross(cylinder.direction), approach), height,
                             gripper.finger_depth - palm_distance});
     }
   }
@@ -72,7 +63,7 @@ void add_end_grasps(const BoundingCylinder& cylinder, const Eigen::Vector3d& out
   const double span = (is_parallel ? 1.0 : 2.0) * std::numbers::pi;
   for (const Eigen::Vector3d& closing : directions_across(cylinder.direction, turns, span)) {
     candidates.push_back(
-        {tool_pose(cylinder.center + to_origin * outwards, -outwards, closing), offset, inside});
+        {tool_pose(cylinder.center + to_origin * outwards, closing, -outwards), offset, inside});
   }
 }
 
@@ -86,24 +77,6 @@ std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylin
   for (const double sign : {1.0, -1.0})
     add_end_grasps(cylinder, sign * cylinder.direction, gripper, options, candidates);
   return candidates;
-}
-
-std::vector<HandBox> swept_hand(const Gripper& gripper) {
-  const HandShape hand = hand_shape(gripper, gripper.max_opening, gripper.approach_distance);
-  std::vector<HandBox> boxes = hand.palm;
-  boxes.insert(boxes.end(), hand.fingers.begin(), hand.fingers.end());
-  return boxes;
-}
-
-double depth_of_points(const Points& points_world, const Eigen::Isometry3d& T_world_tool,
-                       std::span<const HandBox> boxes) {
-  const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
-  float least = 0.0F;
-  for (Eigen::Index i = 0; i < points_world.rows(); ++i) {
-    const Eigen::Vector3f point = T_tool_world * Eigen::Vector3f(points_world.row(i).transpose());
-    for (const HandBox& box : boxes) least = std::min(least, box.distance(point));
-  }
-  return -double{least};
 }
 
 }  // namespace symscene

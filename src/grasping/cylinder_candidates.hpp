@@ -1,9 +1,7 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "hand_shape.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 
 namespace symscene {
@@ -20,12 +18,5 @@ struct CylinderCandidate {
 std::vector<CylinderCandidate> cylinder_candidates(const BoundingCylinder& cylinder,
                                                    const Gripper& gripper,
                                                    const CylinderGraspOptions& options);
-
-/// The boxes that the open gripper sweeps on its straight way to the grasp, in the tool frame.
-std::vector<HandBox> swept_hand(const Gripper& gripper);
-
-/// The greatest depth of a point in a box, from its nearest face; 0 if none is inside. [m]
-double depth_of_points(const Points& points_world, const Eigen::Isometry3d& T_world_tool,
-                       std::span<const HandBox> boxes);
 
 }  // namespace symscene

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <optional>
-#include <span>
 
 #include "core/parallel.hpp"
 #include "cylinder_candidates.hpp"
 #include "hand_collision.hpp"
-#include "rejected_grasps.hpp"
+#include "object_plan.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 
 namespace symscene {
@@ -36,33 +35,36 @@ class Surroundings {
  public:
   /// The points of the cloud that are not in the cluster, which is ascending.
   Surroundings(const CylinderScene& scene, const PointIndices& cluster) : table_(scene.table) {
-    points_.resize(scene.cloud.size() - static_cast<Index>(cluster.size()), 3);
+    Points points(scene.cloud.size() - static_cast<Index>(cluster.size()), 3);
     Eigen::Index row = 0;
     auto next = cluster.begin();
     for (Index i = 0; i < scene.cloud.size(); ++i) {
       if (next != cluster.end() && *next == i) {
         ++next;
       } else {
-        points_.row(row++) = scene.cloud.positions.row(i);
+        points.row(row++) = scene.cloud.positions.row(i);
       }
     }
+    others_ = surface_samples(points);
   }
 
-  std::optional<Refusal> refusal(const Grasp& grasp, std::span<const HandBox> swept,
+  std::optional<Refusal> refusal(const Grasp& grasp, const HandShape& swept,
                                  const CylinderGraspOptions& options) const {
     if (table_) {
-      const double height = height_over(*table_, grasp.T_world_tool, swept);
+      const double height = height_over(*table_, grasp.T_world_tool, swept.boxes);
       if (height < options.table_clearance)
         return Refusal{GraspRejection::table, height, options.table_clearance};
     }
-    const double depth = depth_of_points(points_, grasp.T_world_tool, swept);
-    if (depth > 0.0) return Refusal{GraspRejection::other_object, -depth, 0.0};
+    const DistanceBounds bounds{0.0F, -std::numeric_limits<float>::infinity()};
+    const Eigen::Isometry3f T_tool_world = grasp.T_world_tool.inverse().cast<float>();
+    const float distance = least_distance(others_, T_tool_world, swept.boxes, bounds);
+    if (distance < 0.0F) return Refusal{GraspRejection::other_object, distance, 0.0};
     return std::nullopt;
   }
 
  private:
   std::optional<Plane> table_;
-  Points points_;
+  SurfaceSamples others_;
 };
 
 /// The mean of how near the pads are to the middle of the cylinder and how steep the approach is.
@@ -74,21 +76,39 @@ double preference(const CylinderCandidate& candidate, const BoundingCylinder& cy
   return std::clamp(0.5 * (middle + steepness), 0.0, 1.0);
 }
 
-/// The valid and the rejected candidates of a cluster.
-struct ClusterGrasps {
-  std::vector<Grasp> grasps;
-  std::vector<RejectedGrasp> rejected;
-};
+/// The reason of most rejected candidates; of equally frequent ones the one checked last.
+GraspRejection main_reason(const ObjectGraspSummary& summary) {
+  const auto most = std::max_element(summary.rejected.rbegin(), summary.rejected.rend());
+  return static_cast<GraspRejection>(summary.rejected.rend() - most - 1);
+}
 
-ClusterGrasps grasps_of(const CylinderScene& scene, std::size_t id, const Gripper& gripper,
-                        const CylinderGraspOptions& options) {
-  ClusterGrasps result;
-  const ClusterCylinder& cluster = scene.clusters[id];
-  if (!cluster.cylinder) return result;
-  const BoundingCylinder& cylinder = *cluster.cylinder;
+/// Thins the rejected candidates after counting them.
+void summarize(ObjectPlan& plan, int max_rejected) {
+  ObjectGraspSummary& summary = plan.summary;
+  summary.grasps = plan.grasps.size();
+  summary.candidates = summary.grasps + plan.rejected.size();
+  std::vector<GraspRejection> reasons;
+  for (const RejectedGrasp& rejected : plan.rejected) {
+    ++summary.rejected[static_cast<std::size_t>(rejected.reason)];
+    reasons.push_back(rejected.reason);
+  }
+  if (summary.candidates == 0) {
+    summary.reason = GraspRejection::no_axis;
+  } else if (summary.grasps == 0) {
+    summary.reason = main_reason(summary);
+  }
+  std::vector<RejectedGrasp> kept;
+  for (const Index i : some_of_each_reason(reasons, max_rejected)) kept.push_back(plan.rejected[i]);
+  plan.rejected = std::move(kept);
+}
+
+/// All candidates of a cluster that has a cylinder.
+void judge_candidates(const CylinderScene& scene, std::size_t id, const Gripper& gripper,
+                      const CylinderGraspOptions& options, ObjectPlan& plan) {
+  const BoundingCylinder& cylinder = *scene.clusters[id].cylinder;
   const Eigen::Vector3d up = scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ();
-  const Surroundings around(scene, cluster.points);
-  const std::vector<HandBox> swept = swept_hand(gripper);
+  const Surroundings around(scene, scene.clusters[id].points);
+  const HandShape swept = hand_shape(gripper, gripper.max_opening, gripper.approach_distance);
   const std::optional<Refusal> unfit = misfit(cylinder, gripper, options);
   for (const CylinderCandidate& candidate : cylinder_candidates(cylinder, gripper, options)) {
     const Grasp grasp{.object = static_cast<int>(id),
@@ -101,32 +121,19 @@ ClusterGrasps grasps_of(const CylinderScene& scene, std::size_t id, const Grippe
       refusal = Refusal{GraspRejection::no_contact, candidate.reach, 0.0};
     if (!refusal) refusal = around.refusal(grasp, swept, options);
     if (refusal) {
-      result.rejected.push_back({grasp, refusal->reason, refusal->value, refusal->bound});
+      plan.rejected.push_back({grasp, refusal->reason, refusal->value, refusal->bound});
     } else {
-      result.grasps.push_back(grasp);
+      plan.grasps.push_back(grasp);
     }
   }
-  return result;
 }
 
-/// The reason of most rejected candidates; of equally frequent ones the one checked last.
-GraspRejection main_reason(const ObjectGraspSummary& summary) {
-  const auto most = std::max_element(summary.rejected.rbegin(), summary.rejected.rend());
-  return static_cast<GraspRejection>(summary.rejected.rend() - most - 1);
-}
-
-ObjectGraspSummary summary_of(const ClusterGrasps& cluster) {
-  ObjectGraspSummary summary;
-  summary.grasps = cluster.grasps.size();
-  summary.candidates = summary.grasps + cluster.rejected.size();
-  for (const RejectedGrasp& rejected : cluster.rejected)
-    ++summary.rejected[static_cast<std::size_t>(rejected.reason)];
-  if (summary.candidates == 0) {
-    summary.reason = GraspRejection::no_axis;
-  } else if (summary.grasps == 0) {
-    summary.reason = main_reason(summary);
-  }
-  return summary;
+ObjectPlan plan_cluster(const CylinderScene& scene, std::size_t id, const Gripper& gripper,
+                        const CylinderGraspOptions& options) {
+  ObjectPlan plan;
+  if (scene.clusters[id].cylinder) judge_candidates(scene, id, gripper, options, plan);
+  summarize(plan, options.max_rejected);
+  return plan;
 }
 
 }  // namespace
@@ -136,21 +143,12 @@ GraspPlan cylinder_grasps(const CylinderScene& scene, const Gripper& gripper,
   gripper.validate();
   options.validate();
   StageTimer timer;
-  GraspPlan plan;
-  timer.time("cylinder grasps", [&] {  // section 4.6.3
-    std::vector<ClusterGrasps> clusters(scene.clusters.size());
+  GraspPlan plan = timer.time("cylinder grasps", [&] {  // section 4.6.3
+    std::vector<ObjectPlan> clusters(scene.clusters.size());
     parallel_for_each(clusters.size(), [&](std::size_t id) {
-      clusters[id] = grasps_of(scene, id, gripper, options);
+      clusters[id] = plan_cluster(scene, id, gripper, options);
     });
-    for (const ClusterGrasps& cluster : clusters) {
-      plan.objects.push_back(summary_of(cluster));
-      plan.grasps.insert(plan.grasps.end(), cluster.grasps.begin(), cluster.grasps.end());
-      const std::vector<RejectedGrasp> kept =
-          some_of_each_reason(cluster.rejected, options.max_rejected);
-      plan.rejected.insert(plan.rejected.end(), kept.begin(), kept.end());
-    }
-    std::stable_sort(plan.grasps.begin(), plan.grasps.end(),
-                     [](const Grasp& a, const Grasp& b) { return a.quality > b.quality; });
+    return joined(clusters);
   });
   plan.timings = timer.stages();
   return plan;

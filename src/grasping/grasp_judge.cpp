@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "grasping/quality.hpp"
 #include "hand_collision.hpp"
@@ -46,8 +47,11 @@ class TargetSpace {
       return false;
     if (cells_.nearest(point, margin).first != CellList::none) return true;
     // Off the surface, a few samples tell the side.
-    Eigen::Index nearest = 0;
-    (some_positions_.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    const Eigen::ArrayXf squared = (some_positions_.col(0).array() - point.x()).square() +
+                                   ((some_positions_.col(1).array() - point.y()).square() +
+                                    (some_positions_.col(2).array() - point.z()).square());
+    const float least = squared.minCoeff();
+    const Eigen::Index nearest = std::find(squared.begin(), squared.end(), least) - squared.begin();
     return (point.transpose() - some_positions_.row(nearest)).dot(some_normals_.row(nearest)) <
            0.0F;
   }
@@ -69,35 +73,46 @@ class ReachableSamples {
       : centre_(centre), reach_(reach), target_(target) {}
 
   void add(const SurfaceSamples& samples) {
-    for (const PointBlock& block : samples.blocks) {
-      if ((block.centre - centre_).norm() > reach_ + block.radius) continue;
-      PointBlock copy = block;
-      copy.begin = static_cast<Eigen::Index>(positions_.size());
-      for (Eigen::Index i = block.begin; i < block.end; ++i) {
+    const PointBlocks& blocks = samples.blocks;
+    for (Eigen::Index b = 0; b < blocks.size(); ++b) {
+      const Eigen::Vector3f centre = blocks.centres.row(b).transpose();
+      if ((centre - centre_).norm() > reach_ + blocks.radii[b]) continue;
+      for (Eigen::Index i = blocks.begin(b); i < blocks.end(b); ++i) {
         const Eigen::Vector3f position = samples.positions.row(i).transpose();
         if (samples.observed[static_cast<std::size_t>(i)] != 0 || !target_.contains(position))
           positions_.push_back(position);
       }
-      copy.end = static_cast<Eigen::Index>(positions_.size());
-      blocks_.push_back(copy);
+      centres_.push_back(centre);
+      radii_.push_back(blocks.radii[b]);
+      ends_.push_back(static_cast<Eigen::Index>(positions_.size()));
     }
   }
 
   SurfaceSamples samples() const {
     SurfaceSamples near;
-    near.blocks = blocks_;
-    near.positions.resize(static_cast<Eigen::Index>(positions_.size()), 3);
-    for (std::size_t i = 0; i < positions_.size(); ++i)
-      near.positions.row(static_cast<Eigen::Index>(i)) = positions_[i].transpose();
+    near.positions = as_rows(positions_);
+    near.blocks.centres = as_rows(centres_);
+    near.blocks.radii =
+        Eigen::Map<const Eigen::ArrayXf>(radii_.data(), static_cast<Eigen::Index>(radii_.size()));
+    near.blocks.ends = ends_;
     return near;
   }
 
  private:
+  static Points as_rows(const std::vector<Eigen::Vector3f>& points) {
+    Points rows(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      rows.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    return rows;
+  }
+
   Eigen::Vector3f centre_;
   float reach_;
   const TargetSpace& target_;
-  std::vector<PointBlock> blocks_;
   std::vector<Eigen::Vector3f> positions_;
+  std::vector<Eigen::Vector3f> centres_;
+  std::vector<float> radii_;
+  std::vector<Eigen::Index> ends_;
 };
 
 /// What a hand of that reach can meet at the object, besides the object.
@@ -124,11 +139,12 @@ GraspJudge::GraspJudge(const GraspSurroundings& around, const GraspTarget& targe
       gripper_(gripper),
       options_(options),
       swept_(hand_shape(gripper, gripper.max_opening, gripper.approach_distance)),
-      finger_points_(sample_boxes(swept_.fingers, hand_spacing)),
-      palm_points_(sample_boxes(swept_.palm, hand_spacing)),
+      between_(space_between(gripper, gripper.max_opening)),
+      finger_points_(sample_boxes(swept_.fingers(), hand_spacing)),
+      palm_points_(sample_boxes(swept_.palm(), hand_spacing)),
       obstacles_(reachable_obstacles(around, target, swept_.reach)) {}
 
-GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose) const {
+GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose, Search search) const {
   Verdict verdict;
   verdict.grasp.object = target_.object;
   verdict.grasp.T_world_tool = pose.T_world_tool;
@@ -136,13 +152,13 @@ GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose) const {
   verdict.grasp.features.tilt = angle_between(pose.T_world_tool.linear().col(2), -target_.up);
   if (pose.table_clearance < options_.bounds.table_clearance)  // before contacts are searched
     fail(verdict, GraspRejection::table, pose.table_clearance, options_.bounds.table_clearance);
-  using Step = void (GraspJudge::*)(Verdict&) const;
+  using Step = void (GraspJudge::*)(Verdict&, Search) const;
   constexpr std::array<Step, 4> steps{&GraspJudge::require_contact, &GraspJudge::require_clear_way,
                                       &GraspJudge::require_seen_space,
                                       &GraspJudge::require_clear_lift};
   for (const Step step : steps) {
     if (verdict.reason) return verdict;
-    (this->*step)(verdict);
+    (this->*step)(verdict, search);
   }
   if (verdict.reason) return verdict;
   verdict.grasp.quality = success_probability(verdict.grasp);
@@ -151,7 +167,7 @@ GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose) const {
   return verdict;
 }
 
-void GraspJudge::require_contact(Verdict& verdict) const {
+void GraspJudge::require_contact(Verdict& verdict, Search) const {
   Grasp& grasp = verdict.grasp;
   const auto contacts =
       find_contacts(target_.samples, grasp.T_world_tool, gripper_, options_.bounds.contact_give);
@@ -212,38 +228,35 @@ void GraspJudge::judge_torque(Verdict& verdict, const Contacts& contacts) const 
 }
 
 float GraspJudge::distance_from(const SurfaceSamples& samples,
-                                const Eigen::Isometry3d& T_world_tool, const HandShape& shape,
-                                double enough) const {
-  const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
-  DistanceBounds bounds{greatest_distance, static_cast<float>(enough)};
-  bounds.irrelevant = least_distance(samples, T_tool_world, shape.fingers, bounds);
-  if (bounds.irrelevant < bounds.enough) return bounds.irrelevant;
-  return least_distance(samples, T_tool_world, shape.palm, bounds);
+                                const Eigen::Isometry3d& T_world_tool,
+                                std::span<const HandBox> boxes, double bound, Search search) const {
+  const float enough = search == Search::complete ? -std::numeric_limits<float>::infinity()
+                                                  : static_cast<float>(bound);
+  return least_distance(samples, T_world_tool.inverse().cast<float>(), boxes,
+                        {greatest_distance, enough});
 }
 
 double GraspJudge::height_on_way(const Eigen::Isometry3d& T_world_tool) const {
   if (!around_.scene.table) return greatest_distance;
-  const Plane& table = *around_.scene.table;
-  return std::min({height_over(table, T_world_tool, swept_.fingers),
-                   height_over(table, T_world_tool, swept_.palm), double{greatest_distance}});
+  return std::min(height_over(*around_.scene.table, T_world_tool, swept_.boxes),
+                  double{greatest_distance});
 }
 
-void GraspJudge::require_clear_way(Verdict& verdict) const {
+void GraspJudge::require_clear_way(Verdict& verdict, Search search) const {
   const GraspBoundOptions& bounds = options_.bounds;
   Grasp& grasp = verdict.grasp;
   const double height = height_on_way(grasp.T_world_tool);
   if (height < bounds.table_clearance)
     return fail(verdict, GraspRejection::table, height, bounds.table_clearance);
   const double others =
-      distance_from(obstacles_, grasp.T_world_tool, swept_, bounds.object_clearance);
+      distance_from(obstacles_, grasp.T_world_tool, swept_.boxes, bounds.object_clearance, search);
   if (others < bounds.object_clearance)
     return fail(verdict, GraspRejection::other_object, others, bounds.object_clearance);
-  const Eigen::Isometry3f T_tool_world = grasp.T_world_tool.inverse().cast<float>();
-  const float enclosed =
-      least_distance(obstacles_, T_tool_world, {&swept_.between, 1}, {greatest_distance, 0.0F});
-  if (enclosed < 0.0F) return fail(verdict, GraspRejection::other_object, enclosed, 0.0);
-  const double own =
-      distance_from(target_.samples, grasp.T_world_tool, swept_, bounds.own_clearance);
+  const double enclosed =
+      distance_from(obstacles_, grasp.T_world_tool, {&between_, 1}, 0.0, search);
+  if (enclosed < 0.0) return fail(verdict, GraspRejection::other_object, enclosed, 0.0);
+  const double own = distance_from(target_.samples, grasp.T_world_tool, swept_.boxes,
+                                   bounds.own_clearance, search);
   if (own < bounds.own_clearance)
     return fail(verdict, GraspRejection::own_shape, own, bounds.own_clearance);
   grasp.features.clearance = std::min(height, others);
@@ -260,7 +273,7 @@ double GraspJudge::unknown_share(const Eigen::Matrix3Xf& points,
   return static_cast<double>(blocked) / static_cast<double>(points.cols());
 }
 
-void GraspJudge::require_seen_space(Verdict& verdict) const {
+void GraspJudge::require_seen_space(Verdict& verdict, Search) const {
   if (!around_.unknown) return;
   const Eigen::Isometry3f T_world_tool = verdict.grasp.T_world_tool.cast<float>();
   const double share = std::max(unknown_share(finger_points_, T_world_tool),
@@ -269,17 +282,17 @@ void GraspJudge::require_seen_space(Verdict& verdict) const {
     fail(verdict, GraspRejection::never_seen, share, options_.bounds.max_unknown);
 }
 
-void GraspJudge::require_clear_lift(Verdict& verdict) const {
+void GraspJudge::require_clear_lift(Verdict& verdict, Search search) const {
   // A steep approach retreats the way that it came.
   if (verdict.grasp.features.tilt <= steep) return;
   constexpr double step = 0.01;
+  const double bound = options_.bounds.object_clearance;
   const HandShape closed = hand_shape(gripper_, verdict.grasp.opening, 0.0);
   Eigen::Isometry3d pose = verdict.grasp.T_world_tool;
   for (double height = step; height <= gripper_.retreat_distance; height += step) {
     pose.translation() += step * target_.up;
-    const double others = distance_from(obstacles_, pose, closed, options_.bounds.object_clearance);
-    if (others < options_.bounds.object_clearance)
-      return fail(verdict, GraspRejection::other_object, others, options_.bounds.object_clearance);
+    const double others = distance_from(obstacles_, pose, closed.boxes, bound, search);
+    if (others < bound) return fail(verdict, GraspRejection::other_object, others, bound);
   }
 }
 

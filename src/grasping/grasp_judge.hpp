@@ -17,6 +17,7 @@ struct GraspSurroundings {
   std::vector<SurfaceSamples> objects;  ///< one per object of the scene
   SurfaceSamples others;
   std::optional<UnknownSpace> unknown;
+  Eigen::Vector3d seen_from;  ///< mean_seen_normal() of the objects
 };
 
 /// Judges grasps of one object.
@@ -34,26 +35,33 @@ class GraspJudge {
     double value = 0.0;
     double bound = 0.0;
   };
-  Verdict judge(const ApproachPose& pose) const;
+  /// How far the distances of a rejected grasp are searched.
+  enum class Search {
+    to_bound,  ///< to the first distance below the bound, so that `value` is below it
+    complete   ///< to the least distance
+  };
+  Verdict judge(const ApproachPose& pose, Search search) const;
 
  private:
-  void require_contact(Verdict& verdict) const;
+  void require_contact(Verdict& verdict, Search search) const;
   void judge_contacts(Verdict& verdict, const Contacts& contacts) const;
   void judge_torque(Verdict& verdict, const Contacts& contacts) const;
-  void require_clear_way(Verdict& verdict) const;
-  void require_clear_lift(Verdict& verdict) const;
-  void require_seen_space(Verdict& verdict) const;
+  void require_clear_way(Verdict& verdict, Search search) const;
+  void require_clear_lift(Verdict& verdict, Search search) const;
+  void require_seen_space(Verdict& verdict, Search search) const;
   double unknown_share(const Eigen::Matrix3Xf& points, const Eigen::Isometry3f& T_world_tool) const;
   /// The least height of the open gripper over the table on its way, or greatest_distance. [m]
   double height_on_way(const Eigen::Isometry3d& T_world_tool) const;
+  /// The least distance of the samples from the gripper, up to greatest_distance. [m]
   float distance_from(const SurfaceSamples& samples, const Eigen::Isometry3d& T_world_tool,
-                      const HandShape& shape, double enough) const;
+                      std::span<const HandBox> boxes, double bound, Search search) const;
 
   const GraspSurroundings& around_;
   const GraspTarget& target_;
   const Gripper& gripper_;
   const GraspOptions& options_;
   HandShape swept_;                 ///< the open gripper on its way to the grasp
+  HandBox between_;                 ///< between its fingers
   Eigen::Matrix3Xf finger_points_;  ///< in the swept fingers, tool frame
   Eigen::Matrix3Xf palm_points_;
   SurfaceSamples obstacles_;  ///< what the gripper can reach of other objects

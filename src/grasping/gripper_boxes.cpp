@@ -7,11 +7,9 @@ namespace symscene {
 std::vector<Eigen::AlignedBox3d> gripper_boxes(const Gripper& gripper, double opening) {
   const HandShape shape = hand_shape(gripper, opening, 0.0);
   std::vector<Eigen::AlignedBox3d> boxes;
-  for (const auto* part : {&shape.palm, &shape.fingers}) {
-    for (const HandBox& box : *part) {
-      boxes.emplace_back((box.centre - box.half).cast<double>(),
-                         (box.centre + box.half).cast<double>());
-    }
+  for (const HandBox& box : shape.boxes) {
+    boxes.emplace_back((box.centre - box.half).cast<double>(),
+                       (box.centre + box.half).cast<double>());
   }
   return boxes;
 }

@@ -19,32 +19,39 @@ void add_finger(const Gripper& gripper, double opening, double side, double x, d
   add((gripper.finger_thickness + gripper.tip_thickness) / 2.0, gripper.finger_depth);
 }
 
+}  // namespace
+
 HandBox space_between(const Gripper& gripper, double opening) {
   const double x = (gripper.finger_width + gripper.finger_spacing) / 2.0;
   return HandBox::between({-x, -opening / 2.0, 0.0}, {x, opening / 2.0, gripper.finger_depth});
 }
 
-}  // namespace
-
 HandShape hand_shape(const Gripper& gripper, double opening, double way) {
   HandShape shape;
-  const Eigen::Vector3d half = gripper.palm_size / 2.0;
-  shape.palm.push_back(HandBox::between({-half.x(), -half.y(), -gripper.palm_size.z() - way},
-                                        {half.x(), half.y(), 0.0}));
   for (const double x : {-gripper.finger_spacing / 2.0, gripper.finger_spacing / 2.0}) {
-    add_finger(gripper, opening, 1.0, x, way, shape.fingers);
+    add_finger(gripper, opening, 1.0, x, way, shape.boxes);
     if (gripper.kind == GripperKind::parallel) break;
   }
-  add_finger(gripper, opening, -1.0, 0.0, way, shape.fingers);
-  shape.between = space_between(gripper, opening);
-  for (const auto* boxes : {&shape.palm, &shape.fingers}) {
-    for (const HandBox& box : *boxes)
-      shape.reach = std::max(shape.reach, (box.centre.cwiseAbs() + box.half).norm());
-  }
+  add_finger(gripper, opening, -1.0, 0.0, way, shape.boxes);
+  const Eigen::Vector3d half = gripper.palm_size / 2.0;
+  shape.boxes.push_back(HandBox::between({-half.x(), -half.y(), -gripper.palm_size.z() - way},
+                                         {half.x(), half.y(), 0.0}));
+  for (const HandBox& box : shape.boxes)
+    shape.reach = std::max(shape.reach, (box.centre.cwiseAbs() + box.half).norm());
   return shape;
 }
 
-Eigen::Matrix3Xf sample_boxes(const std::vector<HandBox>& boxes, float spacing) {
+HandBox box_around(std::span<const HandBox> boxes) {
+  Eigen::Vector3f min = boxes.front().centre - boxes.front().half;
+  Eigen::Vector3f max = boxes.front().centre + boxes.front().half;
+  for (const HandBox& box : boxes) {
+    min = min.cwiseMin(box.centre - box.half);
+    max = max.cwiseMax(box.centre + box.half);
+  }
+  return {0.5F * (min + max), 0.5F * (max - min)};
+}
+
+Eigen::Matrix3Xf sample_boxes(std::span<const HandBox> boxes, float spacing) {
   std::vector<Eigen::Vector3f> points;
   for (const HandBox& box : boxes) {
     const Eigen::Array3i steps = (2.0F * box.half / spacing).array().ceil().max(1.0F).cast<int>();

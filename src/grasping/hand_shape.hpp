@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "symscene/core/gripper.hpp"
@@ -23,19 +24,26 @@ struct HandBox {
   }
 };
 
-/// The open gripper as boxes of its tool frame: palm, and each finger as a thick half and a thinner
-/// half, as fingers taper.
+/// A gripper as boxes of its tool frame: each finger as a thick half and a thinner half, as fingers
+/// taper, and the palm.
 struct HandShape {
-  std::vector<HandBox> palm;     ///< one box
-  std::vector<HandBox> fingers;  ///< two boxes per finger
-  HandBox between;               ///< the space between the fingers
-  float reach = 0.0F;            ///< greatest distance of the boxes from the origin [m]
+  std::vector<HandBox> boxes;  ///< two per finger, then one of the palm
+  float reach = 0.0F;          ///< greatest distance of the boxes from the origin [m]
+
+  std::span<const HandBox> fingers() const { return {boxes.data(), boxes.size() - 1}; }
+  std::span<const HandBox> palm() const { return {&boxes.back(), 1}; }
 };
+
+/// The space between the fingers.
+HandBox space_between(const Gripper& gripper, double opening);
 
 /// `way`: how far the gripper comes from along −z; the boxes are those that it sweeps. [m]
 HandShape hand_shape(const Gripper& gripper, double opening, double way);
 
+/// The least box that holds the boxes.
+HandBox box_around(std::span<const HandBox> boxes);
+
 /// Points on and inside boxes, at most `spacing` apart.
-Eigen::Matrix3Xf sample_boxes(const std::vector<HandBox>& boxes, float spacing);
+Eigen::Matrix3Xf sample_boxes(std::span<const HandBox> boxes, float spacing);
 
 }  // namespace symscene

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "closing_lines.hpp"
+#include "tool_pose.hpp"
 
 namespace symscene {
 namespace {
@@ -59,10 +60,7 @@ std::vector<ClosingLine> rim_lines(const GraspTarget& target,
   std::vector<ClosingLine> lines;
   for (const ObjectAxis& found : target.description.axes) {
     const Rim rim = rim_of(target, found.axis);
-    const Eigen::Vector3d seen = target.seen_from - target.seen_from.dot(rim.axis) * rim.axis;
-    const Eigen::Vector3d start = seen.norm() > 0.2
-                                      ? Eigen::Vector3d(seen.normalized())
-                                      : Eigen::Vector3d(orthonormal_complement(rim.axis).col(0));
+    const Eigen::Vector3d start = direction_across(rim.axis, {target.seen_from});
     for (int k = 0; k < 2 * options.axis_angles; ++k) {
       const double angle = std::numbers::pi * k / options.axis_angles;
       const Eigen::Vector3d radial = Eigen::AngleAxisd(angle, rim.axis) * start;

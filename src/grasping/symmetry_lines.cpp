@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "closing_lines.hpp"
+#include "near_line.hpp"
+#include "tool_pose.hpp"
 
 namespace symscene {
 namespace {
@@ -41,12 +43,7 @@ std::vector<double> positions_in(const Extent& extent, double spacing) {
 
 /// A direction across `direction` that moves with the scene: towards the camera, or else level.
 Eigen::Vector3d reference_across(const GraspTarget& target, const Eigen::Vector3d& direction) {
-  const Eigen::Vector3d& preferred = target.seen_from;
-  const Eigen::Vector3d across = preferred - preferred.dot(direction) * direction;
-  if (across.norm() > 0.2) return across.normalized();
-  const Eigen::Vector3d level = target.up.cross(direction);
-  if (level.norm() > 0.2) return level.normalized();
-  return orthonormal_complement(direction).col(0);
+  return direction_across(direction, {target.seen_from, target.up.cross(direction)});
 }
 
 /// Lines along `normal` through a grid of points in the plane across it.
@@ -79,18 +76,9 @@ void append(std::vector<ClosingLine>& lines, const std::vector<ClosingLine>& mor
 
 std::optional<ClosingLine> line_through(const GraspTarget& target, const Eigen::Vector3d& point,
                                         const Eigen::Vector3d& direction, GraspSource source) {
-  const Eigen::Vector3f origin = point.cast<float>();
-  const Eigen::Vector3f along = direction.cast<float>();
   Extent extent;
-  for (const PointBlock& block : target.samples.blocks) {
-    const Eigen::Vector3f offset = block.centre - origin;
-    if ((offset - offset.dot(along) * along).norm() > block.radius + line_radius) continue;
-    for (Eigen::Index i = block.begin; i < block.end; ++i) {
-      const Eigen::Vector3f p = target.samples.positions.row(i).transpose() - origin;
-      const float distance = p.dot(along);
-      if ((p - distance * along).squaredNorm() <= line_radius * line_radius) extent.add(distance);
-    }
-  }
+  for_each_near_line(target.samples, point.cast<float>(), direction.cast<float>(), line_radius,
+                     [&](Eigen::Index, float distance) { extent.add(distance); });
   if (!(extent.length() > 0.0)) return std::nullopt;
   return ClosingLine{point + extent.middle() * direction, direction, extent.length(), source};
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
+
+#include "sorted_order.hpp"
 
 namespace symscene {
 namespace {
@@ -22,7 +25,10 @@ struct Corners {
         c(mesh.vertices.row(mesh.triangles(t, 2)).transpose()) {}
 
   Eigen::Vector3f area_vector() const { return 0.5F * (b - a).cross(c - a); }
-  double longest_edge() const { return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}); }
+  double longest_edge() const {
+    return std::sqrt(
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  }
 };
 
 struct Sample {
@@ -50,9 +56,9 @@ void append_parts(const Corners& corners, bool observed, std::vector<Sample>& sa
   }
 }
 
-void add_to_corners(const TriangleMesh& mesh, Eigen::Index t, bool observed,
+void add_to_corners(const TriangleMesh& mesh, Eigen::Index t, const Corners& corners, bool observed,
                     std::vector<Sample>& samples) {
-  const Eigen::Vector3f third = Corners(mesh, t).area_vector() / 3.0F;
+  const Eigen::Vector3f third = corners.area_vector() / 3.0F;
   for (Eigen::Index k = 0; k < 3; ++k) {
     Sample& corner = samples[mesh.triangles(t, k)];
     corner.area_vector += third;
@@ -67,27 +73,31 @@ std::vector<Sample> vertices(const TriangleMesh& mesh) {
   return samples;
 }
 
-/// The cube of a grid, with further bits below its coordinates, as one number to sort by.
-std::uint64_t cube_key(const Eigen::Vector3f& position, float edge, std::uint64_t below = 0) {
-  constexpr int half_range = 1 << 19;  // cubes on either side of the origin
-  const Eigen::Array3i cube = (position / edge).array().floor().cast<int>();
-  const auto bits = [](int coordinate) {
-    return static_cast<std::uint64_t>(std::clamp(coordinate + half_range, 0, 2 * half_range - 1));
-  };
-  return ((((bits(cube.x()) << 20U) | bits(cube.y())) << 20U | bits(cube.z())) << 3U) | below;
+/// The cube of a grid that holds a point.
+Eigen::Array3i cube_of(const Eigen::Vector3f& position, float edge) {
+  constexpr float half_range = 1 << 19;  // cubes on either side of the origin
+  const Eigen::Array3f cube = position.array() / edge;
+  return cube.floor().max(-half_range).min(half_range - 1.0F).cast<int>();
 }
 
-using KeyedSample = std::pair<std::uint64_t, std::size_t>;
-
-void sort_by_block(std::vector<Sample>& samples) {
-  std::vector<KeyedSample> order(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    order[i] = {cube_key(samples[i].position, block_edge), i};
-  std::sort(order.begin(), order.end());
-  std::vector<Sample> sorted;
-  sorted.reserve(samples.size());
-  for (const auto& [key, i] : order) sorted.push_back(samples[i]);
-  samples = std::move(sorted);
+/// The cubes of samples as numbers that grow with x, then y, then z. They leave three bits free.
+std::vector<std::uint64_t> numbered_cubes(const std::vector<Sample>& samples, float edge) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  Eigen::Vector3f min = Eigen::Vector3f::Constant(infinity), max = -min;
+  for (const Sample& sample : samples) {
+    min = min.cwiseMin(sample.position);
+    max = max.cwiseMax(sample.position);
+  }
+  const Eigen::Array3i low = cube_of(min, edge);
+  using Numbers = Eigen::Array<std::uint64_t, 3, 1>;
+  const Numbers size = (cube_of(max, edge) - low + 1).cast<std::uint64_t>();
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(samples.size());
+  for (const Sample& sample : samples) {
+    const Numbers at = (cube_of(sample.position, edge) - low).cast<std::uint64_t>();
+    numbers.push_back((at.x() * size.y() + at.y()) * size.z() + at.z());
+  }
+  return numbers;
 }
 
 /// Which of ±x, ±y and ±z is nearest to a normal.
@@ -99,16 +109,17 @@ std::uint64_t side_of(const Eigen::Vector3f& normal) {
 
 /// One sample for those in a cube that face the same way, so that both sides of a wall remain.
 std::vector<Sample> merged(const std::vector<Sample>& samples) {
-  std::vector<KeyedSample> parts(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    parts[i] = {cube_key(samples[i].position, merged_edge, side_of(samples[i].area_vector)), i};
-  std::sort(parts.begin(), parts.end());
+  std::vector<std::uint64_t> parts = numbered_cubes(samples, merged_edge);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i] = parts[i] << 3U | side_of(samples[i].area_vector);
+  const std::vector<Index> order = sorted_order(parts);
   std::vector<Sample> means;
-  for (std::size_t begin = 0, end = 0; begin < parts.size(); begin = end) {
+  means.reserve(samples.size());
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     Sample sum;
     float weights = 0.0F;
-    for (; end < parts.size() && parts[end].first == parts[begin].first; ++end) {
-      const Sample& sample = samples[parts[end].second];
+    for (; end < order.size() && parts[order[end]] == parts[order[begin]]; ++end) {
+      const Sample& sample = samples[order[end]];
       const float weight = sample.area_vector.norm();
       sum.position += weight * sample.position;
       sum.area_vector += sample.area_vector;
@@ -121,43 +132,43 @@ std::vector<Sample> merged(const std::vector<Sample>& samples) {
   return means;
 }
 
-PointBlock block_of(const Points& positions, Eigen::Index begin, Eigen::Index end) {
-  const auto rows = positions.middleRows(begin, end - begin);
-  const Eigen::RowVector3f low = rows.colwise().minCoeff();
-  const Eigen::RowVector3f high = rows.colwise().maxCoeff();
-  const Eigen::RowVector3f centre = 0.5F * (low + high);
-  return {centre.transpose(),
-          std::sqrt((rows.rowwise() - centre).rowwise().squaredNorm().maxCoeff()), begin, end};
-}
-
-std::vector<PointBlock> blocks_of(const Points& positions) {
-  std::vector<PointBlock> blocks;
-  const auto key_of = [&](Eigen::Index i) { return cube_key(positions.row(i), block_edge); };
-  Eigen::Index begin = 0;
-  for (Eigen::Index i = 1; i <= positions.rows(); ++i) {
-    if (i < positions.rows() && key_of(i) == key_of(begin)) continue;
-    blocks.push_back(block_of(positions, begin, i));
-    begin = i;
+/// The blocks of points that end at these rows, with their balls.
+PointBlocks with_balls(const Points& positions, std::vector<Eigen::Index> ends) {
+  PointBlocks blocks;
+  blocks.ends = std::move(ends);
+  const auto count = static_cast<Eigen::Index>(blocks.ends.size());
+  blocks.centres.resize(count, 3);
+  blocks.radii.resize(count);
+  for (Eigen::Index b = 0; b < count; ++b) {
+    const auto rows = positions.middleRows(blocks.begin(b), blocks.end(b) - blocks.begin(b));
+    const Eigen::RowVector3f centre =
+        0.5F * (rows.colwise().minCoeff() + rows.colwise().maxCoeff());
+    blocks.centres.row(b) = centre;
+    blocks.radii[b] = std::sqrt((rows.rowwise() - centre).rowwise().squaredNorm().maxCoeff());
   }
   return blocks;
 }
 
-SurfaceSamples as_samples(std::vector<Sample> list) {
-  sort_by_block(list);
+SurfaceSamples as_samples(const std::vector<Sample>& list) {
+  const std::vector<std::uint64_t> cubes = numbered_cubes(list, block_edge);
+  const std::vector<Index> order = sorted_order(cubes);
   SurfaceSamples samples;
   const auto count = static_cast<Eigen::Index>(list.size());
   samples.positions.resize(count, 3);
   samples.normals.resize(count, 3);
   samples.areas.resize(count);
   samples.observed.resize(list.size());
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Sample& sample = list[static_cast<std::size_t>(i)];
-    samples.positions.row(i) = sample.position.transpose();
-    samples.areas[i] = sample.area_vector.norm();
-    samples.normals.row(i) = sample.area_vector.normalized().transpose();
-    samples.observed[static_cast<std::size_t>(i)] = sample.observed;
+  std::vector<Eigen::Index> ends;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Sample& sample = list[order[i]];
+    const auto row = static_cast<Eigen::Index>(i);
+    samples.positions.row(row) = sample.position.transpose();
+    samples.areas[row] = sample.area_vector.norm();
+    samples.normals.row(row) = sample.area_vector.normalized().transpose();
+    samples.observed[i] = sample.observed;
+    if (i + 1 == order.size() || cubes[order[i]] != cubes[order[i + 1]]) ends.push_back(row + 1);
   }
-  if (count > 0) samples.blocks = blocks_of(samples.positions);
+  samples.blocks = with_balls(samples.positions, std::move(ends));
   return samples;
 }
 
@@ -170,7 +181,7 @@ SurfaceSamples surface_samples(const ObjectSurface& surface) {
     const bool observed = surface.observed[static_cast<std::size_t>(t)] != 0;
     const Corners corners(mesh, t);
     if (corners.longest_edge() <= longest_small_edge)
-      add_to_corners(mesh, t, observed, samples);
+      add_to_corners(mesh, t, corners, observed, samples);
     else
       append_parts(corners, observed, samples);
   }
@@ -183,7 +194,7 @@ SurfaceSamples surface_samples(const Points& points) {
   for (std::size_t i = 0; i < samples.size(); ++i)
     samples[i] = {points.row(static_cast<Eigen::Index>(i)).transpose(), Eigen::Vector3f::Zero(),
                   true};
-  return as_samples(std::move(samples));
+  return as_samples(samples);
 }
 
 Eigen::Vector3d mean_seen_normal(std::span<const SurfaceSamples> surfaces) {
@@ -201,15 +212,15 @@ Eigen::Vector3d mean_seen_normal(std::span<const SurfaceSamples> surfaces) {
   return sum.norm() > least_mean * area ? sum.normalized() : Eigen::Vector3d::Zero();
 }
 
-GraspTarget grasp_target(const GraspScene& scene, std::size_t id,
-                         const std::vector<SurfaceSamples>& samples) {
+GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples,
+                         const Eigen::Vector3d& seen_from) {
   const GraspObject& object = scene.objects[id];
   return {static_cast<int>(id),
           object,
-          samples[id],
+          samples,
           object.solid ? *object.solid : solid_properties(object.surface.mesh),
           scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ(),
-          mean_seen_normal(samples)};
+          seen_from};
 }
 
 }  // namespace symscene

@@ -8,12 +8,17 @@
 
 namespace symscene {
 
-/// Points of one cube of space, consecutive in their arrays.
-struct PointBlock {
-  Eigen::Vector3f centre = Eigen::Vector3f::Zero();
-  float radius = 0.0F;  ///< of the ball around the points [m]
-  Eigen::Index begin = 0;
-  Eigen::Index end = 0;
+/// Points in blocks, each of one cube of space and consecutive in its arrays.
+struct PointBlocks {
+  Points centres;                       ///< of the balls around the points of blocks, B×3 [m]
+  Eigen::ArrayXf radii;                 ///< of these balls [m]
+  std::vector<Eigen::Index> ends = {};  ///< of blocks; each begins where the one before it ends
+
+  Eigen::Index size() const { return radii.size(); }
+  Eigen::Index begin(Eigen::Index block) const {
+    return block == 0 ? 0 : ends[static_cast<std::size_t>(block) - 1];
+  }
+  Eigen::Index end(Eigen::Index block) const { return ends[static_cast<std::size_t>(block)]; }
 };
 
 /// Points of a surface about 4 mm apart, each with the area that it stands for, in blocks. Every
@@ -23,7 +28,7 @@ struct SurfaceSamples {
   Points normals;    ///< N×3, outwards; of mere points zero
   Eigen::VectorXf areas;
   std::vector<std::uint8_t> observed;
-  std::vector<PointBlock> blocks;
+  PointBlocks blocks;
 
   Eigen::Index size() const { return positions.rows(); }
 };
@@ -49,7 +54,8 @@ struct GraspTarget {
 /// to the camera. Zero for a surface that was seen from many sides.
 Eigen::Vector3d mean_seen_normal(std::span<const SurfaceSamples> surfaces);
 
-GraspTarget grasp_target(const GraspScene& scene, std::size_t id,
-                         const std::vector<SurfaceSamples>& samples);
+/// `samples` are those of the object, `seen_from` is mean_seen_normal().
+GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples,
+                         const Eigen::Vector3d& seen_from);
 
 }  // namespace symscene

@@ -21,26 +21,32 @@ class UnknownSpace {
 
   /// Whether a hand that grasps `object` must not be at this point.
   bool blocks(const Eigen::Vector3f& point, int object) const {
-    const std::optional<std::size_t> voxel = voxel_of(point);
+    const std::optional<Eigen::Array3i> voxel = voxel_of(point);
     if (!voxel) return true;
-    if (grid_.states[*voxel] == VoxelState::free) return false;
-    return owner_at(point) != object;
+    return state_at(*voxel) != VoxelState::free && owner_at(*voxel) != object;
   }
 
   /// Whether no seen point of an object lies in or beside space that was observed.
   bool is_outside(const SurfaceSamples& samples) const;
 
  private:
-  std::optional<std::size_t> voxel_of(const Eigen::Vector3f& point) const;
-  int owner_at(const Eigen::Vector3f& point) const;
-  std::size_t coarse_index(const Eigen::Vector3i& coarse) const;
-  Eigen::Vector3i coarse_of(const Eigen::Vector3f& point) const;
-  void claim(const SurfaceSamples& samples, int owner, float reach,
-             std::vector<std::uint16_t>& nearest);
+  using Voxels = std::vector<Eigen::Array3i>;
+
+  static constexpr int coarseness = 2;  ///< voxels of the grid per coarse one, along each axis
+  static constexpr int nobody = -1;
+
+  std::optional<Eigen::Array3i> voxel_of(const Eigen::Vector3f& point) const;
+  VoxelState state_at(const Eigen::Array3i& voxel) const;
+  int owner_at(const Eigen::Array3i& voxel) const;
+  /// The coarse voxels that hold samples, in the order of these.
+  Voxels coarse_voxels(const SurfaceSamples& samples) const;
+  /// Bounds the coarse voxels within a radius of the claimed ones. False if there are none.
+  bool bound(const std::vector<Voxels>& claims, int radius);
 
   const OccupancyGrid& grid_;
-  Eigen::Vector3i coarse_size_;
-  std::vector<std::int16_t> owner_;  ///< per coarse voxel: an object, or −1
+  Eigen::Array3i coarse_low_ = Eigen::Array3i::Zero();  ///< the first coarse voxel with an owner
+  Eigen::Array3i coarse_size_ = Eigen::Array3i::Zero();
+  std::vector<int> owner_;  ///< per coarse voxel: an object, their number for others, or nobody
 };
 
 }  // namespace symscene

@@ -54,14 +54,12 @@ TEST(SurfaceSamples, StandForTheAreaOfTheSurface) {
   const SurfaceSamples samples = surface_samples(box.surface);
   const double area = 2.0 * (0.1 * 0.04 + 0.1 * 0.06 + 0.04 * 0.06);
   EXPECT_NEAR(samples.areas.sum(), area, 0.02 * area);
-  Eigen::Index in_blocks = 0;
-  for (const PointBlock& block : samples.blocks) {
-    for (Eigen::Index i = block.begin; i < block.end; ++i) {
-      EXPECT_LE((samples.positions.row(i).transpose() - block.centre).norm(), block.radius + 1e-6F);
-    }
-    in_blocks += block.end - block.begin;
+  const PointBlocks& blocks = samples.blocks;
+  for (Eigen::Index b = 0; b < blocks.size(); ++b) {
+    for (Eigen::Index i = blocks.begin(b); i < blocks.end(b); ++i)
+      EXPECT_LE((samples.positions.row(i) - blocks.centres.row(b)).norm(), blocks.radii[b] + 1e-6F);
   }
-  EXPECT_EQ(in_blocks, samples.size());
+  EXPECT_EQ(blocks.ends.back(), samples.size());
 }
 
 TEST(SurfaceSamples, KeepBothSidesOfAThinWall) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "grasp_scenes.hpp"
 #include "grasping/cylinder_candidates.hpp"
 #include "grasping/hand_collision.hpp"
 #include "surfaces.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 using testing::joined;
 using testing::moved;
+using testing::swept_boxes;
 
 /// A solid cylinder that stands on z = 0.
 PointCloud can(double radius, double height, const Eigen::Vector3d& position = {0.0, 0.0, 0.0}) {
@@ -191,7 +193,7 @@ TEST(CylinderGrasps, StayAboveTheTable) {
   const BoundingCylinder cylinder{{0.0, 0.0, 0.05}, Eigen::Vector3d::UnitZ(), 0.03, 0.1};
   const Gripper panda = panda_hand();
   const GraspPlan plan = cylinder_grasps(known_cylinder(cylinder, Plane{}), panda);
-  const std::vector<HandBox> boxes = swept_hand(panda);
+  const std::vector<HandBox> boxes = swept_boxes(panda);
   ASSERT_FALSE(plan.grasps.empty());
   for (const Grasp& grasp : plan.grasps)
     EXPECT_GE(height_over(Plane{}, grasp.T_world_tool, boxes),
@@ -232,7 +234,7 @@ TEST(CylinderGrasps, MissThePointsOfOtherClusters) {
   ASSERT_EQ(cylinders.clusters.size(), 2U);
   const Gripper panda = panda_hand();
   const GraspPlan plan = cylinder_grasps(cylinders, panda);
-  const std::vector<HandBox> boxes = swept_hand(panda);
+  const std::vector<HandBox> boxes = swept_boxes(panda);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_GT(plan.objects.at(i).grasps, 0U);
     EXPECT_GT(count_of(plan, i, GraspRejection::other_object), 0U);
@@ -240,7 +242,8 @@ TEST(CylinderGrasps, MissThePointsOfOtherClusters) {
   for (const Grasp& grasp : plan.grasps) {
     const PointIndices& others = cylinders.clusters[grasp.object == 0 ? 1 : 0].points;
     const Points points = select(cylinders.cloud, others).positions;
-    EXPECT_EQ(depth_of_points(points, grasp.T_world_tool, boxes), 0.0);
+    const Eigen::Isometry3f T_tool_world = grasp.T_world_tool.inverse().cast<float>();
+    EXPECT_GE(least_distance(surface_samples(points), T_tool_world, boxes, {0.01F, -1.0F}), 0.0F);
   }
 }
 

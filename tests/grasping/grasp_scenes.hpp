@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/rigid_motion.hpp"
+#include "grasping/hand_shape.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/grasping/gripper.hpp"
 #include "symscene/grasping/planner.hpp"
@@ -58,6 +59,11 @@ inline GraspScene clutter() {
   return on_table({box_at({0.05, 0.1, 0.12}, 0.0, 0.0), cylinder_at(0.03, 0.1, 0.12, 0.02),
                    box_at({0.06, 0.06, 0.05}, -0.11, 0.0), cylinder_at(0.02, 0.15, 0.02, 0.13),
                    box_at({0.03, 0.15, 0.04}, 0.1, -0.15)});
+}
+
+/// The boxes that the open gripper sweeps on its way to a grasp.
+inline std::vector<HandBox> swept_boxes(const Gripper& gripper) {
+  return hand_shape(gripper, gripper.max_opening, gripper.approach_distance).boxes;
 }
 
 }  // namespace symscene::testing

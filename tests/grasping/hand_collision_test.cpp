@@ -14,7 +14,7 @@ TEST(HandShape, FillsTheFingersFromThePalmToTheTips) {
   const HandShape shape = hand_shape(gripper, 0.08, 0.0);
   const auto distance = [&](double x, double y, double z) {
     float least = 1.0F;
-    for (const HandBox& box : shape.fingers)
+    for (const HandBox& box : shape.fingers())
       least = std::min(least, box.distance(Eigen::Vector3d(x, y, z).cast<float>()));
     return least;
   };
@@ -27,31 +27,53 @@ TEST(HandShape, FillsTheFingersFromThePalmToTheTips) {
 TEST(HandShape, HasTwoFingersAgainstOneOfThree) {
   const Gripper gripper = reflex_gripper();
   const HandShape shape = hand_shape(gripper, 0.1, 0.0);
-  ASSERT_EQ(shape.fingers.size(), 6);
-  const auto positive = std::count_if(shape.fingers.begin(), shape.fingers.end(),
+  ASSERT_EQ(shape.fingers().size(), 6);
+  const auto positive = std::count_if(shape.fingers().begin(), shape.fingers().end(),
                                       [](const HandBox& box) { return box.centre.y() > 0.0F; });
   EXPECT_EQ(positive, 4);
 }
 
-TEST(LeastDistance, EqualsThatOfAllPoints) {
-  const SurfaceSamples samples = surface_samples(testing::cylinder_at(0.04, 0.1, 0, 0).surface);
-  const HandShape shape = hand_shape(panda_hand(), 0.08, 0.05);
-  std::mt19937 random(3);
+Eigen::Isometry3f random_motion(std::mt19937& random) {
   std::uniform_real_distribution<float> any(-0.1F, 0.1F);
-  for (int trial = 0; trial < 50; ++trial) {
-    Eigen::Isometry3f T_tool_world = Eigen::Isometry3f::Identity();
-    T_tool_world.linear() =
-        Eigen::AngleAxisf(30.0F * any(random),
-                          Eigen::Vector3f(any(random), any(random), 0.2F).normalized())
-            .toRotationMatrix();
-    T_tool_world.translation() = Eigen::Vector3f(any(random), any(random), any(random));
-    float brute = 0.02F;
-    for (Eigen::Index i = 0; i < samples.size(); ++i) {
-      const Eigen::Vector3f p =
-          T_tool_world * Eigen::Vector3f(samples.positions.row(i).transpose());
-      for (const HandBox& box : shape.fingers) brute = std::min(brute, box.distance(p));
+  const Eigen::Vector3f axis(any(random), any(random), 0.2F);
+  return Eigen::Translation3f(any(random), any(random), any(random)) *
+         Eigen::AngleAxisf(30.0F * any(random), axis.normalized());
+}
+
+float brute_force_distance(const SurfaceSamples& samples, const Eigen::Isometry3f& T_tool_world,
+                           const std::vector<HandBox>& boxes, float irrelevant) {
+  float least = irrelevant;
+  for (Eigen::Index i = 0; i < samples.size(); ++i) {
+    const Eigen::Vector3f p = T_tool_world * Eigen::Vector3f(samples.positions.row(i).transpose());
+    for (const HandBox& box : boxes) least = std::min(least, box.distance(p));
+  }
+  return least;
+}
+
+TEST(LeastDistance, EqualsThatOfAllPoints) {
+  const std::vector<HandBox> boxes = hand_shape(panda_hand(), 0.08, 0.05).boxes;
+  std::mt19937 random(3);
+  // The larger one has more blocks than an array of coordinates holds.
+  for (const GraspObject& object :
+       {testing::cylinder_at(0.04, 0.1, 0, 0), testing::box_at({0.3, 0.3, 0.1}, 0.0, 0.0)}) {
+    const SurfaceSamples samples = surface_samples(object.surface);
+    for (int trial = 0; trial < 50; ++trial) {
+      const Eigen::Isometry3f T_tool_world = random_motion(random);
+      EXPECT_EQ(least_distance(samples, T_tool_world, boxes, {0.02F, -1.0F}),
+                brute_force_distance(samples, T_tool_world, boxes, 0.02F));
     }
-    EXPECT_EQ(least_distance(samples, T_tool_world, shape.fingers, {0.02F, -1.0F}), brute);
+  }
+}
+
+TEST(LeastDistance, EndsBelowABoundIfAnyPointIsBelowIt) {
+  const std::vector<HandBox> boxes = hand_shape(panda_hand(), 0.08, 0.05).boxes;
+  const SurfaceSamples samples = surface_samples(testing::cylinder_at(0.04, 0.1, 0, 0).surface);
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::Isometry3f T_tool_world = random_motion(random);
+    const float least = brute_force_distance(samples, T_tool_world, boxes, 0.02F);
+    EXPECT_EQ(least_distance(samples, T_tool_world, boxes, {0.02F, 0.002F}) < 0.002F,
+              least < 0.002F);
   }
 }
 

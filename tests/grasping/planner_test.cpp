@@ -19,6 +19,7 @@ using testing::box_at;
 using testing::clutter;
 using testing::cylinder_at;
 using testing::on_table;
+using testing::swept_boxes;
 
 std::vector<Grasp> grasps_of(const GraspPlan& plan, int object) {
   std::vector<Grasp> grasps;
@@ -26,14 +27,6 @@ std::vector<Grasp> grasps_of(const GraspPlan& plan, int object) {
     if (grasp.object == object) grasps.push_back(grasp);
   }
   return grasps;
-}
-
-/// The swept boxes of the open gripper.
-std::vector<HandBox> swept_boxes(const Gripper& gripper) {
-  const HandShape shape = hand_shape(gripper, gripper.max_opening, gripper.approach_distance);
-  std::vector<HandBox> boxes = shape.fingers;
-  boxes.insert(boxes.end(), shape.palm.begin(), shape.palm.end());
-  return boxes;
 }
 
 /// How deep a point of the surface lies in the boxes. [m]
@@ -202,6 +195,23 @@ TEST(PlanGrasps, CountsEveryCandidate) {
     EXPECT_EQ(sum, object.candidates);
     EXPECT_EQ(object.reason.has_value(), object.grasps == 0);
   }
+}
+
+TEST(PlanGrasps, TellsHowDeepARejectedGripperWouldReach) {
+  const GraspScene scene = clutter();
+  const GraspPlan plan = plan_grasps(scene, panda_hand());
+  const std::vector<HandBox> boxes = swept_boxes(panda_hand());
+  std::size_t own = 0;
+  for (const RejectedGrasp& rejected : plan.rejected) {
+    if (rejected.reason != GraspRejection::own_shape) continue;
+    ++own;
+    const auto& object = scene.objects[static_cast<std::size_t>(rejected.grasp.object)];
+    const SurfaceSamples samples = surface_samples(object.surface);
+    const Eigen::Isometry3f T_tool_world = rejected.grasp.T_world_tool.inverse().cast<float>();
+    EXPECT_LT(rejected.value, rejected.bound);
+    EXPECT_NEAR(rejected.value, least_distance(samples, T_tool_world, boxes, {0.02F, -1.0F}), 1e-6);
+  }
+  EXPECT_GT(own, 0);
 }
 
 TEST(PlanGrasps, SaysThatAnObjectIsTooWide) {

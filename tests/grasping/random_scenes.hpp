@@ -89,20 +89,12 @@ inline Gripper random_gripper(std::mt19937& random, GripperKind kind) {
 
 /// Palm and fingers of a hand that comes from `way` along −z.
 inline std::vector<HandBox> hand_boxes(const Gripper& gripper, double opening, double way) {
-  const HandShape shape = hand_shape(gripper, opening, way);
-  std::vector<HandBox> boxes = shape.fingers;
-  boxes.insert(boxes.end(), shape.palm.begin(), shape.palm.end());
-  return boxes;
+  return hand_shape(gripper, opening, way).boxes;
 }
 
 /// What the fingers of the open hand enclose.
 inline HandBox space_between_fingers(const Gripper& gripper) {
-  return hand_shape(gripper, gripper.max_opening, 0.0).between;
-}
-
-/// The open hand on its way to the grasp.
-inline std::vector<HandBox> swept_boxes(const Gripper& gripper) {
-  return hand_boxes(gripper, gripper.max_opening, gripper.approach_distance);
+  return space_between(gripper, gripper.max_opening);
 }
 
 }  // namespace symscene::testing

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "symscene/core/grasp.hpp"
+#include "symscene/core/gripper.hpp"
+#include "symscene/grasping/grasp_options.hpp"
+
+namespace symscene {
+
+/// Grasps of an object, both parts in descending order of quality.
+struct DistinctGrasps {
+  std::vector<Grasp> kept;
+  std::vector<Grasp> outranked;  ///< a better one is near, or there are enough of them
+};
+
+/// The best grasps that differ from each other, at most `max_grasps`.
+DistinctGrasps distinct_grasps(std::vector<Grasp> grasps, GripperKind kind,
+                               const GraspOptions& options);
+
+}  // namespace symscene
