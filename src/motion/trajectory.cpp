@@ -59,7 +59,7 @@ JointState TimedPath::at_end() const {
 }
 
 TimedPath time_optimal_trajectory(const std::vector<Eigen::VectorXd>& waypoints,
-                                   const MotionLimits& limits, const TrajectoryOptions& options) {
+                                  const MotionLimits& limits, const TrajectoryOptions& options) {
   options.validate();
   JointPath path(waypoints, options.max_deviation);
   require_limits("velocity", limits.velocity, path.first().size());

@@ -79,8 +79,8 @@ class TimedPath {
 /// bound on the curvature of each constraint.
 /// Throws InputError if limits are missing or not above 0, or waypoints are invalid (JointPath).
 TimedPath time_optimal_trajectory(const std::vector<Eigen::VectorXd>& waypoints,
-                                   const MotionLimits& limits,
-                                   const TrajectoryOptions& options = {});
+                                  const MotionLimits& limits,
+                                  const TrajectoryOptions& options = {});
 
 /// States at multiples of `period`, and at the end: times increase strictly, the last velocity is
 /// zero. The last step is between half and one and a half periods long, unless the whole
