@@ -1,0 +1,189 @@
+#include "symscene/motion/pick.hpp"
+
+#include <algorithm>
+
+#include "checked_trajectory.hpp"
+#include "pick_candidates.hpp"
+#include "symscene/core/error.hpp"
+
+namespace symscene {
+namespace {
+
+/// The capsules of the robot where it stands, in the world.
+std::vector<Capsule> robot_at(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
+                              const Eigen::VectorXd& start, const PickOptions& options) {
+  const MotionObstacles nothing{GraspScene{}};
+  return ArmCollision(robot, arm, &gripper, gripper.max_opening, nothing, start, options.collision)
+      .capsules(arm_positions(arm.arm, start));
+}
+
+/// One time per stage, in the order of their first runs.
+std::vector<StageTime> summed(const std::vector<StageTime>& runs) {
+  std::vector<StageTime> stages;
+  for (const StageTime& run : runs) {
+    const auto same = std::find_if(stages.begin(), stages.end(), [&](const StageTime& stage) {
+      return stage.stage == run.stage;
+    });
+    if (same == stages.end())
+      stages.push_back(run);
+    else
+      same->seconds += run.seconds;
+  }
+  return stages;
+}
+
+/// One call of plan_pick().
+class PickPlanner {
+ public:
+  PickPlanner(const PickCandidates& candidates, const MotionLimits& limits,
+              const MotionLimits& line_limits, const PickOptions& options)
+      : candidates_(candidates), limits_(limits), line_limits_(line_limits), options_(options) {}
+
+  /// The motion for a grasp; none, and `why`.
+  std::optional<PickMotion> plan(const Eigen::VectorXd& start, const Grasp& grasp,
+                                 StageTimer& timer, RejectedPick& why) const {
+    const std::vector<PickCandidate> found =
+        timer.time("grasp positions", [&] { return candidates_.find(grasp, why); });
+    if (found.empty()) return std::nullopt;
+    const PathResult path = timer.time("path", [&] { return path_to(start, grasp, found); });
+    if (path.status != PathStatus::found) {
+      why.reason = PickRejection::no_path;
+      why.detail = path.obstacle;
+      return std::nullopt;
+    }
+    return timer.time("trajectory", [&] { return timed(grasp, found[path.goal], path); });
+  }
+
+ private:
+  IgnoredObstacles at_target(const Grasp& grasp) const { return {-1, grasp.object}; }
+
+  PathResult path_to(const Eigen::VectorXd& start, const Grasp& grasp,
+                     const std::vector<PickCandidate>& found) const {
+    const ArmCollision& arm = candidates_.open_arm();
+    const IgnoredObstacles ignored = at_target(grasp);
+    std::vector<Eigen::VectorXd> goals;
+    for (const PickCandidate& candidate : found) goals.push_back(candidate.approach.front());
+    const MotionValidity validity{[&](const Eigen::VectorXd& q) {
+                                    const auto met = arm.contact(q, ignored);
+                                    return met ? describe(*met) : std::string();
+                                  },
+                                  [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+                                    return arm.is_free(a, b, ignored);
+                                  }};
+    return rrt_connect(candidates_.space(), start, goals, validity, options_.rrt);
+  }
+
+  PickMotion timed(const Grasp& grasp, const PickCandidate& candidate,
+                   const PathResult& path) const {
+    const ArmCollision& arm = candidates_.open_arm();
+    const IgnoredObstacles ignored = at_target(grasp);
+    // Full turns that the path made go on in what follows it.
+    const Eigen::VectorXd turns = path.waypoints.back() - candidate.approach.front();
+    TrajectoryOptions line = options_.trajectory;
+    line.max_deviation = std::min(line.max_deviation, 0.002);
+    return {0,
+            checked_trajectory(path.waypoints, limits_, options_.trajectory,
+                               [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+                                 return arm.is_free(a, b, ignored);
+                               }),
+            time_optimal_trajectory(turned(candidate.approach, turns), line_limits_, line),
+            time_optimal_trajectory(turned(candidate.retreat, turns), line_limits_, line)};
+  }
+
+  static std::vector<Eigen::VectorXd> turned(std::vector<Eigen::VectorXd> way,
+                                             const Eigen::VectorXd& turns) {
+    for (Eigen::VectorXd& positions : way) positions += turns;
+    return way;
+  }
+
+  const PickCandidates& candidates_;
+  const MotionLimits& limits_;
+  const MotionLimits& line_limits_;
+  const PickOptions& options_;
+};
+
+}  // namespace
+
+const char* to_string(PickRejection reason) {
+  switch (reason) {
+    case PickRejection::too_far:
+      return "too_far";
+    case PickRejection::unreachable:
+      return "unreachable";
+    case PickRejection::joint_limit:
+      return "joint_limit";
+    case PickRejection::line:
+      return "line";
+    case PickRejection::collision:
+      return "collision";
+    case PickRejection::no_path:
+      return "no_path";
+  }
+  return "";
+}
+
+const char* description(PickRejection reason) {
+  switch (reason) {
+    case PickRejection::too_far:
+      return "it is farther away than the arm is long";
+    case PickRejection::unreachable:
+      return "the arm does not reach it in that orientation";
+    case PickRejection::joint_limit:
+      return "a joint would leave its limits";
+    case PickRejection::line:
+      return "the arm cannot move straight to it and back";
+    case PickRejection::collision:
+      return "the arm would collide";
+    case PickRejection::no_path:
+      return "no path was found to it";
+  }
+  return "";
+}
+
+MotionLimits motion_limits(const RobotModel& model, const Arm& arm, double speed) {
+  const auto joints = static_cast<Eigen::Index>(arm.positions.size());
+  MotionLimits limits{Eigen::VectorXd(joints), Eigen::VectorXd(joints)};
+  for (Eigen::Index i = 0; i < joints; ++i) {
+    const std::size_t position = arm.positions[static_cast<std::size_t>(i)];
+    const JointLimits& joint = model.joints[model.joint_of_position(position)].limits;
+    limits.velocity[i] = speed * joint.velocity;
+    limits.acceleration[i] = speed * speed * joint.acceleration;
+  }
+  return limits;
+}
+
+PickResult plan_pick(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
+                     const Eigen::VectorXd& start, const GraspScene& scene,
+                     std::span<const Grasp> grasps, const PickOptions& options) {
+  gripper.validate();
+  options.validate();
+  StageTimer timer;
+  PickResult result;
+  const MotionObstacles obstacles = timer.time("obstacles", [&] {
+    return MotionObstacles(scene, robot_at(robot, arm, gripper, start, options), options.obstacles);
+  });
+  const PickCandidates candidates(robot, arm, gripper, start, scene, obstacles, options);
+  const MotionLimits limits = motion_limits(robot.model, arm.arm, options.speed);
+  const MotionLimits line_limits =
+      motion_limits(robot.model, arm.arm, options.speed * options.line_speed);
+  const Eigen::VectorXd from = arm_positions(arm.arm, start);
+  const Eigen::Index outside = candidates.space().joint_outside(from);
+  if (const auto met = candidates.open_arm().contact(from))
+    result.start_contact = describe(*met);
+  else if (outside >= 0)
+    result.start_contact = "a joint is outside its limits";
+  const PickPlanner planner(candidates, limits, line_limits, options);
+  const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options.max_grasps));
+  for (std::size_t i = 0; i < count && result.start_contact.empty() && !result.motion; ++i) {
+    RejectedPick why{i, PickRejection::too_far, {}};
+    result.motion = planner.plan(from, grasps[i], timer, why);
+    if (result.motion)
+      result.motion->grasp = i;
+    else
+      result.rejected.push_back(why);
+  }
+  result.timings = summed(timer.stages());
+  return result;
+}
+
+}  // namespace symscene
