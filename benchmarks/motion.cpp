@@ -103,7 +103,9 @@ void plan_scene(const Arguments& arguments, int scene_number, const Robot& robot
 int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("Planning of picks in simulated scenes: shares, reasons and times");
-  app.add_option("--robot", arguments.robot, "panda, baxter or a YAML file")->capture_default_str();
+  app.add_option("--robot", arguments.robot,
+                 "panda, baxter or a YAML file that names a built-in gripper")
+      ->capture_default_str();
   app.add_option("--seed", arguments.seed, "of the first scene")->capture_default_str();
   app.add_option("--scenes", arguments.scenes, "scenes")->capture_default_str();
   app.add_option("--objects", arguments.objects, "objects per scene")->capture_default_str();
