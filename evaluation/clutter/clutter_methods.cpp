@@ -1,13 +1,13 @@
 #include "symscene/clutter/clutter_methods.hpp"
 
 #include <array>
-#include <chrono>
 
 #include <fmt/format.h>
 
 #include "core/random.hpp"
 #include "method_parts.hpp"
 #include "sensed_scene.hpp"
+#include "stopwatch.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 #include "symscene/grasping/gripper.hpp"
@@ -19,16 +19,6 @@ namespace {
 constexpr std::array methods{GraspMethod::symscene, GraspMethod::cylinders,
                              GraspMethod::true_meshes, GraspMethod::antipodal, GraspMethod::random};
 constexpr std::array knowledges{TableKnowledge::none, TableKnowledge::plane, TableKnowledge::scale};
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Whether the position of a grasp is where the benchmark allows it.
 bool is_in_volume(const Eigen::Vector3d& p) {

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "symscene/clutter/grasp_trials.hpp"
+
 namespace symscene {
 namespace {
 
@@ -68,13 +70,7 @@ std::string quality_label(const ClutterAttempt& attempt) {
 }
 
 std::string end_label(const ClutterAttempt* attempt) {
-  const GraspOutcome& outcome = attempt->outcome;
-  std::string label = to_string(outcome.end);
-  if (outcome.contact == ApproachContact::none) return label;
-  return fmt::format("{}, touched {}", label,
-                     outcome.contact == ApproachContact::table ? "the table"
-                     : attempt->touched_other                  ? "another object"
-                                                               : "its object");
+  return outcome_label(attempt->outcome, attempt->touched_other);
 }
 
 std::string penetration_label(const ClutterAttempt* attempt) {

@@ -3,20 +3,13 @@
 #include <algorithm>
 
 #include "core/random.hpp"
+#include "grasp_aim.hpp"
 #include "method_parts.hpp"
-#include "simulation/true_surface.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/physics/physics_world.hpp"
 
 namespace symscene {
 namespace {
-
-constexpr double tip_distance = 0.04;  // from the tool frame to the point that a grasp aims at [m]
-
-std::uint64_t next_seed(Random& random) {
-  const std::uint64_t high = random.bits();
-  return high << 32U | random.bits();
-}
 
 /// The object that a grasp aims at.
 struct Aim {
@@ -37,11 +30,8 @@ class Aims {
   const std::vector<double>& occlusion() const { return occlusion_; }
 
   Aim of(const Grasp& grasp) const {
-    constexpr double reach = 0.5;  // [m]
-    const Eigen::Vector3d point = grasp.T_world_tool * Eigen::Vector3d(0, 0, tip_distance);
-    const TrueSurface::Nearest nearest = surface_.nearest(point, reach);
-    const std::size_t k = nearest.mesh == TrueSurface::Nearest::nothing ? 0 : nearest.mesh;
-    return {items_[k], nearest.distance, occlusion_[k]};
+    const TrueSurface::Nearest nearest = aim_of(grasp, surface_);
+    return {items_[nearest.mesh], nearest.distance, occlusion_[nearest.mesh]};
   }
 
  private:
@@ -126,7 +116,7 @@ void rehearse_best(ClutterWorld& world, const Aims& aims, const GraspProposals& 
 /// One proposal and its execution; returns whether there was a grasp.
 bool try_once(ClutterWorld& world, const ClutterRoundOptions& options, int round, Random& random,
               const ClutterObserver& observer, ClutterRound& result) {
-  const std::uint64_t noise_seed = next_seed(random), method_seed = next_seed(random);
+  const std::uint64_t noise_seed = random.seed(), method_seed = random.seed();
   const std::vector<ClutterView> views =
       clutter_views(world, options.views, options.noise, noise_seed);
   const GraspProposals proposals =
@@ -226,7 +216,7 @@ ClutterRound run_clutter_round(std::span<const ClutterObject> objects,
   ClutterRound result;
   try {
     Random random(options.seed, static_cast<std::uint64_t>(round));
-    ClutterWorld world(objects, options.kind, options.objects, next_seed(random), options.physics);
+    ClutterWorld world(objects, options.kind, options.objects, random.seed(), options.physics);
     play(world, options, round, random, observer, result);
     for (const std::size_t item : world.present())
       result.left_objects.push_back(world.object(item).name);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "symscene/clutter/grasp_trials.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -13,7 +14,6 @@ namespace {
 
 using clutter::size, clutter::table_height;
 
-constexpr double rest_speed = 0.01;      // [m/s]
 constexpr double check_interval = 0.25;  // simulated between two checks for rest [s]
 constexpr double drop_time = 1.0;        // [s]
 constexpr double settle_time = 2.0;      // [s]
@@ -31,6 +31,10 @@ std::vector<FixedBox> tray() {
           {{high, outer_low, 0}, {outer_high, outer_high, height}},
           {{outer_low, outer_low, 0}, {outer_high, low, height}},
           {{outer_low, high, 0}, {outer_high, outer_high, height}}};
+}
+
+Eigen::Isometry3d in_table_frame(const Eigen::Isometry3d& T_world_tool) {
+  return Eigen::Translation3d(0, 0, -table_height) * T_world_tool;
 }
 
 Eigen::Quaterniond random_rotation(Random& random) {
@@ -112,13 +116,7 @@ void ClutterWorld::set_upright(int count) {
   }
 }
 
-std::vector<std::size_t> ClutterWorld::present() const {
-  std::vector<std::size_t> items;
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (world_->is_there(i)) items.push_back(i);
-  }
-  return items;
-}
+std::vector<std::size_t> ClutterWorld::present() const { return present_bodies(*world_); }
 
 Eigen::Isometry3d ClutterWorld::pose(std::size_t item) const {
   return Eigen::Translation3d(0, 0, table_height) * world_->pose(item);
@@ -139,16 +137,10 @@ void ClutterWorld::advance(double seconds) {
   time_ += seconds;
 }
 
-bool ClutterWorld::at_rest() const {
-  const std::vector<std::size_t> items = present();
-  return std::all_of(items.begin(), items.end(),
-                     [&](std::size_t i) { return world_->speed(i) <= rest_speed; });
-}
-
 void ClutterWorld::advance_to_rest(double seconds) {
   const double end = time_ + seconds;
   do advance(check_interval);
-  while (!at_rest() && time_ < end);
+  while (!is_at_rest(*world_) && time_ < end);
 }
 
 bool ClutterWorld::take_away_outside() {
@@ -168,38 +160,17 @@ void ClutterWorld::settle() {
 }
 
 double ClutterWorld::penetration(const Eigen::Isometry3d& T_world_tool, std::size_t aimed) {
-  world_->put_hand(Eigen::Translation3d(0, 0, -table_height) * T_world_tool);
-  const HandContacts contacts = world_->hand_contacts();
-  world_->take_hand_away();
-  double depth = contacts.table_depth;
-  for (std::size_t k = 0; k < contacts.bodies.size(); ++k) {
-    if (contacts.bodies[k] != aimed) depth = std::max(depth, contacts.depths[k]);
-  }
-  return depth;
-}
-
-GraspOutcome ClutterWorld::executed(const Eigen::Isometry3d& T_world_tool,
-                                    const GraspExecutionOptions& options) {
-  const Eigen::Isometry3d T_table_tool = Eigen::Translation3d(0, 0, -table_height) * T_world_tool;
-  const GraspOutcome outcome = execute_grasp(*world_, T_table_tool, options);
-  world_->take_hand_away();
-  return outcome;
+  return hand_penetration(*world_, in_table_frame(T_world_tool), aimed);
 }
 
 GraspOutcome ClutterWorld::rehearse(const Eigen::Isometry3d& T_world_tool,
                                     const GraspExecutionOptions& options) {
-  const std::vector<std::size_t> items = present();
-  std::vector<Eigen::Isometry3d> poses;
-  for (const std::size_t i : items) poses.push_back(world_->pose(i));
-  const GraspOutcome outcome = executed(T_world_tool, options);
-  for (std::size_t k = 0; k < items.size(); ++k) world_->put(items[k], poses[k]);
-  return outcome;
+  return execute_and_undo(*world_, in_table_frame(T_world_tool), options);
 }
 
 GraspOutcome ClutterWorld::execute(const Eigen::Isometry3d& T_world_tool,
                                    const GraspExecutionOptions& options) {
-  const GraspOutcome outcome = executed(T_world_tool, options);
-  if (outcome.end == GraspEnd::success) world_->take_away(*outcome.body);
+  const GraspOutcome outcome = execute_and_remove(*world_, in_table_frame(T_world_tool), options);
   settle();
   return outcome;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/random.hpp"
-#include "simulation/true_surface.hpp"
+#include "grasp_aim.hpp"
 #include "symscene/clutter/graspability.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
@@ -12,14 +12,7 @@
 namespace symscene {
 namespace {
 
-constexpr double pinch_overlap = 0.01;  // from the point that a grasp aims at to the tips [m]
-constexpr double aim_reach = 0.5;       // [m]
-constexpr double point_reach = 0.02;    // of an observed point from its object's true surface [m]
-
-std::uint64_t drawn_seed(Random& random) {
-  const std::uint64_t high = random.bits();
-  return high << 32U | random.bits();
-}
+constexpr double point_reach = 0.02;  // of an observed point from its object's true surface [m]
 
 std::vector<TriangleMesh> surfaces_of(const Tabletop& tabletop) {
   std::vector<TriangleMesh> surfaces;
@@ -76,7 +69,7 @@ class Clearing {
   void look_and_try() {
     const Tabletop tabletop = world_.tabletop();
     SweepOptions sweep = options_.sweep;
-    sweep.tabletop.seed = drawn_seed(random_);  // of noise and shake
+    sweep.tabletop.seed = random_.seed();  // of noise and shake
     const TableLook look = look_at_table(tabletop, sweep, options_.look);
     const TableProposals proposals =
         propose_table_grasps(options_.method, look, gripper_, options_.pipeline, options_.grasping);
@@ -138,11 +131,8 @@ class Clearing {
 
   void try_grasp(const Grasp& grasp, const TrueSurface& truth, TableAttempt& attempt) {
     const std::vector<std::size_t> present = world_.present();
-    const Eigen::Vector3d pinch =
-        grasp.T_world_tool * Eigen::Vector3d(0, 0, gripper_.finger_depth - pinch_overlap);
-    const TrueSurface::Nearest nearest = truth.nearest(pinch, aim_reach);
-    const std::size_t aimed =
-        present[nearest.mesh == TrueSurface::Nearest::nothing ? 0 : nearest.mesh];
+    const TrueSurface::Nearest nearest = aim_of(grasp, truth);
+    const std::size_t aimed = present[nearest.mesh];
     attempt.tried = true;
     attempt.grasp = grasp;
     attempt.aimed = world_.model(aimed).name;
@@ -216,7 +206,7 @@ TableClearing clear_table(std::span<const ObjectModel> models, const TableCleari
   TabletopOptions tabletop_options = options.sweep.tabletop;
   tabletop_options.objects =
       options.min_objects + table % (options.max_objects - options.min_objects + 1);
-  tabletop_options.seed = drawn_seed(random);
+  tabletop_options.seed = random.seed();
   try {
     const Tabletop tabletop = drop_tabletop(models, tabletop_options, options.sweep.drop);
     result.warnings = tabletop.warnings;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "symscene/clutter/grasp_trials.hpp"
+
 namespace symscene {
 namespace {
 
@@ -104,21 +106,11 @@ LabelCounts reasons_of(std::span<const TableClearing> tables, const Selected& se
   return counts;
 }
 
-std::string outcome_label(const TableAttempt& attempt) {
-  const GraspOutcome& outcome = attempt.outcome;
-  std::string label = to_string(outcome.end);
-  if (outcome.contact == ApproachContact::none) return label;
-  return fmt::format("{}, touched {}", label,
-                     outcome.contact == ApproachContact::table ? "the table"
-                     : attempt.touched_other                   ? "another object"
-                                                               : "its object");
-}
-
 LabelCounts outcomes_of(std::span<const TableClearing> tables) {
   LabelCounts counts;
   for (const TableClearing& table : tables) {
     for (const TableAttempt& attempt : table.attempts) {
-      if (attempt.tried) ++counts[outcome_label(attempt)];
+      if (attempt.tried) ++counts[outcome_label(attempt.outcome, attempt.touched_other)];
     }
   }
   return counts;

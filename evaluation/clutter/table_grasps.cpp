@@ -1,7 +1,6 @@
 #include "symscene/clutter/table_grasps.hpp"
 
-#include <chrono>
-
+#include "stopwatch.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 #include "symscene/grasping/planner.hpp"
@@ -9,12 +8,6 @@
 
 namespace symscene {
 namespace {
-
-using PlanClock = std::chrono::steady_clock;
-
-double seconds_between(PlanClock::time_point begin, PlanClock::time_point end) {
-  return std::chrono::duration<double>(end - begin).count();
-}
 
 Points world_points(const PointCloud& cloud, const PointIndices& indices,
                     const Eigen::Isometry3d& T_world_scene) {
@@ -52,21 +45,19 @@ TableProposals propose_table_grasps(GraspMethod method, const TableLook& look,
   require_sensed_method(method);
   TableProposals proposals;
   if (look.scene.cloud.empty()) return proposals;
-  const PlanClock::time_point begin = PlanClock::now();
-  PlanClock::time_point segmented;
+  const Stopwatch watch;
   if (method == GraspMethod::cylinders) {
     const CylinderScene cylinders = fit_cylinders(look.scene);
-    segmented = PlanClock::now();
+    proposals.segmentation_seconds = watch.seconds();
     take_table_plan(cylinder_grasps(cylinders, gripper), cylinders.cloud, cylinders.clusters,
                     look.T_world_scene, proposals);
   } else {
     const SegmentationResult result = segment_scene(look.scene, pipeline);
-    segmented = PlanClock::now();
+    proposals.segmentation_seconds = watch.seconds();
     take_table_plan(plan_grasps(grasp_scene(result, &look.scene, grasping), gripper, grasping),
                     result.cloud, result.objects, look.T_world_scene, proposals);
   }
-  proposals.segmentation_seconds = seconds_between(begin, segmented);
-  proposals.grasping_seconds = seconds_between(segmented, PlanClock::now());
+  proposals.grasping_seconds = watch.seconds() - proposals.segmentation_seconds;
   return proposals;
 }
 

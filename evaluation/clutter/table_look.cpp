@@ -1,19 +1,10 @@
 #include "symscene/clutter/table_look.hpp"
 
-#include <chrono>
 #include <optional>
 
+#include "stopwatch.hpp"
+
 namespace symscene {
-namespace {
-
-using LookClock = std::chrono::steady_clock;
-
-double seconds_since(LookClock::time_point begin) {
-  return std::chrono::duration<double>(LookClock::now() - begin).count();
-}
-
-}  // namespace
-
 TableLook look_at_table(const Tabletop& tabletop, const SweepOptions& sweep,
                         const TableLookOptions& options) {
   options.validate();
@@ -26,9 +17,9 @@ TableLook look_at_table(const Tabletop& tabletop, const SweepOptions& sweep,
     if (!T_first_world) T_first_world = pose.inverse();
     std::optional<Eigen::Isometry3d> known;
     if (options.exact_poses) known = *T_first_world * pose;
-    const LookClock::time_point begin = LookClock::now();
+    const Stopwatch watch;
     const FrameReport report = reconstruction.add(frame, known);
-    look.seconds += seconds_since(begin);
+    look.seconds += watch.seconds();
     ++look.frames;
     if (!report.fused) return;
     tracked.push_back({frame.time, report.tracking.T_world_camera});
@@ -39,7 +30,7 @@ TableLook look_at_table(const Tabletop& tabletop, const SweepOptions& sweep,
   if (look.fused == 0) return look;
   look.trajectory = trajectory_error(estimated, truth);
   look.T_world_scene = truth.front() * estimated.front().inverse();
-  const LookClock::time_point begin = LookClock::now();
+  const Stopwatch watch;
   const TriangleMesh surface = reconstruction.surface();
   if (surface.vertices.rows() != 0) {
     look.scene = build_scene({surface.vertices, surface.normals, surface.colors},
@@ -48,7 +39,7 @@ TableLook look_at_table(const Tabletop& tabletop, const SweepOptions& sweep,
     // Without a table, what was seen is not what stands on it.
     if (!look.scene.table) look.scene = {};
   }
-  look.seconds += seconds_since(begin);
+  look.seconds += watch.seconds();
   return look;
 }
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "core/parallel.hpp"
+#include "symscene/clutter/grasp_trials.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/solid.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr double resting_speed = 0.01;  // [m/s], as in the clutter-removal benchmark
 constexpr double rest_interval = 0.25;  // simulated between two checks for rest [s]
 constexpr double longest_rest = 2.0;    // simulated [s]
 
@@ -39,13 +39,7 @@ TableWorld::TableWorld(const Tabletop& tabletop, const DropOptions& drop,
   settle();
 }
 
-std::vector<std::size_t> TableWorld::present() const {
-  std::vector<std::size_t> objects;
-  for (std::size_t i = 0; i < tabletop_.objects.size(); ++i) {
-    if (world_->is_there(i)) objects.push_back(i);
-  }
-  return objects;
-}
+std::vector<std::size_t> TableWorld::present() const { return present_bodies(*world_); }
 
 Tabletop TableWorld::tabletop() const {
   Tabletop now = tabletop_;
@@ -58,45 +52,19 @@ Tabletop TableWorld::tabletop() const {
 }
 
 double TableWorld::penetration(const Eigen::Isometry3d& T_world_tool, std::size_t aimed) {
-  world_->put_hand(T_table_world_ * T_world_tool);
-  const HandContacts contacts = world_->hand_contacts();
-  world_->take_hand_away();
-  double depth = contacts.table_depth;
-  for (std::size_t k = 0; k < contacts.bodies.size(); ++k) {
-    if (contacts.bodies[k] != aimed) depth = std::max(depth, contacts.depths[k]);
-  }
-  return depth;
-}
-
-GraspOutcome TableWorld::executed(const Eigen::Isometry3d& T_world_tool,
-                                  const GraspExecutionOptions& options) {
-  const GraspOutcome outcome = execute_grasp(*world_, T_table_world_ * T_world_tool, options);
-  world_->take_hand_away();
-  return outcome;
+  return hand_penetration(*world_, T_table_world_ * T_world_tool, aimed);
 }
 
 GraspOutcome TableWorld::rehearse(const Eigen::Isometry3d& T_world_tool,
                                   const GraspExecutionOptions& options) {
-  const std::vector<std::size_t> objects = present();
-  std::vector<Eigen::Isometry3d> poses;
-  for (const std::size_t i : objects) poses.push_back(world_->pose(i));
-  const GraspOutcome outcome = executed(T_world_tool, options);
-  for (std::size_t k = 0; k < objects.size(); ++k) world_->put(objects[k], poses[k]);
-  return outcome;
+  return execute_and_undo(*world_, T_table_world_ * T_world_tool, options);
 }
 
 GraspOutcome TableWorld::execute(const Eigen::Isometry3d& T_world_tool,
                                  const GraspExecutionOptions& options) {
-  const GraspOutcome outcome = executed(T_world_tool, options);
-  if (outcome.end == GraspEnd::success) world_->take_away(*outcome.body);
+  const GraspOutcome outcome = execute_and_remove(*world_, T_table_world_ * T_world_tool, options);
   settle();
   return outcome;
-}
-
-bool TableWorld::at_rest() const {
-  const std::vector<std::size_t> objects = present();
-  return std::all_of(objects.begin(), objects.end(),
-                     [&](std::size_t i) { return world_->speed(i) <= resting_speed; });
 }
 
 void TableWorld::advance_to_rest() {
@@ -104,7 +72,7 @@ void TableWorld::advance_to_rest() {
   do {
     world_->advance(rest_interval);
     seconds += rest_interval;
-  } while (!at_rest() && seconds < longest_rest);
+  } while (!is_at_rest(*world_) && seconds < longest_rest);
 }
 
 bool TableWorld::take_away_fallen() {

@@ -19,6 +19,11 @@ std::uint32_t Random::bits() {
   return (shifted >> rotation) | (shifted << ((32U - rotation) & 31U));
 }
 
+std::uint64_t Random::seed() {
+  const std::uint64_t high = bits();
+  return high << 32U | bits();
+}
+
 std::uint32_t Random::below(std::uint32_t count) {
   return static_cast<std::uint32_t>((std::uint64_t{bits()} * count) >> 32U);
 }

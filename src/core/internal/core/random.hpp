@@ -11,6 +11,8 @@ class Random {
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0);
 
   std::uint32_t bits();
+  /// The seed of another generator.
+  std::uint64_t seed();
   /// In [0, 1).
   double uniform() { return bits() * 0x1.0p-32; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }

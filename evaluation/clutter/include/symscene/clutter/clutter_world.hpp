@@ -71,12 +71,9 @@ class ClutterWorld {
   double time() const { return time_; }
 
  private:
-  GraspOutcome executed(const Eigen::Isometry3d& T_world_tool,
-                        const GraspExecutionOptions& options);
   void drop_into_tray();
   void set_upright(int count);
   void advance(double seconds);
-  bool at_rest() const;
   void advance_to_rest(double seconds);
   bool take_away_outside();
   void settle();

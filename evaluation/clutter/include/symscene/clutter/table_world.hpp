@@ -37,9 +37,6 @@ class TableWorld {
                         const GraspExecutionOptions& options = {});
 
  private:
-  GraspOutcome executed(const Eigen::Isometry3d& T_world_tool,
-                        const GraspExecutionOptions& options);
-  bool at_rest() const;
   void advance_to_rest();
   bool take_away_fallen();
   void settle();
