@@ -2,10 +2,8 @@
 // time per pose.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <chrono>
-
 #include "core/random.hpp"
+#include "stopwatch.hpp"
 #include "symscene/io/robot.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
 
@@ -37,18 +35,15 @@ void solve_poses(benchmark::State& state, const char* name, const char* arm) {
   int solved = 0;
   for (auto _ : state) {
     for (const Eigen::Isometry3d& T_base_tip : poses) {
-      const auto start = std::chrono::steady_clock::now();
-      const InverseKinematicsResult result = inverse_kinematics(chain, T_base_tip);
-      const std::chrono::duration<double, std::milli> time =
-          std::chrono::steady_clock::now() - start;
-      milliseconds.push_back(time.count());
+      InverseKinematicsResult result;
+      const Seconds time = seconds([&] { result = inverse_kinematics(chain, T_base_tip); });
+      milliseconds.push_back(1e3 * time.wall);
       solved += result.converged() ? 1 : 0;
     }
   }
-  std::sort(milliseconds.begin(), milliseconds.end());
   state.counters["solved_percent"] = 100.0 * solved / static_cast<double>(milliseconds.size());
-  state.counters["median_ms"] = milliseconds[milliseconds.size() / 2];
-  state.counters["p95_ms"] = milliseconds[milliseconds.size() * 95 / 100];
+  state.counters["median_ms"] = quantile(milliseconds, 0.5);
+  state.counters["p95_ms"] = quantile(milliseconds, 0.95);
 }
 
 BENCHMARK_CAPTURE(solve_poses, panda, "panda", "arm")->Unit(benchmark::kMillisecond);

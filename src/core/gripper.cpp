@@ -15,6 +15,12 @@ std::optional<GripperKind> gripper_kind_of(std::string_view name) {
   return std::nullopt;
 }
 
+Eigen::Matrix3d tool_axes(const Eigen::Vector3d& closing, const Eigen::Vector3d& approach) {
+  Eigen::Matrix3d R;
+  R << closing.cross(approach), closing, approach;
+  return R;
+}
+
 void Gripper::validate() const {
   check_fields(*this);
   require_option(max_opening > min_opening, "max_opening", "more than min_opening", max_opening);

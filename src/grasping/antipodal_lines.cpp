@@ -4,6 +4,7 @@
 
 #include "closing_lines.hpp"
 #include "near_line.hpp"
+#include "squared_distances.hpp"
 
 namespace symscene {
 namespace {
@@ -11,31 +12,18 @@ namespace {
 constexpr float ray_radius = 0.004F;    // somewhat more than the spacing of samples [m]
 constexpr float least_width = 0.0015F;  // between opposite points [m]
 
-Eigen::ArrayXf squared_distances(const Points& points, const Eigen::Vector3f& from) {
-  return (points.col(0).array() - from.x()).square() +
-         ((points.col(1).array() - from.y()).square() +
-          (points.col(2).array() - from.z()).square());
-}
-
-/// The first of the greatest values. Eigen's search for the index does not use vector instructions.
-Eigen::Index first_greatest(const Eigen::ArrayXf& values) {
-  const float greatest = values.maxCoeff();
-  return std::find(values.begin(), values.end(), greatest) - values.begin();
-}
-
 /// `count` samples that are far apart: each is the farthest from those before it (Gonzalez 1985).
 std::vector<Eigen::Index> spread_samples(const GraspTarget& target, std::size_t count) {
   const Points& points = target.samples.positions;
   std::vector<Eigen::Index> chosen;
   if (points.rows() == 0) return chosen;
-  Eigen::Index next =
-      first_greatest(squared_distances(points, target.solid.centre_of_mass.cast<float>()));
-  Eigen::ArrayXf distance =
-      Eigen::ArrayXf::Constant(points.rows(), std::numeric_limits<float>::infinity());
+  Eigen::ArrayXf distance = squared_distances(points, target.solid.centre_of_mass.cast<float>());
+  Eigen::Index next = first_of(distance, distance.maxCoeff());
+  distance.setConstant(std::numeric_limits<float>::infinity());
   while (chosen.size() < std::min(count, static_cast<std::size_t>(points.rows()))) {
     chosen.push_back(next);
     distance = distance.min(squared_distances(points, points.row(next).transpose()));
-    next = first_greatest(distance);
+    next = first_of(distance, distance.maxCoeff());
   }
   return chosen;
 }

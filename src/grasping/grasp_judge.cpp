@@ -7,6 +7,7 @@
 
 #include "grasping/quality.hpp"
 #include "hand_collision.hpp"
+#include "squared_distances.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
@@ -16,7 +17,6 @@ constexpr float hand_spacing = 0.012F;       // of the points at which space is 
 constexpr float greatest_distance = 0.01F;   // that is told from others [m]
 constexpr double greatest_tolerance = 0.05;  // of the measured depth [m]
 constexpr double gravity = 9.81;             // [m/s²]
-constexpr double steep = radians(60.0);      // approaches up to this tilt retreat backwards
 
 void fail(GraspJudge::Verdict& verdict, GraspRejection reason, double value, double bound) {
   verdict.reason = reason;
@@ -47,11 +47,8 @@ class TargetSpace {
       return false;
     if (cells_.nearest(point, margin).first != CellList::none) return true;
     // Off the surface, a few samples tell the side.
-    const Eigen::ArrayXf squared = (some_positions_.col(0).array() - point.x()).square() +
-                                   ((some_positions_.col(1).array() - point.y()).square() +
-                                    (some_positions_.col(2).array() - point.z()).square());
-    const float least = squared.minCoeff();
-    const Eigen::Index nearest = std::find(squared.begin(), squared.end(), least) - squared.begin();
+    const Eigen::ArrayXf squared = squared_distances(some_positions_, point);
+    const Eigen::Index nearest = first_of(squared, squared.minCoeff());
     return (point.transpose() - some_positions_.row(nearest)).dot(some_normals_.row(nearest)) <
            0.0F;
   }
@@ -284,7 +281,7 @@ void GraspJudge::require_seen_space(Verdict& verdict, Search) const {
 
 void GraspJudge::require_clear_lift(Verdict& verdict, Search search) const {
   // A steep approach retreats the way that it came.
-  if (verdict.grasp.features.tilt <= steep) return;
+  if (verdict.grasp.features.tilt <= backwards_tilt) return;
   constexpr double step = 0.01;
   const double bound = options_.bounds.object_clearance;
   const HandShape closed = hand_shape(gripper_, verdict.grasp.opening, 0.0);

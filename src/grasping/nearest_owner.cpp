@@ -1,4 +1,4 @@
-#include "nearest_owner.hpp"
+#include "grasping/nearest_owner.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -48,16 +48,18 @@ Eigen::ArrayXd NearestOwner::least_along(int axis, int radius, const Eigen::Arra
   return least;
 }
 
-std::vector<int> NearestOwner::owners(int radius, int nobody) const {
+std::vector<NearestOwner::Claim> NearestOwner::nearest(int radius) const {
   Eigen::ArrayXd least = claims_;
   for (int axis = 0; axis < 3; ++axis) least = least_along(axis, radius, least);
   const double farthest = owners_ * static_cast<double>(radius) * radius + owners_ - 1.0;
   const auto count = static_cast<std::int64_t>(owners_);
-  std::vector<int> owners(static_cast<std::size_t>(least.size()));
-  std::transform(least.begin(), least.end(), owners.begin(), [&](double value) {
-    return value <= farthest ? static_cast<int>(static_cast<std::int64_t>(value) % count) : nobody;
+  std::vector<Claim> nearest(static_cast<std::size_t>(least.size()));
+  std::transform(least.begin(), least.end(), nearest.begin(), [&](double value) {
+    if (!(value <= farthest)) return Claim{};
+    const auto whole = static_cast<std::int64_t>(value);
+    return Claim{static_cast<int>(whole % count), static_cast<int>(whole / count)};
   });
-  return owners;
+  return nearest;
 }
 
 }  // namespace symscene

@@ -1,13 +1,14 @@
 #include "tool_pose.hpp"
 
 #include "symscene/core/geometry.hpp"
+#include "symscene/core/gripper.hpp"
 
 namespace symscene {
 
 Eigen::Isometry3d tool_pose(const Eigen::Vector3d& origin, const Eigen::Vector3d& closing,
                             const Eigen::Vector3d& approach) {
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
-  T_world_tool.linear() << closing.cross(approach), closing, approach;
+  T_world_tool.linear() = tool_axes(closing, approach);
   T_world_tool.translation() = origin;
   return T_world_tool;
 }

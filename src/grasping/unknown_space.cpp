@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "core/parallel.hpp"
-#include "nearest_owner.hpp"
 
 namespace symscene {
 
@@ -22,7 +21,7 @@ UnknownSpace::UnknownSpace(const OccupancyGrid& grid, const std::vector<SurfaceS
     for (const Eigen::Array3i& voxel : claims[i])
       nearest.claim(voxel - coarse_low_, static_cast<int>(i));
   }
-  owner_ = nearest.owners(radius, nobody);
+  nearest_ = nearest.nearest(radius);
 }
 
 UnknownSpace::Voxels UnknownSpace::coarse_voxels(const SurfaceSamples& samples) const {
@@ -69,12 +68,13 @@ VoxelState UnknownSpace::state_at(const Eigen::Array3i& voxel) const {
 
 int UnknownSpace::owner_at(const Eigen::Array3i& voxel) const {
   const Eigen::Array3i at = voxel / coarseness - coarse_low_;
-  if ((at < 0).any() || (at >= coarse_size_).any()) return nobody;
+  if ((at < 0).any() || (at >= coarse_size_).any()) return NearestOwner::nobody;
   const std::size_t row =
       static_cast<std::size_t>(at.z()) * static_cast<std::size_t>(coarse_size_.y()) +
       static_cast<std::size_t>(at.y());
-  return owner_[row * static_cast<std::size_t>(coarse_size_.x()) +
-                static_cast<std::size_t>(at.x())];
+  return nearest_[row * static_cast<std::size_t>(coarse_size_.x()) +
+                  static_cast<std::size_t>(at.x())]
+      .owner;
 }
 
 bool UnknownSpace::is_outside(const SurfaceSamples& samples) const {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "grasping/nearest_owner.hpp"
 #include "symscene/core/types.hpp"
 #include "target.hpp"
 
@@ -33,7 +34,6 @@ class UnknownSpace {
   using Voxels = std::vector<Eigen::Array3i>;
 
   static constexpr int coarseness = 2;  ///< voxels of the grid per coarse one, along each axis
-  static constexpr int nobody = -1;
 
   std::optional<Eigen::Array3i> voxel_of(const Eigen::Vector3f& point) const;
   VoxelState state_at(const Eigen::Array3i& voxel) const;
@@ -46,7 +46,8 @@ class UnknownSpace {
   const OccupancyGrid& grid_;
   Eigen::Array3i coarse_low_ = Eigen::Array3i::Zero();  ///< the first coarse voxel with an owner
   Eigen::Array3i coarse_size_ = Eigen::Array3i::Zero();
-  std::vector<int> owner_;  ///< per coarse voxel: an object, their number for others, or nobody
+  /// Per coarse voxel; owners are the objects, then their number for others.
+  std::vector<NearestOwner::Claim> nearest_;
 };
 
 }  // namespace symscene

@@ -138,7 +138,7 @@ ArmBodies arm_bodies(const Robot& robot, const RobotArm& arm, const Gripper* gri
   const RobotModel& model = robot.model;
   ArmBodies all;
   all.T_tip_tool = arm.T_tip_wrist;
-  if (gripper != nullptr) all.T_tip_tool = arm.T_tip_wrist * gripper->T_wrist_tool;
+  if (gripper != nullptr) all.T_tip_tool = arm.T_tip_tool(*gripper);
   for (std::size_t link = 0; link < model.links.size(); ++link) {
     const bool is_replaced = gripper != nullptr && is_carried_by(model, link, arm.arm.tip_link);
     if (model.links[link].capsules.empty() || is_replaced) continue;

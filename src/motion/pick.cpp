@@ -17,21 +17,6 @@ std::vector<Capsule> robot_at(const Robot& robot, const RobotArm& arm, const Gri
       .capsules(arm_positions(arm.arm, start));
 }
 
-/// One time per stage, in the order of their first runs.
-std::vector<StageTime> summed(const std::vector<StageTime>& runs) {
-  std::vector<StageTime> stages;
-  for (const StageTime& run : runs) {
-    const auto same = std::find_if(stages.begin(), stages.end(), [&](const StageTime& stage) {
-      return stage.stage == run.stage;
-    });
-    if (same == stages.end())
-      stages.push_back(run);
-    else
-      same->seconds += run.seconds;
-  }
-  return stages;
-}
-
 /// One call of plan_pick().
 class PickPlanner {
  public:
@@ -182,7 +167,7 @@ PickResult plan_pick(const Robot& robot, const RobotArm& arm, const Gripper& gri
     else
       result.rejected.push_back(why);
   }
-  result.timings = summed(timer.stages());
+  for (const StageTime& run : timer.stages()) add_to_sums(result.timings, run);
   return result;
 }
 

@@ -11,8 +11,7 @@
 namespace symscene {
 namespace {
 
-constexpr double steep = radians(60.0);  // approaches up to this tilt retreat backwards
-constexpr float held_spacing = 0.012F;   // of points of a held object [m]
+constexpr float held_spacing = 0.012F;  // of points of a held object [m]
 
 /// Why a grasp is rejected: the reason that came latest in the order of the steps.
 void keep_latest(RejectedPick& why, PickRejection reason, const std::string& detail = {}) {
@@ -61,9 +60,8 @@ std::vector<PickCandidate> PickCandidates::find(const Grasp& grasp, RejectedPick
 void PickCandidates::add_candidates(const Grasp& grasp, const Eigen::Isometry3d& T_world_tool,
                                     std::vector<PickCandidate>& candidates,
                                     RejectedPick& why) const {
-  const Eigen::Isometry3d T_tip_tool = arm_.T_tip_wrist * gripper_.T_wrist_tool;
   const Eigen::Isometry3d T_base_tip =
-      T_world_base_.inverse() * T_world_tool * T_tip_tool.inverse();
+      T_world_base_.inverse() * T_world_tool * arm_.T_tip_tool(gripper_).inverse();
   const auto count = static_cast<std::size_t>(options_.solutions);
   const std::vector<Eigen::VectorXd> solutions =
       inverse_kinematics_solutions(chain_, T_base_tip, arm_positions(arm_.arm, start_), count);
@@ -76,10 +74,7 @@ void PickCandidates::add_candidates(const Grasp& grasp, const Eigen::Isometry3d&
 }
 
 PickRejection PickCandidates::reason_unreachable(const Eigen::Isometry3d& T_base_tip) const {
-  const Eigen::Vector3d root =
-      chain_.joints.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
-                            : Eigen::Vector3d(chain_.joints[0].T_previous_joint.translation());
-  if ((T_base_tip.translation() - root).norm() > chain_.length()) return PickRejection::too_far;
+  if (chain_.distance_to(T_base_tip.translation()) > chain_.length()) return PickRejection::too_far;
   InverseKinematicsOptions unlimited;
   unlimited.limits = false;
   return inverse_kinematics(chain_, T_base_tip, unlimited).converged() ? PickRejection::joint_limit
@@ -90,7 +85,7 @@ Eigen::Vector3d PickCandidates::retreat_direction(const Eigen::Isometry3d& T_wor
   const Eigen::Vector3d up =
       scene_.table ? scene_.table->normal : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d approach = T_world_tool.linear().col(2);
-  return angle_between(approach, -up) <= steep ? Eigen::Vector3d(-approach) : up;
+  return angle_between(approach, -up) <= backwards_tilt ? Eigen::Vector3d(-approach) : up;
 }
 
 ArmCollision PickCandidates::holding_arm(const Grasp& grasp,
@@ -115,7 +110,7 @@ std::optional<PickCandidate> PickCandidates::candidate(const Grasp& grasp,
   const IgnoredObstacles at_target{-1, grasp.object};
   const StraightWay line{options_.line_step, options_.max_jump};
   const Eigen::Isometry3d T_world_tip = T_world_base_ * T_base_tip;
-  const Eigen::Isometry3d T_world_tool = T_world_tip * arm_.T_tip_wrist * gripper_.T_wrist_tool;
+  const Eigen::Isometry3d T_world_tool = T_world_tip * arm_.T_tip_tool(gripper_);
   const Eigen::Matrix3d to_base = T_world_base_.linear().transpose();
   const Eigen::Vector3d back = -gripper_.approach_distance * T_world_tool.linear().col(2);
   const Eigen::Vector3d away = gripper_.retreat_distance * retreat_direction(T_world_tool);

@@ -89,10 +89,8 @@ ArmWorld::ArmWorld(std::span<const WeighedBody> bodies, const Robot& robot,
                    std::span<const FixedBox> fixed, const ArmWorldOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
   options.validate();
-  hand.validate();
+  WorldWithHand::require_valid(bodies, hand);
   robot.model.validate();
-  for (const WeighedBody& body : bodies)
-    require_option(body.mass > 0.0, "mass", "more than 0", body.mass);
   Implementation& world = *implementation_;
   world.options = options;
   world.robot = robot.model;
@@ -147,11 +145,7 @@ Eigen::VectorXd ArmWorld::positions() const { return implementation_->positions(
 Eigen::Isometry3d ArmWorld::hand_pose() const {
   const Implementation& world = *implementation_;
   mj_kinematics(world.model.get(), world.data.get());
-  const double* q = world.data->xquat + 4 * world.palm;
-  Eigen::Isometry3d pose(Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized());
-  pose.pretranslate(
-      Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(world.data->xpos + 3 * world.palm)));
-  return pose;
+  return pose_of(world.data->xpos + 3 * world.palm, world.data->xquat + 4 * world.palm);
 }
 
 void ArmWorld::close_fingers(bool on) { implementation_->close_fingers(on); }

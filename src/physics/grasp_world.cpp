@@ -85,9 +85,7 @@ GraspWorld::GraspWorld(std::span<const WeighedBody> bodies, const ParallelHand& 
                        std::span<const FixedBox> fixed, const GraspWorldOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
   options.validate();
-  hand.validate();
-  for (const WeighedBody& body : bodies)
-    require_option(body.mass > 0.0, "mass", "more than 0", body.mass);
+  WorldWithHand::require_valid(bodies, hand);
   implementation_->begin(compile_model(describe_world(bodies, hand, fixed, options)), bodies, hand);
   take_hand_away();
 }
@@ -135,10 +133,7 @@ double GraspWorld::opening() const { return implementation_->opening(); }
 
 Eigen::Isometry3d GraspWorld::hand_pose() const {
   const Implementation& world = *implementation_;
-  const double* q = world.model->body_quat + 4 * world.palm;
-  Eigen::Isometry3d pose(Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized());
-  pose.pretranslate(Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(world.hand_position())));
-  return pose;
+  return pose_of(world.hand_position(), world.model->body_quat + 4 * world.palm);
 }
 
 HandContacts GraspWorld::hand_contacts() const { return implementation_->hand_contacts(); }

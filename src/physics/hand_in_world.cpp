@@ -5,23 +5,23 @@
 #include <algorithm>
 #include <array>
 
+#include "symscene/core/error.hpp"
 #include "world_description.hpp"
 
 namespace symscene {
-namespace {
 
-int joint_named(const mjModel& model, const char* name) {
-  return mj_name2id(&model, mjOBJ_JOINT, name);
+void WorldWithHand::require_valid(std::span<const WeighedBody> bodies, const ParallelHand& hand) {
+  hand.validate();
+  for (const WeighedBody& body : bodies)
+    require_option(body.mass > 0.0, "mass", "more than 0", body.mass);
 }
-
-}  // namespace
 
 void WorldWithHand::begin(MujocoModel compiled, std::span<const WeighedBody> bodies,
                           const ParallelHand& of) {
   hand = of;
   start(std::move(compiled), bodies.size());
   palm = mj_name2id(model.get(), mjOBJ_BODY, "palm");
-  const int left = joint_named(*model, "left");
+  const int left = mj_name2id(model.get(), mjOBJ_JOINT, "left");
   finger_position = model->jnt_qposadr[left];
   finger_velocity = model->jnt_dofadr[left];
   finger_actuator = model->nu - 2;
@@ -53,12 +53,8 @@ void WorldWithHand::hold_open() const {
   std::fill_n(data->qvel + finger_velocity, 2, 0.0);
 }
 
-void WorldWithHand::aim_fingers(double target) const {
-  std::fill_n(data->ctrl + finger_actuator, 2, target);
-}
-
 void WorldWithHand::close_fingers(bool on) const {
-  aim_fingers(on ? closing_control() : 0.5 * hand.max_opening);
+  std::fill_n(data->ctrl + finger_actuator, 2, on ? closing_control() : 0.5 * hand.max_opening);
 }
 
 double WorldWithHand::opening() const {

@@ -17,6 +17,8 @@ struct WorldWithHand : MujocoWorld {
   int finger_actuator = 0;  ///< the same in ctrl
 
   int finger(int k) const { return palm + 1 + k; }
+  /// Throws InputError unless the hand is valid and all masses are above 0.
+  static void require_valid(std::span<const WeighedBody> bodies, const ParallelHand& hand);
   /// Takes over the model, gives bodies and hand their masses, and takes all bodies away. The
   /// actuators of the fingers are the last ones.
   void begin(MujocoModel compiled, std::span<const WeighedBody> bodies, const ParallelHand& of);
@@ -26,8 +28,6 @@ struct WorldWithHand : MujocoWorld {
   void show_fixed(bool on) const;
   /// Opens the fingers at once, at rest.
   void hold_open() const;
-  /// Each finger's distance from the closed hand.
-  void aim_fingers(double target) const;
   void close_fingers(bool on) const;
   double opening() const;
   bool touches(std::size_t body) const;

@@ -64,6 +64,13 @@ void append_hull(std::string& mjcf, const std::string& name, const Points& verti
   mjcf += "\"/>\n";
 }
 
+Eigen::Isometry3d pose_of(const double* position, const double* quaternion) {
+  const double* q = quaternion;
+  Eigen::Isometry3d pose(Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized());
+  pose.pretranslate(Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(position)));
+  return pose;
+}
+
 void weigh(mjModel& model, int body, double mass) {
   const double ratio = mass / model.body_mass[body];
   model.body_mass[body] = mass;
@@ -143,10 +150,7 @@ Eigen::Vector3d MujocoWorld::center_of_mass(std::size_t body) const {
 }
 
 Eigen::Isometry3d MujocoWorld::pose(std::size_t body) const {
-  const double* p = position(body);
-  Eigen::Isometry3d pose(Eigen::Quaterniond(p[3], p[4], p[5], p[6]).normalized());
-  pose.pretranslate(Eigen::Vector3d(p[0], p[1], p[2]));
-  return pose;
+  return pose_of(position(body), position(body) + 3);
 }
 
 double MujocoWorld::speed(std::size_t body) const {

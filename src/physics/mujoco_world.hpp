@@ -27,6 +27,9 @@ MujocoModel compile_model(const std::string& mjcf);
 /// Appends the mesh asset `name` with the hull's vertices to a text in MJCF.
 void append_hull(std::string& mjcf, const std::string& name, const Points& vertices);
 
+/// The pose of a position and a unit quaternion (w first) of MuJoCo.
+Eigen::Isometry3d pose_of(const double* position, const double* quaternion);
+
 /// Of bodies while they are compiled; then they are weighed. [kg/m³]
 constexpr double reference_density = 1000.0;
 

@@ -19,6 +19,25 @@ ConvexParts turned(const ConvexParts& finger) {
   return parts;
 }
 
+/// Mesh assets NAME_0, NAME_1 ...: the hulls of the parts.
+std::string describe_hulls(const std::string& name, const ConvexParts& parts) {
+  std::string text;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    append_hull(text, fmt::format("{}_{}", name, p), parts[p]);
+  return text;
+}
+
+/// The geometries of these. Where both surfaces have the same priority, MuJoCo takes the greater
+/// friction; otherwise that of
+// the surface with the higher one.
+std::string describe_geoms(const std::string& name, const ConvexParts& parts,
+                           const std::string& attributes = {}) {
+  std::string text;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    text += fmt::format("<geom type=\"mesh\" mesh=\"{}_{}\" {}/>", name, p, attributes);
+  return text;
+}
+
 std::string describe_fixed(std::span<const FixedBox> fixed, const std::string& friction) {
   std::string text = fmt::format("<geom type=\"plane\" size=\"0 0 1\" {}/>\n", friction);
   for (const FixedBox& box : fixed) {
@@ -55,23 +74,6 @@ std::string describe_options(const GraspWorldOptions& options) {
 )",
                      options.time_step, options.object_friction, options.torsional_friction,
                      options.rolling_friction, reference_density);
-}
-
-std::string describe_hulls(const std::string& name, const ConvexParts& parts) {
-  std::string text;
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    append_hull(text, fmt::format("{}_{}", name, p), parts[p]);
-  return text;
-}
-
-// Where both surfaces have the same priority, MuJoCo takes the greater friction; otherwise that of
-// the surface with the higher one.
-std::string describe_geoms(const std::string& name, const ConvexParts& parts,
-                           const std::string& attributes) {
-  std::string text;
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    text += fmt::format("<geom type=\"mesh\" mesh=\"{}_{}\" {}/>", name, p, attributes);
-  return text;
 }
 
 std::string describe_assets(std::span<const WeighedBody> bodies, const ParallelHand& hand) {

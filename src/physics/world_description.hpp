@@ -11,12 +11,6 @@ namespace symscene {
 /// Options of the simulation and of contacts. Opens the tag <mujoco>.
 std::string describe_options(const GraspWorldOptions& options);
 
-/// Mesh assets NAME_0, NAME_1 ...: the hulls of the parts.
-std::string describe_hulls(const std::string& name, const ConvexParts& parts);
-/// The geometries of describe_hulls().
-std::string describe_geoms(const std::string& name, const ConvexParts& parts,
-                           const std::string& attributes = {});
-
 /// The hulls of all bodies and of the hand.
 std::string describe_assets(std::span<const WeighedBody> bodies, const ParallelHand& hand);
 /// The table, fixed boxes that take no part yet, and free bodies, in this order.

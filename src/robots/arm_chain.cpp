@@ -56,6 +56,11 @@ double ArmChain::length() const {
   return sum;
 }
 
+double ArmChain::distance_to(const Eigen::Vector3d& point_base) const {
+  if (joints.empty()) return point_base.norm();
+  return (point_base - joints.front().T_previous_joint.translation()).norm();
+}
+
 Eigen::Isometry3d tip_pose(const ArmChain& chain, const Eigen::VectorXd& positions) {
   return follow_chain(chain, checked(chain, positions), [](auto&&...) {});
 }

@@ -71,9 +71,7 @@ Reach reach_pose(const RobotModel& model, const Arm& arm, const Eigen::Isometry3
   const Eigen::Isometry3d T_base_tip = T_root_base.inverse() * T_root_tip;
   const ArmChain chain = arm_chain(model, arm);
   const Eigen::VectorXd reference = arm_positions(arm, positions);
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  if (!chain.joints.empty()) first = chain.joints[0].T_previous_joint.translation();
-  const double distance = (T_base_tip.translation() - first).norm();
+  const double distance = chain.distance_to(T_base_tip.translation());
   if (distance > chain.length() + options.position_tolerance)
     return rejected(ReachRejection::too_far, distance, chain.length());
 
@@ -95,8 +93,7 @@ Reach reach_pose(const RobotModel& model, const Arm& arm, const Eigen::Isometry3
 
 Eigen::Isometry3d tip_of_tool(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
                               const Eigen::Isometry3d& T_world_tool) {
-  return robot.T_world_base.inverse() * T_world_tool *
-         (arm.T_tip_wrist * gripper.T_wrist_tool).inverse();
+  return robot.T_world_base.inverse() * T_world_tool * arm.T_tip_tool(gripper).inverse();
 }
 
 Reach reach_grasp(const Robot& robot, const RobotArm& arm, const Gripper& gripper,

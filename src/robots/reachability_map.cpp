@@ -11,13 +11,6 @@ namespace {
 
 using Rotations = std::vector<Eigen::Matrix3d>;
 
-/// The tool's axes: z approaches, y closes.
-Eigen::Matrix3d tool_axes(const Eigen::Vector3d& closing, const Eigen::Vector3d& approach) {
-  Eigen::Matrix3d R;
-  R << closing.cross(approach), closing, approach;
-  return R;
-}
-
 Rotations rotations_from_above(int count) {
   Rotations rotations;
   for (int i = 0; i < count; ++i) {
@@ -47,7 +40,7 @@ class PointReach {
         T_base_world_((robot.T_world_base * link_poses(robot.model, robot.home)[arm.arm.base_link])
                           .inverse()) {
     const Eigen::Translation3d tips(0.0, 0.0, gripper.finger_depth);
-    T_tips_tip_ = (arm.T_tip_wrist * gripper.T_wrist_tool * tips).inverse();
+    T_tips_tip_ = (arm.T_tip_tool(gripper) * tips).inverse();
     options_.max_starts = starts;
     options_.refinements = 0;
   }
@@ -66,11 +59,8 @@ class PointReach {
     Eigen::Isometry3d T_world_tips(Eigen::Translation3d{point_world});
     T_world_tips.linear() = R_world_tool;
     const Eigen::Isometry3d T_base_tip = T_base_world_ * T_world_tips * T_tips_tip_;
-    if (!chain_.joints.empty()) {
-      const Eigen::Vector3d& first = chain_.joints[0].T_previous_joint.translation();
-      if ((T_base_tip.translation() - first).norm() > chain_.length()) return false;
-    }
-    return inverse_kinematics(chain_, T_base_tip, reference_, options_).converged();
+    return chain_.distance_to(T_base_tip.translation()) <= chain_.length() &&
+           inverse_kinematics(chain_, T_base_tip, reference_, options_).converged();
   }
 
   ArmChain chain_;

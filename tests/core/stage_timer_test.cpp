@@ -20,6 +20,16 @@ TEST(StageTimer, ListsStagesInOrderAndAnnouncesThem) {
   EXPECT_EQ(announced, (std::vector<std::string>{"load", "cut"}));
 }
 
+TEST(StageTimer, SumsTimesOfOneStage) {
+  std::vector<StageTime> sums;
+  for (const StageTime& time : {StageTime{"cut", 1.0}, {"load", 2.0}, {"cut", 4.0}})
+    add_to_sums(sums, time);
+  ASSERT_EQ(sums.size(), 2U);
+  EXPECT_EQ(sums[0].stage, "cut");
+  EXPECT_EQ(sums[0].seconds, 5.0);
+  EXPECT_EQ(sums[1].seconds, 2.0);
+}
+
 TEST(StageTimer, ReturnsReferencesAsReferences) {
   StageTimer timer;
   int value = 1;

@@ -32,7 +32,7 @@ void DatasetTally::add(const ItemOutcome& outcome, Session& session) {
   const SceneReport report = parse_report(outcome.text);
   objects_ += report.objects;
   for (const std::string& warning : report.warnings) warn(warning);
-  for (const StageTime& time : report.stages) add_time(time);
+  for (const StageTime& time : report.stages) add_to_sums(stages_, time);
 }
 
 std::string DatasetTally::progress() const {
@@ -42,13 +42,6 @@ std::string DatasetTally::progress() const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const double rest = static_cast<double>(wanted_ - finished_) / static_cast<double>(finished_);
   return fmt::format("{}, {} left", scene, duration(rest * elapsed.count()));
-}
-
-void DatasetTally::add_time(const StageTime& time) {
-  auto sum = std::find_if(stages_.begin(), stages_.end(),
-                          [&](const StageTime& known) { return known.stage == time.stage; });
-  if (sum == stages_.end()) sum = stages_.insert(stages_.end(), {time.stage, 0.0});
-  sum->seconds += time.seconds;
 }
 
 }  // namespace symscene::app

@@ -28,8 +28,6 @@ class DatasetTally {
   const std::vector<StageTime>& stages() const { return stages_; }
 
  private:
-  void add_time(const StageTime& time);
-
   std::size_t total_;
   std::size_t wanted_;
   std::size_t finished_ = 0;

@@ -45,12 +45,7 @@ void write_report(const std::filesystem::path& folder, const Evaluation& evaluat
 std::vector<StageTime> summed_times(const Evaluation& evaluation) {
   std::vector<StageTime> sums;
   for (const SceneEvaluation& scene : evaluation.scenes) {
-    for (const StageTime& time : scene.timings) {
-      auto sum = std::find_if(sums.begin(), sums.end(),
-                              [&](const StageTime& known) { return known.stage == time.stage; });
-      if (sum == sums.end()) sum = sums.insert(sum, {time.stage, 0.0});
-      sum->seconds += time.seconds;
-    }
+    for (const StageTime& time : scene.timings) add_to_sums(sums, time);
   }
   return sums;
 }

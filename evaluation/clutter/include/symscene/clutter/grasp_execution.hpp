@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "symscene/core/grasp.hpp"
 #include "symscene/physics/grasp_world.hpp"
 
 namespace symscene {
@@ -16,7 +17,7 @@ struct GraspExecutionOptions {
   double speed = 0.1;
   double closing_time = 0.5;
   double retreat = 0.1;
-  double steep_angle = radians(60.0);
+  double steep_angle = backwards_tilt;
   double min_width = 0.008;
 
   template <class Self, class Visit>

@@ -9,8 +9,13 @@
 #include <Eigen/Geometry>
 
 #include "symscene/core/stage_timer.hpp"
+#include "symscene/core/types.hpp"
 
 namespace symscene {
+
+/// A gripper whose approach is within this angle of straight down retreats backwards, others
+/// upwards. [rad]
+constexpr double backwards_tilt = radians(60.0);
 
 /// What a grasp was derived from.
 enum class GraspSource : std::uint8_t {

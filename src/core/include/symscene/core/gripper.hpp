@@ -71,4 +71,8 @@ struct Gripper {
   void validate() const;
 };
 
+/// Axes of the tool frame of a gripper that approaches along `approach` and closes along `closing`,
+/// unit vectors at a right angle.
+Eigen::Matrix3d tool_axes(const Eigen::Vector3d& closing, const Eigen::Vector3d& approach);
+
 }  // namespace symscene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -12,6 +13,16 @@ struct StageTime {
   std::string stage;
   double seconds = 0.0;  ///< wall time
 };
+
+/// Adds a time to that of the same stage; a new stage comes last.
+inline void add_to_sums(std::vector<StageTime>& sums, const StageTime& time) {
+  const auto sum = std::find_if(sums.begin(), sums.end(),
+                                [&](const StageTime& known) { return known.stage == time.stage; });
+  if (sum == sums.end())
+    sums.push_back(time);
+  else
+    sum->seconds += time.seconds;
+}
 
 /// Measures the wall time of stages, in the order in which they run. One timer per run, owned by
 /// the caller.

@@ -24,6 +24,8 @@ struct ArmChain {
   /// Distance that the tip can never exceed from the origin of the first joint: the sum of the
   /// distances between joints, and the travel of those that slide. [m]
   double length() const;
+  /// Distance of a point in the base link from the origin of the first joint. [m]
+  double distance_to(const Eigen::Vector3d& point_base) const;
 };
 
 /// The arm as a chain. Throws InputError if a limit of position is not finite, or the arm has more

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "symscene/core/gripper.hpp"
 #include "symscene/robots/robot_model.hpp"
 
 namespace symscene {
@@ -14,8 +15,12 @@ struct RobotArm {
   Arm arm;
   /// Name of a built-in gripper, or path of a gripper file; none if this arm does not grasp.
   std::optional<std::string> gripper;
-  /// Pose of the gripper's wrist in the tip link: T_tip_tool = T_tip_wrist · Gripper::T_wrist_tool.
+  /// Pose of the gripper's wrist in the tip link.
   Eigen::Isometry3d T_tip_wrist = Eigen::Isometry3d::Identity();
+
+  Eigen::Isometry3d T_tip_tool(const Gripper& gripper) const {
+    return T_tip_wrist * gripper.T_wrist_tool;
+  }
 };
 
 /// A depth camera on a link. Its frame has z forward and y down the image.

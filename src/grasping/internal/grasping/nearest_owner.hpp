@@ -15,10 +15,16 @@ class NearestOwner {
 
   void claim(const Eigen::Array3i& voxel, int owner);
 
-  /// The owner of the nearest claim of each voxel, x fastest, z slowest, and `nobody` without a
-  /// claim within `radius` voxels. The lowest owner of several. Distances are Euclidean, found one
-  /// axis after the other (Felzenszwalb and Huttenlocher 2012).
-  std::vector<int> owners(int radius, int nobody) const;
+  struct Claim {
+    int owner = nobody;
+    int squared_distance = 0;  ///< [voxels²]
+  };
+  static constexpr int nobody = -1;
+
+  /// The nearest claim of each voxel, x fastest, z slowest, and that of `nobody` without one within
+  /// `radius` voxels. The lowest owner of several. Distances are Euclidean, found one axis after
+  /// the other (Felzenszwalb and Huttenlocher 2012).
+  std::vector<Claim> nearest(int radius) const;
 
  private:
   Eigen::Index row_begin(Eigen::Index y, Eigen::Index z) const {
