@@ -1,4 +1,4 @@
-// Bundles the pages into dist/page.html and dist/review.html: files with two placeholders, for title and payload.
+// Bundles the pages into dist/page.html, dist/review.html and dist/run.html: files with two placeholders, for title and payload.
 import { build } from 'esbuild';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 
@@ -38,3 +38,4 @@ async function makePage(name, styleEntry, scriptEntry) {
 await mkdir(here('dist/'), { recursive: true });
 await makePage('page.html', 'src/style.css', 'src/main.js');
 await makePage('review.html', 'src/review/review.css', 'src/review/main.js');
+await makePage('run.html', 'src/run/run.css', 'src/run/main.js');

@@ -10,4 +10,7 @@ std::string_view page_template();
 /// viewer/dist/review.html, the same.
 std::string_view review_template();
 
+/// viewer/dist/run.html, the same.
+std::string_view run_template();
+
 }  // namespace symscene
