@@ -11,14 +11,16 @@ if(SYMSCENE_WITH_ROBOTS)
   find_path(SYMSCENE_YAML_INCLUDE yaml-cpp/yaml.h)
   find_library(SYMSCENE_LIBRARY_urdfdom_model urdfdom_model)
   find_library(SYMSCENE_LIBRARY_console_bridge console_bridge)
+  find_library(SYMSCENE_LIBRARY_tinyxml tinyxml)
   find_library(SYMSCENE_LIBRARY_yaml_cpp yaml-cpp)
   mark_as_advanced(SYMSCENE_URDF_INCLUDE SYMSCENE_YAML_INCLUDE SYMSCENE_LIBRARY_urdfdom_model
-    SYMSCENE_LIBRARY_console_bridge SYMSCENE_LIBRARY_yaml_cpp)
-  set(SYMSCENE_URDF_LIBRARIES ${SYMSCENE_LIBRARY_urdfdom_model} ${SYMSCENE_LIBRARY_console_bridge})
+    SYMSCENE_LIBRARY_console_bridge SYMSCENE_LIBRARY_tinyxml SYMSCENE_LIBRARY_yaml_cpp)
+  set(SYMSCENE_URDF_LIBRARIES ${SYMSCENE_LIBRARY_urdfdom_model} ${SYMSCENE_LIBRARY_console_bridge}
+    ${SYMSCENE_LIBRARY_tinyxml})
   set(SYMSCENE_YAML_LIBRARIES ${SYMSCENE_LIBRARY_yaml_cpp})
   symscene_check_compiles(SYMSCENE_URDF_WORKS
     "#include <console_bridge/console.h>\n#include <urdf_parser/urdf_parser.h>
-    int main() { console_bridge::noOutputHandler(); urdf::parseURDF(\"\"); }"
+    int main() { console_bridge::noOutputHandler(); urdf::parseURDF(\"\"); TiXmlDocument().Parse(\"\"); }"
     INCLUDES ${SYMSCENE_URDF_INCLUDE} LIBRARIES ${SYMSCENE_URDF_LIBRARIES})
   symscene_check_compiles(SYMSCENE_YAML_WORKS
     "#include <yaml-cpp/yaml.h>\nint main() { YAML::Load(\"a: 1\"); }"

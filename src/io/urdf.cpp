@@ -6,7 +6,6 @@
 #include <limits>
 #include <mutex>
 #include <numbers>
-#include <set>
 
 #include <console_bridge/console.h>
 #include <fmt/format.h>
@@ -15,6 +14,8 @@
 
 #include "collision_capsules.hpp"
 #include "core/nearest_name.hpp"
+#include "urdf_tree.hpp"
+#include "xml_nesting.hpp"
 #endif
 
 namespace symscene {
@@ -44,7 +45,14 @@ class FirstError : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-urdf::ModelInterfaceSharedPtr parsed(std::string_view text, const std::string& file) {
+/// urdfdom's reader of XML calls itself for each element inside another.
+constexpr int max_nesting = 100;
+
+urdf::ModelInterfaceSharedPtr parsed(const std::string& text, const std::string& file) {
+  if (const int depth = nesting_depth(text); depth > max_nesting)
+    throw InputError(file, fmt::format("at most {} elements inside one another", max_nesting),
+                     std::to_string(depth));
+  require_trees(text, file);
   // The handler of messages is global to the process.
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
@@ -53,7 +61,7 @@ urdf::ModelInterfaceSharedPtr parsed(std::string_view text, const std::string& f
   console_bridge::useOutputHandler(&errors);
   urdf::ModelInterfaceSharedPtr model;
   try {
-    model = urdf::parseURDF(std::string(text));
+    model = urdf::parseURDF(text);
   } catch (const std::exception&) {
     model = nullptr;
   }
@@ -79,7 +87,6 @@ class UrdfReader {
       : file_(std::move(file)), urdf_(urdf), locked_(locked), warnings_(warnings) {}
 
   RobotModel read() {
-    require_tree();
     require_known_locks();
     model_.name = urdf_.getName();
     add_link(*urdf_.getRoot());
@@ -99,16 +106,6 @@ class UrdfReader {
   [[noreturn]] void fail(const urdf::Joint& joint, const char* expected,
                          const std::string& found) const {
     throw InputError(fmt::format("{}: joint {}", file_, joint.name), expected, found);
-  }
-
-  /// urdfdom itself keeps one of several parents.
-  void require_tree() const {
-    std::set<std::string> children;
-    for (const auto& [name, joint] : urdf_.joints_) {
-      if (!children.insert(joint->child_link_name).second)
-        fail(*joint, "links with one parent",
-             fmt::format("link {} with another", joint->child_link_name));
-    }
   }
 
   void require_known_locks() const {
@@ -231,7 +228,7 @@ class UrdfReader {
 
 RobotModel parse_urdf(std::string_view text, const std::string& file, const LockedJoints& locked,
                       std::vector<std::string>& warnings) {
-  const urdf::ModelInterfaceSharedPtr model = parsed(text, file);
+  const urdf::ModelInterfaceSharedPtr model = parsed(std::string(text), file);
   return UrdfReader(file, *model, locked, warnings).read();
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "io/urdf_tree.hpp"
 #include "io_support.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
@@ -70,6 +71,9 @@ TEST(Urdf, ReadsAJoint) {
 
 TEST(Urdf, RefusesRobotsThatItCannotMove) {
   expect_error("no xml", "a robot in URDF");
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "<robot>";
+  expect_error(deep, "inside one another");
   expect_error(urdf_with(""), "limits");
   expect_error(urdf_with(R"(<limit velocity="1" effort="1"/>)"), "lower limit below");
   expect_error(urdf_with(R"(<limit lower="-1" upper="1" velocity="0" effort="1"/>)"), "velocity");
@@ -78,7 +82,11 @@ TEST(Urdf, RefusesRobotsThatItCannotMove) {
   expect_error(urdf_with(limits + R"(<mimic joint="k"/>)"), "mimics k");
   const std::string back = R"(<joint name="back" type="fixed"><parent link="b"/>
     <child link="a"/></joint>)";
-  expect_error(urdf_with(limits, back), "r.urdf");
+  expect_error(urdf_with(limits, back), "loop");
+  const std::string apart = R"(<link name="c"/><link name="d"/><joint name="c1" type="fixed">
+    <parent link="c"/><child link="d"/></joint><joint name="c2" type="fixed"><parent link="d"/>
+    <child link="c"/></joint>)";
+  expect_error(urdf_with(limits, apart), "loop");
   const std::string second = R"(<link name="c"/><joint name="c1" type="fixed"><parent link="a"/>
     <child link="c"/></joint><joint name="c2" type="fixed"><parent link="b"/>
     <child link="c"/></joint>)";
@@ -87,6 +95,25 @@ TEST(Urdf, RefusesRobotsThatItCannotMove) {
     <child link="x"/></joint>)"),
                "r.urdf");
   expect_error(urdf_with(limits), "did you mean \"j\"?", {{"jj", 0.0}});
+}
+
+TEST(Urdf, RefusesLoopsWithAndWithoutARoot) {
+  const auto joint = [](const std::string& parent, const std::string& child) {
+    return "<joint><parent link='" + parent + "'/><child link='" + child + "'/></joint>";
+  };
+  const auto accepted = [](const std::string& joints) {
+    try {
+      require_trees("<robot>" + joints + "</robot>", "r.urdf");
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  EXPECT_TRUE(accepted(joint("a", "b") + joint("b", "c") + joint("a", "d")));
+  EXPECT_FALSE(accepted(joint("a", "a")));
+  EXPECT_FALSE(accepted(joint("a", "b") + joint("c", "d") + joint("d", "c")));
+  EXPECT_FALSE(accepted(joint("a", "b") + joint("c", "b")));
+  EXPECT_TRUE(accepted("<joint/>"));
 }
 
 TEST(Urdf, LocksJointsAndThoseThatMimicThem) {
