@@ -1,5 +1,6 @@
 // Planning of picks in simulated scenes: how many are found, why grasps are not taken, and times.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -36,6 +37,7 @@ struct Tally {
   int found = 0;
   int without_grasp = 0;
   std::array<int, pick_rejections> rejected{};
+  std::map<std::string, int> met;                     ///< of grasps not taken: what meets what
   std::map<std::string, std::vector<double>> stages;  ///< wall time [s]
   std::vector<double> processor;                      ///< of a whole pick [s]
   std::vector<double> durations;                      ///< of the motions to the pre-grasp [s]
@@ -43,8 +45,11 @@ struct Tally {
   void add(const PickResult& pick, double seconds) {
     processor.push_back(seconds);
     for (const StageTime& stage : pick.timings) stages[stage.stage].push_back(stage.seconds);
-    for (const RejectedPick& why : pick.rejected)
+    for (const RejectedPick& why : pick.rejected) {
       ++rejected.at(static_cast<std::size_t>(why.reason));
+      if (why.reason == PickRejection::collision)
+        ++met[why.detail.substr(0, why.detail.find(" by "))];
+    }
     if (!pick.motion) return;
     ++found;
     durations.push_back(pick.motion->to_pre_grasp.duration());
@@ -57,6 +62,7 @@ struct Tally {
         fmt::print("  {:>5} grasps not taken: {}\n", rejected.at(i),
                    description(static_cast<PickRejection>(i)));
     }
+    for (const auto& [contact, count] : met) fmt::print("  {:>9} {}\n", count, contact);
     fmt::print("{:<28}{:>12}{:>12}\n", "wall time [ms]", "median", "90 %");
     for (const auto& [stage, times] : stages) print_row(stage, times);
     print_row("whole pick (processor)", processor);
@@ -70,12 +76,21 @@ struct Tally {
   }
 };
 
+/// The default bounds on frames per point and voxel would leave little of a first look.
+void admit_few_frames(SimulationOptions& options) {
+  const int third = (options.camera.frames + 2) / 3;
+  options.cloud.min_frames = std::min(options.cloud.min_frames, third);
+  options.occupancy.min_hit_frames = std::min(options.occupancy.min_hit_frames, third);
+  options.occupancy.min_free_frames = std::min(options.occupancy.min_free_frames, third);
+}
+
 void plan_scene(const Arguments& arguments, int scene_number, const Robot& robot,
                 const Gripper& gripper, Tally& tally) {
   SimulationOptions options;
   options.tabletop.seed = arguments.seed + static_cast<std::uint64_t>(scene_number);
   options.tabletop.objects = arguments.objects;
   options.camera.frames = arguments.frames;
+  admit_few_frames(options);
   const SimulatedScene simulated = simulate_tabletop(options);
   const SegmentationResult result = segment_scene(simulated.scene);
   const GraspScene scene = grasp_scene(result, &simulated.scene);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "free_columns.hpp"
 #include "grasping/nearest_owner.hpp"
 
 namespace symscene {
@@ -35,22 +36,26 @@ class CubeGrid {
 
   float edge() const { return grid_.frame.resolution * static_cast<float>(coarseness_); }
 
-  std::vector<UnseenCube> unseen(const std::optional<Plane>& table, int others, float reach) const {
+  std::vector<UnseenCube> unseen(const std::optional<Plane>& table, double tallest, int others,
+                                 float reach) const {
     std::vector<UnseenCube> cubes;
+    std::optional<FreeColumns> columns;
+    if (table) columns.emplace(*table, grid_.frame, edge(), tallest);
     for (std::size_t i = 0; i < nearest_.size(); ++i) {
-      const Eigen::Vector3i cube = cube_at(i);
-      UnseenCube unseen;
-      unseen.centre = grid_.frame.origin + edge() * (cube.cast<float>().array() + 0.5F).matrix();
+      UnseenCube cube;
+      cube.centre = centre_of(i);
+      if (has_free_voxel(cube_at(i), cube.is_occupied)) {
+        if (columns) columns->add_free(cube.centre);
+        continue;
+      }
       const bool is_low =
-          table && table->signed_distance(unseen.centre.cast<double>()) < 1.5 * double{edge()};
-      if (is_low || has_free_voxel(cube, unseen.is_occupied)) continue;
-      const auto [owner, squared] = nearest_[i];
-      const float distance = owner == NearestOwner::nobody
-                                 ? std::numeric_limits<float>::infinity()
-                                 : edge() * std::sqrt(static_cast<float>(squared));
-      if (unseen.is_occupied && distance <= known_surface) continue;
-      if (owner != others && distance <= reach) unseen.object = static_cast<std::int16_t>(owner);
-      cubes.push_back(unseen);
+          table && table->signed_distance(cube.centre.cast<double>()) < 1.5 * double{edge()};
+      if (!is_low && assign(nearest_[i], others, reach, cube)) cubes.push_back(cube);
+    }
+    if (columns) {
+      std::erase_if(cubes, [&](const UnseenCube& cube) {
+        return !cube.is_occupied && !columns->may_hide(cube.centre);
+      });
     }
     return cubes;
   }
@@ -61,6 +66,21 @@ class CubeGrid {
     const auto slice = row * static_cast<std::size_t>(size_.y());
     return {static_cast<int>(i % row), static_cast<int>(i % slice / row),
             static_cast<int>(i / slice)};
+  }
+
+  Eigen::Vector3f centre_of(std::size_t i) const {
+    return grid_.frame.origin + edge() * (cube_at(i).cast<float>().array() + 0.5F).matrix();
+  }
+
+  /// Sets the object of a cube; false if it is occupied by a known surface.
+  bool assign(const NearestOwner::Claim& nearest, int others, float reach, UnseenCube& cube) const {
+    const float distance = nearest.owner == NearestOwner::nobody
+                               ? std::numeric_limits<float>::infinity()
+                               : edge() * std::sqrt(static_cast<float>(nearest.squared_distance));
+    if (cube.is_occupied && distance <= known_surface) return false;
+    if (nearest.owner != others && distance <= reach)
+      cube.object = static_cast<std::int16_t>(nearest.owner);
+    return true;
   }
 
   bool has_free_voxel(const Eigen::Vector3i& cube, bool& is_occupied) const {
@@ -86,6 +106,15 @@ class CubeGrid {
   std::vector<NearestOwner::Claim> nearest_;
 };
 
+double tallest(const std::vector<std::vector<Eigen::Vector3f>>& surfaces, const Plane& table) {
+  double height = 0.0;
+  for (const std::vector<Eigen::Vector3f>& surface : surfaces) {
+    for (const Eigen::Vector3f& point : surface)
+      height = std::max(height, table.signed_distance(point.cast<double>()));
+  }
+  return height;
+}
+
 }  // namespace
 
 std::vector<UnseenCube> unseen_cubes(const OccupancyGrid& grid,
@@ -93,7 +122,8 @@ std::vector<UnseenCube> unseen_cubes(const OccupancyGrid& grid,
                                      const std::optional<Plane>& table, float reach, float& edge) {
   const CubeGrid cubes(grid, surfaces, reach);
   edge = cubes.edge();
-  return cubes.unseen(table, static_cast<int>(surfaces.size()) - 1, reach);
+  return cubes.unseen(table, table ? tallest(surfaces, *table) : 0.0,
+                      static_cast<int>(surfaces.size()) - 1, reach);
 }
 
 }  // namespace symscene

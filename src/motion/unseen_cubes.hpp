@@ -16,7 +16,8 @@ struct UnseenCube {
 
 /// Cubes of about 1 cm of a grid, no voxel of which is free. Occupied ones are left out where a
 /// surface is known: within 2 cm of `surfaces` (points per object, those of no object last), as are
-/// cubes that reach the table or lie below it. Returns the edge of a cube too. [m]
+/// cubes that reach the table or lie below it, and never-seen ones that no object on the table
+/// could reach (FreeColumns). Returns the edge of a cube too. [m]
 std::vector<UnseenCube> unseen_cubes(const OccupancyGrid& grid,
                                      const std::vector<std::vector<Eigen::Vector3f>>& surfaces,
                                      const std::optional<Plane>& table, float reach, float& edge);

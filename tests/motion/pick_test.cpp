@@ -91,6 +91,24 @@ TEST_F(PickTest, SaysWhyGraspsWereNotTaken) {
       << result.rejected[1].detail;
 }
 
+/// A camera at the robot saw one side of the box, and neither what is behind it nor above 0.14 m.
+TEST_F(PickTest, TakesAnObjectAfterOneLook) {
+  OccupancyGrid space;
+  space.frame = {{0.25F, -0.2F, -0.02F}, 0.01F, {50, 60, 36}};
+  for (int z = 0; z < 36; ++z) {
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 50; ++x) {
+        const bool shadow = x >= 20 && y >= 26 && y < 34 && z < 12;
+        space.states.push_back(shadow || z >= 16 ? VoxelState::never_seen : VoxelState::free);
+      }
+    }
+  }
+  scene.space = space;
+  const PickResult result = plan({from_above(0.45, 0.1, 0.12)}, robot.home);
+  EXPECT_TRUE(result.motion) << (result.rejected.empty() ? result.start_contact
+                                                         : result.rejected[0].detail);
+}
+
 TEST_F(PickTest, StatesAStartInCollision) {
   Eigen::VectorXd low = Eigen::VectorXd::Zero(6);
   low[1] = 2.2;

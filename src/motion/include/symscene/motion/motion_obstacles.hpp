@@ -23,7 +23,9 @@ struct MotionObstacleOptions {
           "never-seen space within this distance of an object, if no other is nearer, is no "
           "obstacle while that object is grasped");
     visit("never_seen", self.never_seen, "", any_value(),
-          "space near the objects that was never seen is an obstacle");
+          "space near the objects that was never seen is an obstacle where an object could stand: "
+          "above "
+          "the table nothing below it is free, and it is no higher than the highest seen surface");
     visit("start_clearance", self.start_clearance, "m", between(0.0, 1.0),
           "never-seen space within this distance of the robot at its start is free: the robot is "
           "there");
@@ -36,7 +38,7 @@ struct MotionObstacleOptions {
 enum class ObstacleKind : std::uint8_t {
   object,      ///< the completed surface of one
   surface,     ///< observed points of no object, or occupied space
-  never_seen,  ///< space that was not observed
+  never_seen,  ///< space that was not observed and in which an object could stand
   table,
   robot  ///< another link
 };
@@ -59,8 +61,9 @@ struct IgnoredObstacles {
 
 /// The obstacles of a scene in the world frame: completed surfaces of its objects, other points,
 /// occupied and never-seen space as small balls in a grid of cells, with a distance field that
-/// tells fast where none of them is near; the table as a half space. Space outside the scene's
-/// grid counts as free.
+/// tells fast where none of them is near; the table as a half space. Never-seen space counts where
+/// an object on the table could reach it: see FreeColumns. Space outside the scene's grid counts as
+/// free.
 class MotionObstacles {
  public:
   /// Distances are told up to this. [m]
