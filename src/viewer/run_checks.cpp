@@ -33,8 +33,10 @@ void require_moments(const std::vector<double>& times) {
 
 void require_rigid(const Eigen::Isometry3d& pose, const RecordedSolid& solid, double time) {
   const bool finite = pose.matrix().allFinite();
-  // Squared lengths of a rotation are 1; poses from single precision and long products deviate.
-  if (finite && (pose.linear().transpose() * pose.linear()).isIdentity(1e-3)) return;
+  const Eigen::Matrix3d rotation = pose.linear();
+  // Poses from single precision and long products deviate a little.
+  if (finite && (rotation.transpose() * rotation).isIdentity(1e-3) && rotation.determinant() > 0)
+    return;
   throw InputError(where, "rigid poses",
                    fmt::format("a pose of '{}' at {} s that is not {}", solid.name, time,
                                finite ? "a rotation" : "finite"));

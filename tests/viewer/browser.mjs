@@ -14,8 +14,8 @@ const FLAGS = [
   '--disable-component-update', '--disable-sync', '--force-color-profile=srgb',
 ];
 
-/** Runs `body(context)` in a fresh profile. `options` are Playwright's (viewport, colorScheme, ...). */
-export async function withBrowser(options, body) {
+/** A browser with a fresh profile, and what closes it. `options` are Playwright's (viewport, colorScheme, ...). */
+export async function launch(options) {
   const profile = await mkdtemp(join(tmpdir(), 'symscene-chromium-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -24,11 +24,20 @@ export async function withBrowser(options, body) {
     reducedMotion: 'reduce',
     ...options,
   });
+  const close = async () => {
+    await context.close();
+    await rm(profile, { recursive: true, force: true });
+  };
+  return { context, close };
+}
+
+/** Runs `body(context)` in a browser of its own. */
+export async function withBrowser(options, body) {
+  const { context, close } = await launch(options);
   try {
     return await body(context);
   } finally {
-    await context.close();
-    await rm(profile, { recursive: true, force: true });
+    await close();
   }
 }
 

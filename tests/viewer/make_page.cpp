@@ -1,8 +1,9 @@
-// Writes a page from C++ for the browser's tests: make_page PAGE.html
+// Writes pages from C++ for the browser's tests: make_page PAGE.html RUN.html
 #include <fstream>
 #include <numbers>
 #include <vector>
 
+#include "recorded_run.hpp"
 #include "symscene/viewer/page.hpp"
 
 namespace {
@@ -93,7 +94,7 @@ symscene::PageGrasps grasps_of(const symscene::SegmentationResult& cans) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
+  if (argc != 3) return 2;
   symscene::SegmentationResult result;
   for (const float x : {-0.12F, 0.0F, 0.12F}) add_can(result, x);
   result.timings.push_back({"rotational", 0.02});
@@ -103,4 +104,5 @@ int main(int argc, char** argv) {
                                         .surface = surface_of(result.cloud, 60 * 40),
                                         .trajectory = path_before(0.7F),
                                         .grasps = grasps_of(result)});
+  symscene::write_run_page(argv[2], symscene::carried_box(), "One box");
 }

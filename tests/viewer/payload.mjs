@@ -65,6 +65,22 @@ export function encodeScene({ title = '', note = '', up = [0, 0, 1], table = nul
   };
 }
 
+/** A run: `poses[moment][solid]` are {position, rotation (x, y, z, w)}. All moments of all solids are kept. */
+export function encodeRun({ title, times, solids, poses, beliefs, events, left }) {
+  const track = (k) => ({
+    moments: base64(Uint32Array.from(times, (_, i) => i)),
+    positions: encodeCloud({ positions: poses.map((all) => all[k].position) }).positions,
+    rotations: base64(Int16Array.from(poses.flatMap((all) => all[k].rotation), (value) => Math.round(32767 * value))),
+  });
+  const surface = (mesh) => mesh && encodeSurface({ colors: [], ...mesh });
+  return {
+    version: 1, title, events, left,
+    times: base64(Float64Array.from(times)),
+    solids: solids.map(({ name, kind, mesh }, k) => ({ name, kind, surface: surface(mesh), track: track(k) })),
+    beliefs: beliefs.map(({ time, objects }) => ({ time, objects: objects.map(({ name, label, mesh }) => ({ name, label, surface: surface(mesh) })) })),
+  };
+}
+
 const escapeHtml = (text) => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
 
 export async function writePage(path, payload, page = 'page.html') {

@@ -1,5 +1,5 @@
 // The page in a browser: node --test run.mjs, after `npm ci && npm run build` in viewer/.
-// CHROMIUM names the browser; SYMSCENE_PAGE is a page made by C++ (make_page) to test too, SYMSCENE_COMMAND the command
+// CHROMIUM names the browser; SYMSCENE_PAGE and SYMSCENE_RUN_PAGE are pages made by C++ (make_page) to test too, SYMSCENE_COMMAND the command
 // whose review page is tested.
 import assert from 'node:assert/strict';
 import { mkdtemp, rm } from 'node:fs/promises';
@@ -11,6 +11,8 @@ import { bareTable, emptyResult, noPoints, tabletop } from './fixture.mjs';
 import { writePage } from './payload.mjs';
 import './modules.mjs';
 import './review.mjs';
+import './run_modules.mjs';
+import './run_page.mjs';
 
 // Tests run without a graphics card, so that those not about layout use a small window.
 const WINDOW = { viewport: { width: 960, height: 600 } };

@@ -8,7 +8,7 @@ function decodeBytes(base64) {
 }
 
 // Typed arrays use the machine's byte order; every browser's is little endian, as the payload is.
-function decodeAs(Type, base64) {
+export function decodeAs(Type, base64) {
   return base64 ? new Type(decodeBytes(base64).buffer) : new Type(0);
 }
 

@@ -1,7 +1,13 @@
-// Entry point of the page of a run: shows its events and what was left.
+// Entry point of the page of a run: decodes the payload and builds views and player.
 import { h } from '../dom.js';
+import { createApp } from './app.js';
+import { decodeRecording } from './recording.js';
 
-const { title, events, left } = JSON.parse(document.getElementById('payload').textContent);
-document.body.append(h('main', { class: 'run' }, h('h1', {}, title),
-  h('ol', {}, events.map(({ time, text }) => h('li', {}, `${time.toFixed(1)} s: ${text}`))),
-  h('ul', {}, left.map((reason) => h('li', {}, reason)))));
+try {
+  createApp(decodeRecording(JSON.parse(document.getElementById('payload').textContent)));
+} catch (error) {
+  document.body.append(h('div', { class: 'failure', role: 'alert' },
+    h('strong', {}, 'The run cannot be drawn.'), h('p', {}, String(error?.message ?? error)),
+    h('p', {}, 'A browser with WebGL 2 is needed.')));
+  throw error;
+}

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "symscene/core/geometry.hpp"
+#include <Eigen/Geometry>
+
 #include "symscene/core/triangle_mesh.hpp"
 
 namespace symscene {

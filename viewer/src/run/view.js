@@ -1,0 +1,139 @@
+// One canvas with one or two views of the run: the true scene on the left, the believed one on the right. The camera is
+// the same. Draws on demand.
+import * as THREE from 'three';
+import { Viewpoint } from '../camera.js';
+import { h } from '../dom.js';
+import { Tags } from './tags.js';
+import { World } from './world.js';
+
+const MAX_PIXEL_RATIO = 2;
+const CAPTION = 40; // height of the captions, which the framed part leaves free [CSS pixels]
+const CONTROLS = 52; // height of the controls below
+const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
+const MOTION_COST = 40; // longest time per frame during movement [ms]
+
+function createRenderer(canvas) {
+  const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+  renderer.shadowMap.enabled = true;
+  renderer.autoClear = false;
+  renderer.setScissorTest(true);
+  return renderer;
+}
+
+export class RunView {
+  frames = 0;
+  afterDraw = [];
+
+  constructor(recording, store) {
+    this.store = store;
+    this.world = new World(recording);
+    this.canvas = h('canvas', { tabindex: '0', role: 'img', 'aria-label': 'The run in three dimensions: the true scene and what the robot believes' });
+    this.tags = new Tags();
+    this.element = h('div', { class: 'canvas' }, this.canvas, this.tags.element);
+    this.renderer = createRenderer(this.canvas);
+    this.requested = 0;
+    this.restTimer = 0;
+    this.motionScale = 1;
+  }
+
+  /** Starts to draw, when the element is in the page. */
+  attach() {
+    const { points, reach } = this.world.frame;
+    this.viewpoint = new Viewpoint(this.canvas, points, reach);
+    this.viewpoint.controls.zoomToCursor = false; // two views share the canvas
+    this.viewpoint.onChange = () => this.invalidate();
+    this.viewpoint.controls.addEventListener('change', () => this.invalidate());
+    new ResizeObserver(() => this.resize()).observe(this.element);
+    this.resize();
+  }
+
+  /** The drawn sides with their part of the canvas. [CSS pixels from the left] */
+  get parts() {
+    const { views } = this.store.get();
+    const width = this.width / (views === 'both' ? 2 : 1);
+    const sides = views === 'both' ? ['true', 'believed'] : [views];
+    return sides.map((side, i) => ({ side, left: i * width, width }));
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (width === 0 || height === 0) return;
+    [this.width, this.height] = [width, height];
+    this.renderer.setSize(width, height, false);
+    this.#setDetail(1);
+    this.reframe();
+  }
+
+  /** After a change of the size or the number of views. */
+  reframe() {
+    if (!this.width || !this.viewpoint) return;
+    const [{ width }] = this.parts;
+    this.viewpoint.camera.aspect = width / this.height;
+    const free = { left: 6, top: CAPTION, width: Math.max(60, width - 12), height: Math.max(60, this.height - CAPTION - CONTROLS) };
+    this.viewpoint.setViewport(width, this.height, free);
+    if (this.frames > 0) this.draw(); // resizing clears the canvas, which would flicker until the next frame
+    this.invalidate();
+  }
+
+  setScheme(scheme) {
+    this.world.bodies.setScheme(scheme);
+    this.invalidate();
+  }
+
+  invalidate() {
+    if (!this.requested && this.viewpoint) this.requested = requestAnimationFrame(() => this.#tick());
+  }
+
+  #tick() {
+    this.requested = 0;
+    const moving = this.viewpoint.step() || this.store.get().playing;
+    clearTimeout(this.restTimer);
+    this.#setDetail(this.motionScale);
+    if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
+    else this.draw();
+    if (this.frames < 2 || moving) this.invalidate();
+    if (this.motionScale < 1 && !moving) this.restTimer = setTimeout(() => this.drawRested(), REST_DELAY);
+  }
+
+  /** Draws at once with all pixels of the screen. */
+  drawRested() {
+    this.#setDetail(1);
+    this.draw();
+  }
+
+  // Without a graphics card, fewer pixels keep movement smooth.
+  #measure() {
+    const begin = performance.now();
+    this.draw();
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until the picture is drawn
+    this.motionScale = Math.min(1, Math.max(0.4, Math.sqrt(MOTION_COST / (performance.now() - begin))));
+  }
+
+  #setDetail(scale) {
+    const ratio = scale * Math.min(devicePixelRatio || 1, MAX_PIXEL_RATIO);
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
+  }
+
+  draw() {
+    const { time, labels } = this.store.get();
+    this.world.setTime(time);
+    this.renderer.setScissor(0, 0, this.width, this.height);
+    this.renderer.clear();
+    this.tags.begin();
+    for (const part of this.parts) {
+      this.#drawPart(part);
+      if (labels) this.tags.place(this.world.tags(part.side, time), part, this.viewpoint.camera, this.height);
+    }
+    this.tags.end();
+    this.frames += 1;
+    for (const step of this.afterDraw) step();
+  }
+
+  #drawPart({ side, left, width }) {
+    this.world.setSide(side);
+    this.renderer.setViewport(left, 0, width, this.height);
+    this.renderer.setScissor(left, 0, width, this.height);
+    this.renderer.render(this.world.scene, this.viewpoint.camera);
+  }
+}
