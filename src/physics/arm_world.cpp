@@ -19,8 +19,8 @@ std::string describe_world(std::span<const WeighedBody> bodies, const Robot& rob
                            const Eigen::Isometry3d& T_tip_tool, const ParallelHand& hand,
                            std::span<const FixedBox> fixed, const ArmWorldOptions& options) {
   const std::string palm = describe_palm(hand, options.contacts, describe_pose(T_tip_tool));
-  return describe_options(options.contacts) + describe_assets(bodies, hand) + "<worldbody>" +
-         describe_bodies(bodies, fixed, options.contacts) +
+  return describe_options(bodies.size(), options.contacts) + describe_assets(bodies, hand) +
+         "<worldbody>" + describe_bodies(bodies, fixed, options.contacts) +
          describe_robot(robot.model, T_table_base, options.armature, arm.tip_link, palm) +
          "</worldbody>\n" + describe_finger_coupling() + "<actuator>\n" +
          describe_finger_actuators(hand) + "</actuator>\n</mujoco>\n";

@@ -44,7 +44,7 @@ std::string describe_forces(const ParallelHand& hand, const GraspWorldOptions& o
 
 std::string describe_world(std::span<const WeighedBody> bodies, const ParallelHand& hand,
                            std::span<const FixedBox> fixed, const GraspWorldOptions& options) {
-  return describe_options(options) + describe_assets(bodies, hand) + "<worldbody>" +
+  return describe_options(bodies.size(), options) + describe_assets(bodies, hand) + "<worldbody>" +
          describe_bodies(bodies, fixed, options) + describe_hand(hand, options) + "</worldbody>\n" +
          describe_forces(hand, options) + "</mujoco>\n";
 }

@@ -56,6 +56,13 @@ MujocoModel compile_model(const std::string& mjcf) {
   return model;
 }
 
+std::string describe_sizes(std::size_t bodies, std::size_t most_contacts) {
+  constexpr std::size_t rows_per_contact = 6;
+  const std::size_t contacts = std::min(most_contacts, 100 + 60 * bodies);
+  return fmt::format("<size njmax=\"{}\" nconmax=\"{}\"/>\n", rows_per_contact * contacts,
+                     contacts);
+}
+
 void append_hull(std::string& mjcf, const std::string& name, const Points& vertices) {
   auto out = std::back_inserter(mjcf);
   fmt::format_to(out, "<mesh name=\"{}\" vertex=\"", name);

@@ -24,6 +24,10 @@ using MujocoModel = std::unique_ptr<mjModel, DeleteModel>;
 /// Compiles a world in MJCF. Throws InputError if the meshes cannot be simulated.
 MujocoModel compile_model(const std::string& mjcf);
 
+/// The room for contacts of so many bodies with each other and with what is fixed, up to
+/// `most_contacts`. MuJoCo fills memory that grows with its square whenever a world is made.
+std::string describe_sizes(std::size_t bodies, std::size_t most_contacts);
+
 /// Appends the mesh asset `name` with the hull's vertices to a text in MJCF.
 void append_hull(std::string& mjcf, const std::string& name, const Points& vertices);
 

@@ -14,22 +14,23 @@
 namespace symscene {
 namespace {
 
-std::string describe_options(const PhysicsOptions& options) {
+std::string describe_options(std::size_t bodies, const PhysicsOptions& options) {
+  constexpr std::size_t most_contacts = 670;
   return fmt::format(R"(<mujoco>
 <compiler boundmass="0.005" boundinertia="1e-7"/>
-<size njmax="4000" nconmax="700"/>
-<option timestep="{}" cone="elliptic" impratio="5"><flag multiccd="enable"/></option>
+{}<option timestep="{}" cone="elliptic" impratio="5"><flag multiccd="enable"/></option>
 <default><geom condim="6" friction="{} {} {}" density="{}"
   solref="0.006 1" solimp="0.95 0.99 0.001"/></default>
 )",
-                     options.time_step, options.sliding_friction, options.torsional_friction,
-                     options.rolling_friction, options.density);
+                     describe_sizes(bodies, most_contacts), options.time_step,
+                     options.sliding_friction, options.torsional_friction, options.rolling_friction,
+                     options.density);
 }
 
 /// The world in MJCF. MuJoCo numbers the bodies from 1: 0 is the table.
 std::string describe_world(std::span<const ConvexParts* const> bodies,
                            const PhysicsOptions& options) {
-  std::string text = describe_options(options) + "<asset>\n";
+  std::string text = describe_options(bodies.size(), options) + "<asset>\n";
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t p = 0; p < bodies[b]->size(); ++p)
       append_hull(text, fmt::format("{}_{}", b, p), (*bodies[b])[p]);

@@ -64,16 +64,17 @@ std::string describe_finger(const char* name, double side, const ConvexParts& pa
 
 }  // namespace
 
-std::string describe_options(const GraspWorldOptions& options) {
+std::string describe_options(std::size_t bodies, const GraspWorldOptions& options) {
+  constexpr std::size_t most_contacts = 420;
   return fmt::format(R"(<mujoco>
 <compiler boundmass="1e-6" boundinertia="1e-12"/>
-<size njmax="2500" nconmax="500"/>
-<option timestep="{}" cone="elliptic" impratio="10"><flag multiccd="enable"/></option>
+{}<option timestep="{}" cone="elliptic" impratio="10"><flag multiccd="enable"/></option>
 <default><geom condim="6" friction="{} {} {}" density="{}"
   solref="0.006 1" solimp="0.95 0.99 0.001"/></default>
 )",
-                     options.time_step, options.object_friction, options.torsional_friction,
-                     options.rolling_friction, reference_density);
+                     describe_sizes(bodies, most_contacts), options.time_step,
+                     options.object_friction, options.torsional_friction, options.rolling_friction,
+                     reference_density);
 }
 
 std::string describe_assets(std::span<const WeighedBody> bodies, const ParallelHand& hand) {

@@ -8,8 +8,8 @@
 // Texts in MJCF that worlds with a hand share.
 namespace symscene {
 
-/// Options of the simulation and of contacts. Opens the tag <mujoco>.
-std::string describe_options(const GraspWorldOptions& options);
+/// Options of the simulation and of contacts of so many bodies and a hand. Opens the tag <mujoco>.
+std::string describe_options(std::size_t bodies, const GraspWorldOptions& options);
 
 /// The hulls of all bodies and of the hand.
 std::string describe_assets(std::span<const WeighedBody> bodies, const ParallelHand& hand);
