@@ -11,16 +11,18 @@ namespace symscene::app {
 
 void GripperChoice::add_to(Arguments& arguments) {
   arguments.text("--gripper", name,
-                 fmt::format("{}, or a JSON file that describes a gripper (default panda)",
+                 fmt::format("{}, or a JSON or YAML file that describes a gripper (default panda)",
                              fmt::join(gripper_names(), ", ")));
 }
 
 Gripper GripperChoice::gripper() const {
-  if (std::filesystem::path(name).extension() == ".json") return read_gripper(name);
+  const std::string extension = std::filesystem::path(name).extension();
+  if (extension == ".json" || extension == ".yaml" || extension == ".yml")
+    return read_gripper(name);
   try {
     return named_gripper(name);
   } catch (const InputError& error) {
-    throw InputError(error.where(), error.expected() + " or a .json file", error.found());
+    throw InputError(error.where(), error.expected() + " or a .json or .yaml file", error.found());
   }
 }
 

@@ -10,6 +10,7 @@
 #include "gripper_json.hpp"
 #include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
+#include "yaml.hpp"
 
 namespace symscene {
 namespace {
@@ -86,6 +87,8 @@ void read_numbers(const JsonCursor& root, Gripper& gripper) {
     gripper.tip_thickness = gripper.finger_thickness;
 }
 
+bool is_yaml(const std::string& file) { return file.ends_with(".yaml") || file.ends_with(".yml"); }
+
 }  // namespace
 
 Eigen::Isometry3d pose_of(const JsonCursor& json) {
@@ -123,7 +126,7 @@ Json gripper_json(const Gripper& gripper, const char* what) {
 }
 
 Gripper parse_gripper(std::string_view text, const std::string& file) {
-  const Json document = parse_json(text, file);
+  const Json document = is_yaml(file) ? parse_yaml(text, file) : parse_json(text, file);
   const JsonCursor root(document, file);
   require_members(root);
   Gripper gripper;

@@ -63,6 +63,23 @@ TEST(GripperFile, IsReadAsItWasWritten) {
   EXPECT_EQ(parse_gripper(text, "hand.json").palm_size, gripper.palm_size);
 }
 
+TEST(GripperFile, OfYamlHasTheMembersOfJson) {
+  const std::string yaml = R"(name: clamp
+kind: parallel
+max_opening_m: 0.06  # between the pads
+finger_depth_m: 0.04
+palm_size_m: [0.05, 0.1, 0.08]
+)";
+#ifdef SYMSCENE_HAS_ROBOTS
+  const Gripper gripper = parse_gripper(yaml, "hand.yaml");
+  EXPECT_EQ(format_gripper(gripper), format_gripper(parse_gripper(smallest, "hand.json")));
+  EXPECT_THROW(parse_gripper(replaced(yaml, "_m: 0.06", "_mm: 60"), "hand.yml"), InputError);
+#else
+  EXPECT_THROW(parse_gripper(yaml, "hand.yaml"), InputError);
+#endif
+  EXPECT_THROW(parse_gripper(yaml, "hand.json"), InputError);
+}
+
 TEST(GripperFile, RefusesWhatItDoesNotKnowInOneSentence) {
   for (const auto& [text, sentence] : std::vector<std::pair<std::string, std::string>>{
            {"{", "hand.json"},
