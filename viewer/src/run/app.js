@@ -1,6 +1,6 @@
 // Connects the recording, the state of the player, the views and the controls.
 import { h } from '../dom.js';
-import { applyHash, keepTimeInHash } from './hash.js';
+import { applyHash, keepTimeInHash, timeIn } from './hash.js';
 import { createHook } from './hook.js';
 import { listenToKeys } from './keyboard.js';
 import { createCaptions, createViewControls } from './overlay.js';
@@ -54,6 +54,7 @@ function followWidth({ store, actions }) {
 
 export function createApp(recording) {
   const player = createPlayerState(recording);
+  player.actions.seek(timeIn(location.hash)); // before the panel, which follows later changes
   const view = new RunView(recording, player.store);
   const recorder = new Recorder(view, player, recording);
   const isNarrow = followWidth(player);

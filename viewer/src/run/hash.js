@@ -3,13 +3,18 @@ import { isView } from '../camera.js';
 
 const DELAY = 1000; // between changes of the address while it plays [ms]
 
+export function timeIn(hash) {
+  const time = new URLSearchParams(hash.replace(/^#/, '')).get('t');
+  return time ? Number(time) : NaN;
+}
+
 export function applyHash(hash, { store, actions, viewpoint }) {
   const wanted = new URLSearchParams(hash.replace(/^#/, ''));
   if (wanted.has('show')) actions.setViews(wanted.get('show'));
   if (wanted.has('speed')) actions.setSpeed(Number(wanted.get('speed')));
   if (wanted.has('labels')) store.set({ labels: wanted.get('labels') !== '0' });
   if (isView(wanted.get('view'))) viewpoint.go(wanted.get('view'), false);
-  if (wanted.get('t')) actions.seek(Number(wanted.get('t')));
+  actions.seek(timeIn(hash));
 }
 
 /** Writes the time into the address, without a new entry in the history. */

@@ -37,9 +37,12 @@ function createChoice({ store, actions }) {
     for (const button of buttons) setPressed(button, state.views === button.dataset.views);
     setPressed(labels, state.labels);
   });
-  return [h('div', { class: 'group modes', role: 'group', 'aria-label': 'Shown scene' }, buttons), h('div', { class: 'group' }, labels)];
+  return [
+    h('div', { class: 'group modes choice', role: 'group', 'aria-label': 'Shown scene' }, buttons),
+    h('div', { class: 'group labels-group' }, labels),
+  ];
 }
 
 export function createViewControls(viewpoint, player) {
-  return [createViews(viewpoint), h('div', { class: 'choice' }, createChoice(player))];
+  return [createViews(viewpoint), ...createChoice(player)];
 }
