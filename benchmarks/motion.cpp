@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "pick_checks.hpp"
 #include "program.hpp"
 #include "stopwatch.hpp"
 #include "symscene/core/thread_limit.hpp"
@@ -29,6 +30,7 @@ struct Arguments {
   int objects = 6;
   int frames = 30;
   std::size_t threads = 2;
+  bool check = false;
   PickOptions options;
 };
 
@@ -53,6 +55,19 @@ struct Tally {
     if (!pick.motion) return;
     ++found;
     durations.push_back(pick.motion->to_pre_grasp.duration());
+  }
+
+  bench::PickChecks checks;
+
+  void print_checks() const {
+    fmt::print(
+        "{} states at 1 kHz: {} outside limits of position, {} of velocity, {} of "
+        "acceleration; ",
+        checks.states, checks.positions, checks.velocities, checks.accelerations);
+    if (bench::checks_meshes())
+      fmt::print("{} in which the arm meets a true mesh\n", checks.objects);
+    else
+      fmt::print("not checked against meshes, for want of FCL\n");
   }
 
   void print(int scenes) const {
@@ -105,6 +120,10 @@ void plan_scene(const Arguments& arguments, int scene_number, const Robot& robot
                      arguments.options);
   });
   tally.add(pick, time.processor);
+  if (arguments.check && pick.motion) {
+    tally.checks += bench::check_pick(*pick.motion, robot, robot.grasping_arm(), gripper,
+                                      simulated.tabletop, arguments.options);
+  }
   fmt::print("seed {}: {} grasps, {}{}\n", options.tabletop.seed, grasps.grasps.size(),
              pick.motion ? fmt::format("grasp {} taken", pick.motion->grasp) : "no pick",
              pick.start_contact.empty() ? "" : ": " + pick.start_contact);
@@ -127,6 +146,8 @@ int main(int argc, char** argv) {
   app.add_option("--frames", arguments.frames, "views of the camera")->capture_default_str();
   app.add_flag("!--never-seen-is-free", arguments.options.obstacles.never_seen,
                "space that was never seen is no obstacle for the arm");
+  app.add_flag("--check", arguments.check,
+               "check trajectories at 1 kHz against limits and against the true meshes");
   app.add_option("--threads", arguments.threads, "at most so many threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return symscene::bench::exit_code_of("symscene_bench_motion", [&] {
@@ -136,6 +157,7 @@ int main(int argc, char** argv) {
     Tally tally;
     for (int i = 0; i < arguments.scenes; ++i) plan_scene(arguments, i, robot, gripper, tally);
     tally.print(arguments.scenes);
+    if (arguments.check) tally.print_checks();
     return 0;
   });
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "arm_bodies.hpp"
+#include "held_object.hpp"
 #include "segment_distance.hpp"
 
 namespace symscene {
@@ -49,7 +50,7 @@ struct ArmCollision::Model {
   Eigen::VectorXd positions;
   ArmCollisionOptions options;
   ArmBodies parts;
-  std::vector<Eigen::Vector3f> held = {};
+  HeldObject held = {};
   Eigen::VectorXd held_motion = {};
 
   using Poses = std::vector<Eigen::Isometry3d>;
@@ -185,18 +186,8 @@ struct ArmCollision::Model {
   }
 
   RobotContact held_contact(const Poses& at, const IgnoredObstacles& ignored) const {
-    const Eigen::Isometry3d T_world_tool = at[arm.arm.tip_link] * parts.T_tip_tool;
-    RobotContact contact{"held object", {MotionObstacles::near}, "", -0.8 * options.held_depth};
-    for (const Eigen::Vector3f& point : held) {
-      const Eigen::Vector3d p = T_world_tool * point.cast<double>();
-      if (obstacles.table()) {
-        const double height = obstacles.table()->signed_distance(p);
-        if (height < contact.other.distance) contact.other = {height, ObstacleKind::table, -1};
-      }
-      if (obstacles.bound_at(p) < contact.other.distance)
-        take(obstacles.nearest(Capsule{p, p, 0.0}, ignored), contact);
-    }
-    return contact;
+    return {"held object", held.nearest(obstacles, at[arm.arm.tip_link], ignored), "",
+            -0.8 * options.held_depth};
   }
 };
 
@@ -216,12 +207,13 @@ ArmCollision::~ArmCollision() = default;
 ArmCollision::ArmCollision(ArmCollision&&) noexcept = default;
 
 void ArmCollision::hold(const std::vector<Eigen::Vector3f>& points_tool) {
-  model_->held = points_tool;
-  double extent = 0.0;
+  std::vector<Eigen::Vector3d> points_tip;
   for (const Eigen::Vector3f& point : points_tool)
-    extent = std::max(extent, (model_->parts.T_tip_tool * point.cast<double>()).norm());
+    points_tip.emplace_back(model_->parts.T_tip_tool * point.cast<double>());
+  model_->held = HeldObject(points_tip);
   const Arm& arm = model_->arm.arm;
-  model_->held_motion = greatest_motion(model_->robot.model, arm, arm.tip_link, extent);
+  model_->held_motion =
+      greatest_motion(model_->robot.model, arm, arm.tip_link, model_->held.extent());
 }
 
 std::optional<RobotContact> ArmCollision::contact(const Eigen::VectorXd& arm_positions,

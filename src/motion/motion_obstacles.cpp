@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/parallel.hpp"
 #include "segment_distance.hpp"
 #include "surface_points.hpp"
 #include "unseen_cubes.hpp"
@@ -53,10 +54,11 @@ MotionObstacles::MotionObstacles(const GraspScene& scene,
                                  const MotionObstacleOptions& options)
     : table_(scene.table) {
   options.validate();
-  std::vector<std::vector<Eigen::Vector3f>> surfaces;
-  for (const GraspObject& object : scene.objects)
-    surfaces.push_back(surface_points(object, point_spacing));
-  surfaces.push_back(rows_of(scene.obstacles));
+  std::vector<std::vector<Eigen::Vector3f>> surfaces(scene.objects.size() + 1);
+  parallel_for_each(surfaces.size(), [&](std::size_t i) {
+    surfaces[i] = i < scene.objects.size() ? surface_points(scene.objects[i], point_spacing)
+                                           : rows_of(scene.obstacles);
+  });
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const bool is_object = i < scene.objects.size();
     for (const Eigen::Vector3f& point : surfaces[i]) {
@@ -178,10 +180,12 @@ void MotionObstacles::visit_near(const Eigen::Vector3d& min, const Eigen::Vector
 }
 
 std::optional<ObstacleDistance> MotionObstacles::nearest(const Capsule& capsule,
-                                                         const IgnoredObstacles& ignored) const {
+                                                         const IgnoredObstacles& ignored,
+                                                         double up_to) const {
   std::optional<ObstacleDistance> best;
-  const double reach = capsule.radius + near + greatest_radius_;
-  double least = near;
+  const double reach = capsule.radius + up_to + greatest_radius_;
+  if (reach <= 0.0) return best;
+  double least = up_to;
   visit_near(capsule.begin.cwiseMin(capsule.end).array() - reach,
              capsule.begin.cwiseMax(capsule.end).array() + reach, [&](const Ball& ball) {
                const double distance =

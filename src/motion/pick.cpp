@@ -1,6 +1,7 @@
 #include "symscene/motion/pick.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "checked_trajectory.hpp"
 #include "pick_candidates.hpp"
@@ -20,27 +21,57 @@ std::vector<Capsule> robot_at(const Robot& robot, const RobotArm& arm, const Gri
 /// One call of plan_pick().
 class PickPlanner {
  public:
-  PickPlanner(const PickCandidates& candidates, const MotionLimits& limits,
+  PickPlanner(PickCandidates& candidates, const MotionLimits& limits,
               const MotionLimits& line_limits, const PickOptions& options)
       : candidates_(candidates), limits_(limits), line_limits_(line_limits), options_(options) {}
 
-  /// The motion for a grasp; none, and `why`.
+  /// The motion for a grasp; none, and `why`. Candidates that a straight line reaches are taken
+  /// before others are looked at.
   std::optional<PickMotion> plan(const Eigen::VectorXd& start, const Grasp& grasp,
                                  StageTimer& timer, RejectedPick& why) const {
-    const std::vector<PickCandidate> found =
-        timer.time("grasp positions", [&] { return candidates_.find(grasp, why); });
-    if (found.empty()) return std::nullopt;
-    const PathResult path = timer.time("path", [&] { return path_to(start, grasp, found); });
-    if (path.status != PathStatus::found) {
-      why.reason = PickRejection::no_path;
-      why.detail = path.obstacle;
-      return std::nullopt;
+    const std::vector<HandPositions> positions =
+        timer.time("grasp positions", [&] { return candidates_.positions(grasp, why); });
+    std::vector<PickCandidate> found;
+    std::array<std::optional<ArmCollision>, 2> holding;  // not turned, and turned
+    for (const HandPositions& hand : positions) {
+      auto candidate = timer.time("straight ways", [&] {
+        std::optional<ArmCollision>& arm = holding.at(hand.is_turned ? 1 : 0);
+        if (!arm) arm.emplace(candidates_.holding_arm(grasp, hand.T_world_tool));
+        return candidates_.candidate(grasp, hand, *arm, why);
+      });
+      if (!candidate) continue;
+      const auto line = timer.time("path", [&] { return line_to(start, grasp, *candidate); });
+      if (line) return timer.time("trajectory", [&] { return timed(grasp, *candidate, *line); });
+      found.push_back(std::move(*candidate));
     }
-    return timer.time("trajectory", [&] { return timed(grasp, found[path.goal], path); });
+    return found.empty() ? std::nullopt : plan_around(start, grasp, found, timer, why);
   }
 
  private:
   IgnoredObstacles at_target(const Grasp& grasp) const { return {-1, grasp.object}; }
+
+  /// The straight line of the joints to a candidate, if it is free.
+  std::optional<std::vector<Eigen::VectorXd>> line_to(const Eigen::VectorXd& start,
+                                                      const Grasp& grasp,
+                                                      const PickCandidate& candidate) const {
+    const Eigen::VectorXd goal =
+        start + candidates_.space().difference(start, candidate.approach.front());
+    if (!candidates_.open_arm().is_free(start, goal, at_target(grasp))) return std::nullopt;
+    return std::vector<Eigen::VectorXd>{start, goal};
+  }
+
+  std::optional<PickMotion> plan_around(const Eigen::VectorXd& start, const Grasp& grasp,
+                                        const std::vector<PickCandidate>& found, StageTimer& timer,
+                                        RejectedPick& why) const {
+    const PathResult path = timer.time("path", [&] { return path_to(start, grasp, found); });
+    if (path.status == PathStatus::found) {
+      return timer.time("trajectory",
+                        [&] { return timed(grasp, found[path.goal], path.waypoints); });
+    }
+    why.reason = PickRejection::no_path;
+    why.detail = path.obstacle;
+    return std::nullopt;
+  }
 
   PathResult path_to(const Eigen::VectorXd& start, const Grasp& grasp,
                      const std::vector<PickCandidate>& found) const {
@@ -59,15 +90,15 @@ class PickPlanner {
   }
 
   PickMotion timed(const Grasp& grasp, const PickCandidate& candidate,
-                   const PathResult& path) const {
+                   const std::vector<Eigen::VectorXd>& path) const {
     const ArmCollision& arm = candidates_.open_arm();
     const IgnoredObstacles ignored = at_target(grasp);
     // Full turns that the path made go on in what follows it.
-    const Eigen::VectorXd turns = path.waypoints.back() - candidate.approach.front();
+    const Eigen::VectorXd turns = path.back() - candidate.approach.front();
     TrajectoryOptions line = options_.trajectory;
     line.max_deviation = std::min(line.max_deviation, 0.002);
     return {0,
-            checked_trajectory(path.waypoints, limits_, options_.trajectory,
+            checked_trajectory(path, limits_, options_.trajectory,
                                [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
                                  return arm.is_free(a, b, ignored);
                                }),
@@ -81,7 +112,7 @@ class PickPlanner {
     return way;
   }
 
-  const PickCandidates& candidates_;
+  PickCandidates& candidates_;
   const MotionLimits& limits_;
   const MotionLimits& line_limits_;
   const PickOptions& options_;
@@ -147,7 +178,7 @@ PickResult plan_pick(const Robot& robot, const RobotArm& arm, const Gripper& gri
   const MotionObstacles obstacles = timer.time("obstacles", [&] {
     return MotionObstacles(scene, robot_at(robot, arm, gripper, start, options), options.obstacles);
   });
-  const PickCandidates candidates(robot, arm, gripper, start, scene, obstacles, options);
+  PickCandidates candidates(robot, arm, gripper, start, scene, obstacles, options);
   const MotionLimits limits = motion_limits(robot.model, arm.arm, options.speed);
   const MotionLimits line_limits =
       motion_limits(robot.model, arm.arm, options.speed * options.line_speed);

@@ -20,12 +20,14 @@ void keep_latest(RejectedPick& why, PickRejection reason, const std::string& det
   why.reason = reason;
 }
 
-bool way_is_free(const ArmCollision& arm, const std::vector<Eigen::VectorXd>& way,
-                 const IgnoredObstacles& ignored, RobotContact& met) {
+std::optional<RobotContact> first_contact(const ArmCollision& arm,
+                                          const std::vector<Eigen::VectorXd>& way,
+                                          const IgnoredObstacles& ignored) {
+  RobotContact met;
   for (std::size_t i = 1; i < way.size(); ++i) {
-    if (!arm.is_free(way[i - 1], way[i], ignored, &met)) return false;
+    if (!arm.is_free(way[i - 1], way[i], ignored, &met)) return met;
   }
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -45,32 +47,33 @@ PickCandidates::PickCandidates(const Robot& robot, const RobotArm& arm, const Gr
       open_(robot, arm, &gripper, gripper.max_opening, obstacles, start, options.collision),
       T_world_base_(robot.T_world_base * link_poses(robot.model, start)[arm.arm.base_link]) {}
 
-std::vector<PickCandidate> PickCandidates::find(const Grasp& grasp, RejectedPick& why) const {
+std::vector<HandPositions> PickCandidates::positions(const Grasp& grasp, RejectedPick& why) const {
   why.reason = PickRejection::too_far;
-  std::vector<PickCandidate> candidates;
-  add_candidates(grasp, grasp.T_world_tool, candidates, why);
+  std::vector<HandPositions> all;
+  add_positions(grasp.T_world_tool, false, all, why);
   if (gripper_.kind == GripperKind::parallel) {
     const Eigen::Isometry3d turned(grasp.T_world_tool *
                                    Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()));
-    add_candidates(grasp, turned, candidates, why);
+    add_positions(turned, true, all, why);
   }
-  return candidates;
+  const Eigen::VectorXd start = arm_positions(arm_.arm, start_);
+  const auto way = [&](const HandPositions& hand) {
+    return space_.difference(start, hand.positions).norm();
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const HandPositions& a, const HandPositions& b) { return way(a) < way(b); });
+  return all;
 }
 
-void PickCandidates::add_candidates(const Grasp& grasp, const Eigen::Isometry3d& T_world_tool,
-                                    std::vector<PickCandidate>& candidates,
-                                    RejectedPick& why) const {
-  const Eigen::Isometry3d T_base_tip =
-      T_world_base_.inverse() * T_world_tool * arm_.T_tip_tool(gripper_).inverse();
-  const auto count = static_cast<std::size_t>(options_.solutions);
+void PickCandidates::add_positions(const Eigen::Isometry3d& T_world_tool, bool is_turned,
+                                   std::vector<HandPositions>& all, RejectedPick& why) const {
+  const Eigen::Isometry3d target = T_base_tip(T_world_tool);
   const std::vector<Eigen::VectorXd> solutions =
-      inverse_kinematics_solutions(chain_, T_base_tip, arm_positions(arm_.arm, start_), count);
-  if (solutions.empty()) return keep_latest(why, reason_unreachable(T_base_tip));
-  const ArmCollision holding = holding_arm(grasp, T_world_tool);
-  for (const Eigen::VectorXd& at_grasp : solutions) {
-    auto found = candidate(grasp, T_base_tip, at_grasp, holding, why);
-    if (found) candidates.push_back(std::move(*found));
-  }
+      inverse_kinematics_solutions(chain_, target, arm_positions(arm_.arm, start_),
+                                   static_cast<std::size_t>(options_.solutions));
+  if (solutions.empty()) return keep_latest(why, reason_unreachable(target));
+  for (const Eigen::VectorXd& positions : solutions)
+    all.push_back({T_world_tool, is_turned, positions});
 }
 
 PickRejection PickCandidates::reason_unreachable(const Eigen::Isometry3d& T_base_tip) const {
@@ -81,6 +84,10 @@ PickRejection PickCandidates::reason_unreachable(const Eigen::Isometry3d& T_base
                                                                        : PickRejection::unreachable;
 }
 
+Eigen::Isometry3d PickCandidates::T_base_tip(const Eigen::Isometry3d& T_world_tool) const {
+  return T_world_base_.inverse() * T_world_tool * arm_.T_tip_tool(gripper_).inverse();
+}
+
 Eigen::Vector3d PickCandidates::retreat_direction(const Eigen::Isometry3d& T_world_tool) const {
   const Eigen::Vector3d up =
       scene_.table ? scene_.table->normal : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
@@ -88,47 +95,57 @@ Eigen::Vector3d PickCandidates::retreat_direction(const Eigen::Isometry3d& T_wor
   return angle_between(approach, -up) <= backwards_tilt ? Eigen::Vector3d(-approach) : up;
 }
 
+const std::vector<Eigen::Vector3f>& PickCandidates::surface_of(std::size_t object) {
+  const auto [known, is_new] = surfaces_.try_emplace(object);
+  if (is_new) known->second = surface_points(scene_.objects[object], held_spacing);
+  return known->second;
+}
+
 ArmCollision PickCandidates::holding_arm(const Grasp& grasp,
-                                         const Eigen::Isometry3d& T_world_tool) const {
+                                         const Eigen::Isometry3d& T_world_tool) {
   ArmCollision arm(robot_, arm_, &gripper_, grasp.opening, obstacles_, start_, options_.collision);
   if (grasp.object < 0 || static_cast<std::size_t>(grasp.object) >= scene_.objects.size())
     return arm;
-  std::vector<Eigen::Vector3f> points =
-      surface_points(scene_.objects[static_cast<std::size_t>(grasp.object)], held_spacing);
+  std::vector<Eigen::Vector3f> points = surface_of(static_cast<std::size_t>(grasp.object));
   const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
   for (Eigen::Vector3f& point : points) point = T_tool_world * point;
   arm.hold(one_per_cube(points, held_spacing));
   return arm;
 }
 
+std::optional<std::vector<Eigen::VectorXd>> PickCandidates::line(
+    const HandPositions& from, const Eigen::Vector3d& offset_world) const {
+  return straight_way(chain_, space_, from.positions, T_base_tip(from.T_world_tool),
+                      T_world_base_.linear().transpose() * offset_world,
+                      {options_.line_step, options_.max_jump});
+}
+
 std::optional<PickCandidate> PickCandidates::candidate(const Grasp& grasp,
-                                                       const Eigen::Isometry3d& T_base_tip,
-                                                       const Eigen::VectorXd& at_grasp,
+                                                       const HandPositions& at_grasp,
                                                        const ArmCollision& holding,
                                                        RejectedPick& why) const {
   const IgnoredObstacles with_target{grasp.object, grasp.object};
   const IgnoredObstacles at_target{-1, grasp.object};
-  const StraightWay line{options_.line_step, options_.max_jump};
-  const Eigen::Isometry3d T_world_tip = T_world_base_ * T_base_tip;
-  const Eigen::Isometry3d T_world_tool = T_world_tip * arm_.T_tip_tool(gripper_);
-  const Eigen::Matrix3d to_base = T_world_base_.linear().transpose();
-  const Eigen::Vector3d back = -gripper_.approach_distance * T_world_tool.linear().col(2);
-  const Eigen::Vector3d away = gripper_.retreat_distance * retreat_direction(T_world_tool);
-  auto approach = straight_way(chain_, space_, at_grasp, T_base_tip, to_base * back, line);
-  auto retreat = straight_way(chain_, space_, at_grasp, T_base_tip, to_base * away, line);
-  if (!approach || !retreat) {
-    keep_latest(why, PickRejection::line);
-    return std::nullopt;
-  }
+  const auto collides = [&](const std::optional<RobotContact>& met) {
+    if (met) keep_latest(why, PickRejection::collision, describe(*met));
+    return met.has_value();
+  };
+  const auto straight = [&](const Eigen::Vector3d& offset) {
+    auto way = line(at_grasp, offset);
+    if (!way) keep_latest(why, PickRejection::line);
+    return way;
+  };
+  const Eigen::Isometry3d& T_world_tool = at_grasp.T_world_tool;
+  // The cheapest checks first: most candidates that fail do so where the arm grasps.
+  if (collides(open_.contact(at_grasp.positions, with_target))) return std::nullopt;
+  auto approach = straight(-gripper_.approach_distance * T_world_tool.linear().col(2));
+  if (!approach) return std::nullopt;
   std::reverse(approach->begin(), approach->end());
-  RobotContact met;
-  const auto before = open_.contact(approach->front(), at_target);
-  if (before) met = *before;
-  if (before || !way_is_free(open_, *approach, with_target, met) ||
-      !way_is_free(holding, *retreat, with_target, met)) {
-    keep_latest(why, PickRejection::collision, describe(met));
+  if (collides(open_.contact(approach->front(), at_target)) ||
+      collides(first_contact(open_, *approach, with_target)))
     return std::nullopt;
-  }
+  auto retreat = straight(gripper_.retreat_distance * retreat_direction(T_world_tool));
+  if (!retreat || collides(first_contact(holding, *retreat, with_target))) return std::nullopt;
   return PickCandidate{std::move(*approach), std::move(*retreat)};
 }
 

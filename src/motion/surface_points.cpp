@@ -1,8 +1,8 @@
 #include "surface_points.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace symscene {
 namespace {
@@ -22,19 +22,31 @@ void append_triangle(const Corner& a, const Corner& b, const Corner& c, float sp
   }
 }
 
+/// A number per cube that is ordered as (x, y, z). Cubes beyond 2^20 from the origin share the
+/// last.
+std::uint64_t cube_key(const Eigen::Vector3f& point, float edge) {
+  constexpr float half = 1048576.0F;
+  const Eigen::Array3f cube = (point / edge).array().floor().max(-half).min(half - 1.0F) + half;
+  return static_cast<std::uint64_t>(cube.x()) << 42U | static_cast<std::uint64_t>(cube.y()) << 21U |
+         static_cast<std::uint64_t>(cube.z());
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3f> one_per_cube(const std::vector<Eigen::Vector3f>& points, float edge) {
-  using Keyed = std::pair<std::array<int, 3>, std::size_t>;
+  struct Keyed {
+    std::uint64_t cube;
+    std::uint32_t index;
+  };
   std::vector<Keyed> keyed(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Array3i cube = (points[i] / edge).array().floor().cast<int>();
-    keyed[i] = {{cube.x(), cube.y(), cube.z()}, i};
-  }
-  std::sort(keyed.begin(), keyed.end());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    keyed[i] = {cube_key(points[i], edge), static_cast<std::uint32_t>(i)};
+  std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
+    return a.cube != b.cube ? a.cube < b.cube : a.index < b.index;
+  });
   std::vector<Eigen::Vector3f> some;
   for (std::size_t i = 0; i < keyed.size(); ++i) {
-    if (i == 0 || keyed[i].first != keyed[i - 1].first) some.push_back(points[keyed[i].second]);
+    if (i == 0 || keyed[i].cube != keyed[i - 1].cube) some.push_back(points[keyed[i].index]);
   }
   return some;
 }

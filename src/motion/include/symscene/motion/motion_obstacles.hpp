@@ -75,9 +75,9 @@ class MotionObstacles {
 
   /// A lower bound of the distance of a point from all but the table; cheap. [m]
   double bound_at(const Eigen::Vector3d& point) const;
-  /// The nearest obstacle but the table, up to `near`; none beyond.
-  std::optional<ObstacleDistance> nearest(const Capsule& capsule,
-                                          const IgnoredObstacles& ignored) const;
+  /// The nearest obstacle but the table that is nearer than `up_to`; none if there is none. [m]
+  std::optional<ObstacleDistance> nearest(const Capsule& capsule, const IgnoredObstacles& ignored,
+                                          double up_to = near) const;
   std::optional<ObstacleDistance> nearest(const Eigen::AlignedBox3d& box,
                                           const Eigen::Isometry3d& T_world_box,
                                           const IgnoredObstacles& ignored) const;

@@ -89,10 +89,11 @@ struct PickResult {
 
 /// Motions for the first of `grasps`, best first, that the arm reaches without collision: joint
 /// positions for the grasp by inverse kinematics, a straight way of the gripper's approach_distance
-/// to it and of retreat_distance back (backwards if the approach is steep, else upwards), a path
-/// to its start by RRT-Connect, and the fastest times within the limits of the joints. `start`:
-/// positions of all moving joints. A parallel gripper may be turned by half a turn.
-/// Throws InputError if an option, the gripper or a limit is invalid, or sizes differ.
+/// to it and of retreat_distance back (backwards if the approach is steep, else upwards), a
+/// straight line of the joints or else a path by RRT-Connect to its start, and the fastest times
+/// within the limits of the joints. `start`: positions of all moving joints. A parallel gripper may
+/// be turned by half a turn. Throws InputError if an option, the gripper or a limit is invalid, or
+/// sizes differ.
 PickResult plan_pick(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
                      const Eigen::VectorXd& start, const GraspScene& scene,
                      std::span<const Grasp> grasps, const PickOptions& options = {});
