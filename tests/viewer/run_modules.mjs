@@ -2,10 +2,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { creasedCorners } from '../../viewer/src/gl/creases.js';
+import { framedPoints } from '../../viewer/src/run/frame.js';
 import { counterpartOf, decodeRecording, placed } from '../../viewer/src/run/recording.js';
 import { createPlayerState } from '../../viewer/src/run/state.js';
 import { lastNotAfter, poseAt, slerp } from '../../viewer/src/run/track.js';
-import { clock } from '../../viewer/src/run/words.js';
+import { clock, progress, summary } from '../../viewer/src/run/words.js';
 import { randomNumbers } from './fixture.mjs';
 import { recordedRun } from './run_fixture.mjs';
 import { box, capsule } from './run_meshes.mjs';
@@ -69,6 +70,16 @@ test('a believed object belongs to the nearest true one, and to none far from al
   assert.equal(counterpartOf(cereal.extent, run.objects, run.end)?.name, undefined, 'it was carried away');
 });
 
+test('a view frames objects, bin and hand, but not a robot that is far larger than they', () => {
+  const run = decodeRecording(recordedRun());
+  const highest = (solids) => Math.max(...framedPoints({ ...run, solids }).map(([, , z]) => z));
+  const tower = { kind: 'robot', extent: { low: [-0.1, -0.1, 0], high: [0.1, 0.1, 5], middle: [0, 0, 2.5], diagonal: 5 }, track: run.solids[0].track };
+  assert.ok(highest(run.solids) > 0.4, 'the arm is in view');
+  assert.equal(highest([...run.solids, tower]), highest(run.solids));
+  assert.equal(highest([tower]), 5, 'a robot alone is framed');
+  assert.deepEqual(framedPoints({ ...run, solids: [] }), []);
+});
+
 test('edges of a box stay sharp, and a capsule is smooth', () => {
   const flat = ({ positions, triangles }) => ({ positions: Float32Array.from(positions.flat()), triangles: Uint32Array.from(triangles.flat()) });
   const { normals } = creasedCorners(flat(box([0.1, 0.2, 0.3])));
@@ -106,6 +117,13 @@ test('the player stays within the run, stops at its end, and steps through the e
   assert.equal(store.get().time, 2);
   actions.setSpeed(3);
   assert.equal(store.get().speed, 8);
+});
+
+test('picked are all objects but those that were left, and no more than there are successes', () => {
+  const events = [1, 2, 3, 4].map((time) => ({ time, outcome: time === 2 ? 'failure' : 'success' }));
+  const run = { objects: [1, 2, 3], left: ['one'], events, begin: 0, end: 4 };
+  assert.equal(summary(run), 'Picked 2 of 3 objects in 4.0 s · 1 failure');
+  assert.deepEqual([0, 1, 2, 3, 4].map((time) => progress(run, time)[0]), ['0', '1', '1', '2', '2'], 'the end of the run is a success too');
 });
 
 test('clocks count minutes and tenths', () => {

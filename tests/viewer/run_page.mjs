@@ -29,9 +29,16 @@ function hostileRun() {
   });
 }
 
+function emptyRun() {
+  return encodeRun({
+    title: 'Nothing', times: [], poses: [], beliefs: [], left: ['box: it was not looked at'], solids: [{ name: 'box', kind: 'object', mesh: box([0.1, 0.1, 0.1]) }],
+    events: [{ time: 0, text: 'No view of the table is reachable', outcome: 'failure' }],
+  });
+}
+
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-runs-'));
-  for (const [name, run] of Object.entries({ run: recordedRun(), hostile: hostileRun() })) {
+  for (const [name, run] of Object.entries({ run: recordedRun(), hostile: hostileRun(), nothing: emptyRun() })) {
     pages[name] = join(folder, `${name}.html`);
     await writePage(pages[name], run, 'run.html');
   }
@@ -86,12 +93,12 @@ function layoutProblems(page) {
 
 describe('the page of a run', () => {
   runTest('tells what was picked and what was not, and lists the events', WINDOW, async (page) => {
-    assert.equal(await page.textContent('.stats'), 'Picked 4 of 6 objects in 31 s · 1 failed attempt');
+    assert.equal(await page.textContent('.stats'), 'Picked 4 of 6 objects in 31 s · 1 failure');
     assert.deepEqual(await page.locator('.left li').allTextContents(),
       ['brick: every grasp within reach meets the crate', 'crate: too wide for the gripper, 160.0 mm > 80.0 mm']);
     assert.equal(await page.locator('.event').count(), 12);
     assert.equal(await page.locator('.event.is-success').count(), 4);
-    assert.match(await page.textContent('.event.is-failure'), /0:10\.0Failed: The can slipped/);
+    assert.match(await page.textContent('.event.is-failure'), /0:10\.0Failure: The can slipped/);
     assert.equal(await page.locator('.at .is-success').count(), 4);
     assert.equal(await page.locator('.at .is-failure').count(), 1);
     assert.equal(await page.locator('.look').count(), 6);
@@ -254,11 +261,18 @@ describe('the page of a run', () => {
     assert.equal(await page.locator('img').count(), 0);
     await page.keyboard.press('Space');
     assert.equal(await hook(page, 'playing'), false, 'there is nothing to play');
-    assert.equal(await page.textContent('.stats'), 'Picked 0 of 2 objects in 0.0 s · 1 failed attempt');
+    assert.equal(await page.textContent('.stats'), 'Picked 1 of 2 objects in 0.0 s · 1 failure');
   }, { path: () => pages.hostile });
 
+  runTest('shows the events of a run that never began', WINDOW, async (page) => {
+    assert.equal(await page.textContent('.stats'), 'Picked 0 of 1 object in 0.0 s · 1 failure');
+    assert.match(await page.textContent('.event'), /No view of the table is reachable/);
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await hook(page, 'time'), 0);
+  }, { path: () => pages.nothing });
+
   runTest('plays a run made by C++', WINDOW, async (page) => {
-    assert.equal(await page.textContent('.stats'), 'Picked 1 of 2 objects in 4.0 s · 1 failed attempt');
+    assert.equal(await page.textContent('.stats'), 'Picked 1 of 2 objects in 4.0 s · 1 failure');
     const hashes = [];
     for (const time of [0.5, 2, 3]) {
       await hook(page, `seek(${time})`);

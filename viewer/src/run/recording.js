@@ -16,8 +16,10 @@ function extentOf(surface) {
 }
 
 function decodeSolid(solid, times, index) {
-  const surface = solid.surface && decodeSurface(solid.surface);
-  return { ...solid, index, surface, extent: extentOf(surface), track: decodeTrack(solid.track, times) };
+  const track = decodeTrack(solid.track, times);
+  // Of a run that never began, nothing is known to be anywhere.
+  const surface = solid.surface && track.times.length > 0 ? decodeSurface(solid.surface) : null;
+  return { ...solid, index, surface, extent: extentOf(surface), track };
 }
 
 /** A point of a solid's own frame in that of the table. */
@@ -56,8 +58,8 @@ export function decodeRecording(payload) {
   const beliefTimes = payload.beliefs.map(({ time }) => time);
   return {
     title: payload.title,
-    begin: times[0],
-    end: times[times.length - 1],
+    begin: times[0] ?? 0,
+    end: times[times.length - 1] ?? 0,
     solids,
     objects,
     events: payload.events,

@@ -10,7 +10,7 @@ export function clock(time) {
   return `${time < 0 && tenths > 0 ? '−' : ''}${minutes}:${rest}`;
 }
 
-export const OUTCOMES = { success: 'Picked', failure: 'Failed', note: 'Note' };
+export const OUTCOMES = { success: 'Success', failure: 'Failure', note: 'Note' };
 
 // Outcomes differ in shape, not only in colour.
 const SHAPES = {
@@ -25,14 +25,19 @@ export function outcomeMark(outcome) {
 
 const numberOf = (events, outcome) => events.filter((event) => event.outcome === outcome).length;
 
-/** "2 of 6 picked": until a time. */
-export const progress = ({ objects, events }, time) =>
-  `${numberOf(events.filter((event) => event.time <= time), 'success')} of ${objects.length} picked`;
+const picked = ({ objects, left }) => Math.max(0, objects.length - left.length);
 
-/** "Picked 4 of 6 objects in 83 s · 2 failed attempts" */
-export function summary({ objects, events, begin, end }) {
-  const parts = [`Picked ${numberOf(events, 'success')} of ${plural(objects.length, 'object')} in ${(end - begin).toFixed(end - begin < 10 ? 1 : 0)} s`];
+/** "2 of 6 picked": until a time. That a whole run succeeded is an event too, which picks no object. */
+export function progress(recording, time) {
+  const successes = numberOf(recording.events.filter((event) => event.time <= time), 'success');
+  return `${Math.min(successes, picked(recording))} of ${recording.objects.length} picked`;
+}
+
+/** "Picked 4 of 6 objects in 83 s · 2 failures" */
+export function summary(recording) {
+  const { objects, events, begin, end } = recording;
+  const parts = [`Picked ${picked(recording)} of ${plural(objects.length, 'object')} in ${(end - begin).toFixed(end - begin < 10 ? 1 : 0)} s`];
   const failures = numberOf(events, 'failure');
-  if (failures > 0) parts.push(plural(failures, 'failed attempt'));
+  if (failures > 0) parts.push(plural(failures, 'failure'));
   return parts.join(' · ');
 }

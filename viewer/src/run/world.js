@@ -18,6 +18,14 @@ function createLamp({ center, radius }) {
   return [lamp, lamp.target];
 }
 
+// What stands beside the table casts its shadow there.
+function createFloor({ center, radius, floor }) {
+  const plane = new THREE.Mesh(new THREE.PlaneGeometry(8 * radius, 8 * radius).rotateX(-Math.PI / 2), new THREE.ShadowMaterial({ opacity: 0.22 }));
+  plane.position.set(center.x, floor, center.z);
+  plane.receiveShadow = true;
+  return plane;
+}
+
 export class World {
   constructor(recording) {
     this.recording = recording;
@@ -29,7 +37,7 @@ export class World {
     this.shownBelief = -1;
     const root = new THREE.Group().add(this.shared, this.truth, this.belief);
     root.applyMatrix4(this.frame.matrix);
-    this.scene = new THREE.Scene().add(root, new THREE.HemisphereLight(0xffffff, 0x8f95a3, 1.5), ...createLamp(this.frame));
+    this.scene = new THREE.Scene().add(root, new THREE.HemisphereLight(0xffffff, 0x8f95a3, 1.5), ...createLamp(this.frame), createFloor(this.frame));
     this.moving = recording.solids.filter(({ surface }) => surface).map((solid) => this.#createSolid(solid));
   }
 

@@ -13,8 +13,8 @@ namespace symscene {
 /// What a solid of a recorded run is; it decides how the page draws the solid.
 enum class RecordedKind { robot, hand, object, bin, table };
 
-/// How an event ended. `success`: an object was put into the bin. `failure`: an attempt to do so
-/// failed. `note`: anything else.
+/// How an event ended. `success`: an object was put into the bin, or all of them were. `failure`:
+/// an attempt failed, or an object was lost. `note`: anything else.
 enum class RecordedOutcome { note, success, failure };
 
 /// The names of kinds and outcomes in the page's data.
@@ -50,18 +50,18 @@ struct RecordedEvent {
 /// A run of picks. The frame of the table has z up; the table is near z = 0.
 struct RunRecording {
   std::vector<RecordedSolid> solids;
-  std::vector<double> times;  ///< of the moments, never falling, at least one [s]
+  std::vector<double> times;  ///< of the moments, never falling; none if the run never began [s]
   std::vector<std::vector<Eigen::Isometry3d>> poses;  ///< [moment][solid]: T_table_solid
   std::vector<RecordedBelief> beliefs;                ///< with times that never fall
   std::vector<RecordedEvent> events;                  ///< with times that never fall
-  std::vector<std::string> left;  ///< a sentence per object that was left, with the reason
+  std::vector<std::string> left;  ///< a sentence per true object that was left, with the reason
 };
 
 /// A self-contained HTML page that plays the run: the robot among the true objects beside the robot
 /// among the objects that it believes in. It needs no other file and no network. Texts are escaped.
 /// Large meshes are thinned. Positions are kept within 0.1 mm, rotations within 0.1 mrad.
-/// Throws InputError if there is no moment, there is not one pose per moment and solid, times fall,
-/// or a time, a pose or a vertex is not finite.
+/// Throws InputError if there is not one pose per moment and solid, times fall, or a time, a pose
+/// or a vertex is not finite.
 std::string render_run_page(const RunRecording& recording, const std::string& title);
 
 /// Writes render_run_page() to a file. A reader sees the old file or the new one, never a part.
