@@ -101,8 +101,9 @@ TEST_F(Command, GraspsNothingOnAnEmptyTable) {
 }
 
 TEST_F(Command, RefusesPagesAndGrippersThatCannotBe) {
-  expect_refusal("cylinders scene -o new.json --gripper hand.txt", 1,
-                 "expected one of panda, baxter, reflex or a .json or .yaml file, found \"hand.txt\"");
+  expect_refusal(
+      "cylinders scene -o new.json --gripper hand.txt", 1,
+      "expected one of panda, baxter, reflex or a .json or .yaml file, found \"hand.txt\"");
   expect_refusal("cylinders scene -o new.json --gripper nothing.json", 1, "nothing.json");
   expect_refusal("cylinders scene -o scene/cloud.ply", 1, "cloud.ply");
   expect_refusal("cylinders scene -o new.json --page new.json", 1, "new.json");

@@ -45,8 +45,10 @@ export function creasedCorners({ positions, triangles }) {
       x += flat[f]; y += flat[f + 1]; z += flat[f + 2];
     }
     const size = Math.hypot(x, y, z) || 1;
-    corners.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * i);
-    normals.set([x / size, y / size, z / size], 3 * i);
+    for (let k = 0; k < 3; ++k) corners[3 * i + k] = positions[3 * vertex + k];
+    normals[3 * i] = x / size;
+    normals[3 * i + 1] = y / size;
+    normals[3 * i + 2] = z / size;
   }
   return { corners, normals };
 }
