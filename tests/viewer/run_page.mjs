@@ -11,6 +11,7 @@ import { box } from './run_meshes.mjs';
 
 const WINDOW = { viewport: { width: 900, height: 480 }, acceptDownloads: true };
 const DESKTOP = { viewport: { width: 1280, height: 800 } };
+const SMALL = { viewport: { width: 700, height: 460 } };
 const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
 const HOSTILE = '</title></script><script>window.hacked=1</script><img src=x onerror="window.hacked=1">';
 
@@ -232,7 +233,7 @@ describe('the page of a run', () => {
     assert.ok(Math.abs(size[0] - width) <= 1 && size[1] > height, `${size} for a canvas of ${width} × ${height}`);
   });
 
-  for (const [name, options] of [['desktop', DESKTOP], ['window', WINDOW], ['phone', PHONE]]) {
+  for (const [name, options] of [['desktop', DESKTOP], ['window', WINDOW], ['small window', SMALL], ['phone', PHONE]]) {
     runTest(`has nothing that covers another thing: ${name}`, options, async (page) => {
       assert.deepEqual(await layoutProblems(page), []);
     });
