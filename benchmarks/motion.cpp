@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "path_comparison.hpp"
 #include "pick_checks.hpp"
 #include "program.hpp"
 #include "stopwatch.hpp"
@@ -31,6 +32,7 @@ struct Arguments {
   int frames = 30;
   std::size_t threads = 2;
   bool check = false;
+  int oracle = 0;  ///< paths per scene that OMPL searches too
   PickOptions options;
 };
 
@@ -58,6 +60,7 @@ struct Tally {
   }
 
   bench::PickChecks checks;
+  bench::PathComparison paths;
 
   void print_checks() const {
     fmt::print(
@@ -68,6 +71,14 @@ struct Tally {
       fmt::print("{} in which the arm meets a true mesh\n", checks.objects);
     else
       fmt::print("not checked against meshes, for want of FCL\n");
+  }
+
+  void print_paths() const {
+    fmt::print(
+        "{} pairs of random free positions: {} paths found by ours, {} by OMPL in ten times "
+        "the time, {} by OMPL alone\n",
+        paths.pairs, paths.ours, paths.oracle, paths.oracle_alone);
+    print_row("path between them", paths.seconds);
   }
 
   void print(int scenes) const {
@@ -120,6 +131,8 @@ void plan_scene(const Arguments& arguments, int scene_number, const Robot& robot
                      arguments.options);
   });
   tally.add(pick, time.processor);
+  bench::compare_paths(robot, gripper, scene, arguments.options, options.tabletop.seed,
+                       arguments.oracle, tally.paths);
   if (arguments.check && pick.motion) {
     tally.checks += bench::check_pick(*pick.motion, robot, robot.grasping_arm(), gripper,
                                       simulated.tabletop, arguments.options);
@@ -148,6 +161,9 @@ int main(int argc, char** argv) {
                "space that was never seen is no obstacle for the arm");
   app.add_flag("--check", arguments.check,
                "check trajectories at 1 kHz against limits and against the true meshes");
+  app.add_option("--oracle", arguments.oracle,
+                 "so many paths per scene between random free positions, beside OMPL's RRTConnect")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--threads", arguments.threads, "at most so many threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return symscene::bench::exit_code_of("symscene_bench_motion", [&] {
@@ -158,6 +174,7 @@ int main(int argc, char** argv) {
     for (int i = 0; i < arguments.scenes; ++i) plan_scene(arguments, i, robot, gripper, tally);
     tally.print(arguments.scenes);
     if (arguments.check) tally.print_checks();
+    if (arguments.oracle > 0) tally.print_paths();
     return 0;
   });
 }

@@ -1,0 +1,61 @@
+#include "path_comparison.hpp"
+
+#include <algorithm>
+
+#include "core/random.hpp"
+#include "path_oracle.hpp"
+#include "stopwatch.hpp"
+
+namespace symscene::bench {
+namespace {
+
+constexpr double least_seconds = 0.05;  // for the oracle
+
+Eigen::VectorXd free_positions(const JointSpace& space, const ArmCollision& arm, Random& random) {
+  for (;;) {
+    const Eigen::VectorXd positions = space.sample(random);
+    if (!arm.contact(positions)) return positions;
+  }
+}
+
+void compare(const JointSpace& space, const MotionValidity& validity, const Eigen::VectorXd& start,
+             const Eigen::VectorXd& goal, const RrtConnectOptions& options,
+             PathComparison& comparison) {
+  PathResult path;
+  const Seconds time =
+      seconds([&] { path = rrt_connect(space, start, {goal}, validity, options); });
+  const bool found = path.status == PathStatus::found;
+  const double ten_times = std::max(least_seconds, 10.0 * time.wall);
+  const bool by_oracle = oracle_finds_path(space, start, goal, validity, ten_times);
+  ++comparison.pairs;
+  comparison.ours += found ? 1 : 0;
+  comparison.oracle += by_oracle ? 1 : 0;
+  comparison.oracle_alone += by_oracle && !found ? 1 : 0;
+  comparison.seconds.push_back(time.wall);
+}
+
+}  // namespace
+
+void compare_paths(const Robot& robot, const Gripper& gripper, const GraspScene& scene,
+                   const PickOptions& options, std::uint64_t seed, int pairs,
+                   PathComparison& comparison) {
+  const RobotArm& arm = robot.grasping_arm();
+  const MotionObstacles obstacles(scene, {}, options.obstacles);
+  const ArmCollision collision(robot, arm, &gripper, gripper.max_opening, obstacles, robot.home,
+                               options.collision);
+  const JointSpace space = joint_space(robot.model, arm.arm);
+  const MotionValidity validity{
+      [&](const Eigen::VectorXd& q) {
+        const auto met = collision.contact(q);
+        return met ? describe(*met) : std::string();
+      },
+      [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return collision.is_free(a, b); }};
+  Random random(seed);
+  for (int i = 0; i < pairs; ++i) {
+    const Eigen::VectorXd start = free_positions(space, collision, random);
+    const Eigen::VectorXd goal = free_positions(space, collision, random);
+    compare(space, validity, start, goal, options.rrt, comparison);
+  }
+}
+
+}  // namespace symscene::bench
