@@ -8,6 +8,7 @@
   SUBCOMMAND(segment)                    \
   SUBCOMMAND(masks)                      \
   SUBCOMMAND(grasp)                      \
+  SUBCOMMAND(plan)                       \
   SUBCOMMAND(cylinders)                  \
   SUBCOMMAND(symmetry)                   \
   SUBCOMMAND(view)                       \

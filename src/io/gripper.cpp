@@ -125,25 +125,28 @@ Json gripper_json(const Gripper& gripper, const char* what) {
   return json;
 }
 
-Gripper parse_gripper(std::string_view text, const std::string& file) {
-  const Json document = is_yaml(file) ? parse_yaml(text, file) : parse_json(text, file);
-  const JsonCursor root(document, file);
-  require_members(root);
+Gripper gripper_of(const JsonCursor& json) {
+  require_members(json);
   Gripper gripper;
-  gripper.name = root.at("name").string();
-  const std::optional<GripperKind> kind = gripper_kind_of(root.at("kind").string());
-  if (!kind) root.at("kind").fail("\"parallel\" or \"three_finger\"");
+  gripper.name = json.at("name").string();
+  const std::optional<GripperKind> kind = gripper_kind_of(json.at("kind").string());
+  if (!kind) json.at("kind").fail("\"parallel\" or \"three_finger\"");
   gripper.kind = *kind;
-  read_numbers(root, gripper);
-  gripper.palm_size = root.at(palm_size).vector3();
-  if (const auto pose = root.find(tool_pose)) gripper.T_wrist_tool = pose_of(*pose);
+  read_numbers(json, gripper);
+  gripper.palm_size = json.at(palm_size).vector3();
+  if (const auto pose = json.find(tool_pose)) gripper.T_wrist_tool = pose_of(*pose);
   try {
     gripper.validate();
   } catch (const InputError& error) {
-    throw InputError(file + ": " + naming_members(error.where()), naming_members(error.expected()),
-                     error.found());
+    throw InputError(json.where() + ": " + naming_members(error.where()),
+                     naming_members(error.expected()), error.found());
   }
   return gripper;
+}
+
+Gripper parse_gripper(std::string_view text, const std::string& file) {
+  const Json document = is_yaml(file) ? parse_yaml(text, file) : parse_json(text, file);
+  return gripper_of(JsonCursor(document, file));
 }
 
 Gripper read_gripper(const std::filesystem::path& path) {

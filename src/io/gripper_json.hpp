@@ -7,6 +7,8 @@ namespace symscene {
 
 /// The gripper as JSON; `what` stands for the file in messages.
 Json gripper_json(const Gripper& gripper, const char* what);
+/// Reads it. Throws InputError if a member is missing, unknown or out of its range.
+Gripper gripper_of(const JsonCursor& json);
 
 /// {"position_m": [x, y, z], "orientation_xyzw": [x, y, z, w]}, w not negative.
 Json pose_json(const Eigen::Isometry3d& pose, const char* what);

@@ -1,0 +1,135 @@
+// `symscene plan` from outside: grasps, scenes and results in, trajectories out.
+#include <sstream>
+
+#include "cli/small_scene.hpp"
+
+namespace symscene::testing {
+namespace {
+
+class PlanCommand : public Command {
+ protected:
+  static nlohmann::json json_of(const std::string& name) {
+    return nlohmann::json::parse(contents(file(name)));
+  }
+  /// Grasps of the small scene.
+  static void write_grasps() {
+    if (fs::exists(file("grasps.json"))) return;
+    ASSERT_EQ(run("grasp result --scene scene -o grasps.json").code, 0);
+  }
+  static double seconds(const nlohmann::json& time) {
+    return time.at("sec").get<double>() + 1e-9 * time.at("nanosec").get<double>();
+  }
+};
+
+#ifndef SYMSCENE_HAS_ROBOTS
+
+TEST_F(PlanCommand, SaysWhichPackagesItNeeds) {
+  expect_refusal("plan result -o trajectory.json", 1, "-dev");
+}
+
+#else
+
+TEST_F(PlanCommand, WritesATrajectoryFromHomeToRest) {
+  write_grasps();
+  const Outcome outcome = run("plan grasps.json --result result -o trajectory.json -v");
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  EXPECT_NE(outcome.out.find("not reached"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("grasp positions"), std::string::npos) << outcome.out;
+  const auto json = json_of("trajectory.json");
+  const auto& message = json.at("joint_trajectory");
+  EXPECT_EQ(message.at("joint_names").at(6), "panda_joint7");
+  const auto& points = message.at("points");
+  ASSERT_GT(points.size(), 10U);
+  EXPECT_EQ(points.front().at("positions").at(3), -2.356194);
+  EXPECT_EQ(seconds(points.front().at("time_from_start")), 0.0);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    EXPECT_GT(seconds(points[i].at("time_from_start")),
+              seconds(points[i - 1].at("time_from_start")));
+  EXPECT_EQ(points.back().at("velocities"), nlohmann::json(std::vector<double>(7, 0.0)));
+  const auto& taken = json.at("grasp");
+  const auto& grasp = json_of("grasps.json").at("grasps").at(taken.at("index").get<std::size_t>());
+  EXPECT_EQ(grasp.at("object"), taken.at("object"));
+  EXPECT_EQ(json.at("gripper").back().at("opening_m"), grasp.at("opening_m"));
+}
+
+TEST_F(PlanCommand, WritesTheSamePointsAsCsv) {
+  write_grasps();
+  ASSERT_EQ(run("plan grasps.json --result result -o trajectory.json").code, 0);
+  ASSERT_EQ(run("plan grasps.json --result result -o trajectory.csv").code, 0);
+  std::istringstream lines(contents(file("trajectory.csv")));
+  std::size_t count = 0;
+  std::string line, first, header;
+  std::getline(lines, header);
+  EXPECT_TRUE(header.starts_with("time_s,part,panda_joint1_position")) << header;
+  for (; std::getline(lines, line); ++count) {
+    if (count == 0) first = line;
+  }
+  EXPECT_EQ(count, json_of("trajectory.json").at("joint_trajectory").at("points").size());
+  EXPECT_TRUE(first.starts_with("0,to_pre_grasp,0,")) << first;
+}
+
+TEST_F(PlanCommand, StartsWhereTheJointsAreAndNamesTimesAsRos1) {
+  write_grasps();
+  const Outcome outcome =
+      run("plan grasps.json --result result --start panda_joint1=0.3,panda_joint7=0.5 --ros 1"
+          " -o started.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto point = json_of("started.json").at("joint_trajectory").at("points").at(0);
+  EXPECT_EQ(point.at("positions").at(0), 0.3);
+  EXPECT_EQ(point.at("positions").at(1), -0.785398);
+  EXPECT_EQ(point.at("positions").at(6), 0.5);
+  EXPECT_EQ(point.at("time_from_start").at("secs"), 0);
+}
+
+TEST_F(PlanCommand, SaysWhyNothingIsReached) {
+  write_grasps();
+  const auto before = snapshot();
+  const Outcome outcome = run("plan grasps.json --result result --base 5,0,0,180 -o far.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("farther away than the arm is long"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.err.find("a grasp that the arm reaches"), std::string::npos) << outcome.err;
+  EXPECT_EQ(snapshot(), before);
+}
+
+TEST_F(PlanCommand, WarnsThatTheSceneIsInAnotherFrame) {
+  write_grasps();
+  // On its side, as in the frame of a camera.
+  const Outcome outcome =
+      run("plan grasps.json --result result --base 5,0,0,0.70710678,0,0,0.70710678 -o far.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("leans 90 degrees"), std::string::npos) << outcome.err;
+}
+
+TEST_F(PlanCommand, RefusesInputsThatItCannotUse) {
+  write_grasps();
+  expect_refusal("plan grasps.json -o new.json", 1, "--scene or --result");
+  expect_refusal("plan nowhere -o new.json", 1, "nowhere");
+  expect_refusal("plan result --result result -o new.json", 1, "a grasps.json as input");
+  expect_refusal("plan grasps.json --result result --gripper panda -o new.json", 1, "--gripper");
+  expect_refusal("plan grasps.json --result result -o grasps.json", 1, "outside the input");
+  expect_refusal("plan grasps.json --result result --robot pandda -o new.json", 1, "panda");
+  expect_refusal("plan grasps.json --result result --arm left -o new.json", 1, "left");
+  expect_refusal("plan grasps.json --result result --base 1,2,3 -o new.json", 1, "x,y,z,yaw");
+  expect_refusal("plan grasps.json --result result --base 0,0,0,1,1,1,1 -o new.json", 1,
+                 "a unit quaternion");
+  expect_refusal("plan grasps.json --result result --start 1,2 -o new.json", 1, "7 numbers");
+  expect_refusal("plan grasps.json --result result --start panda_joint1=9 -o new.json", 1,
+                 "panda_joint1");
+  expect_refusal("plan grasps.json --result result --start panda_joint9=0 -o new.json", 1,
+                 "panda_joint");
+  auto json = json_of("grasps.json");
+  json["objects"].push_back({{"id", json["objects"].size()}, {"candidates", 0}, {"grasps", 0}});
+  write(file("others.json"), json.dump());
+  EXPECT_NE(run("plan others.json --result result -o new.json").err.find("others.json: objects"),
+            std::string::npos);
+  write(file("broken.json"), "{\"version\": 1}");
+  EXPECT_NE(run("plan broken.json --result result -o new.json").err.find("\"gripper\""),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(file("new.json")));
+}
+
+#endif
+
+}  // namespace
+}  // namespace symscene::testing
