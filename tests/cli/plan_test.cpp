@@ -1,6 +1,7 @@
 // `symscene plan` from outside: grasps, scenes and results in, trajectories out.
 #include <sstream>
 
+#include "cli/json_schema.hpp"
 #include "cli/small_scene.hpp"
 
 namespace symscene::testing {
@@ -47,9 +48,45 @@ TEST_F(PlanCommand, WritesATrajectoryFromHomeToRest) {
               seconds(points[i - 1].at("time_from_start")));
   EXPECT_EQ(points.back().at("velocities"), nlohmann::json(std::vector<double>(7, 0.0)));
   const auto& taken = json.at("grasp");
-  const auto& grasp = json_of("grasps.json").at("grasps").at(taken.at("index").get<std::size_t>());
+  const auto grasp = json_of("grasps.json").at("grasps").at(taken.at("index").get<std::size_t>());
   EXPECT_EQ(grasp.at("object"), taken.at("object"));
   EXPECT_EQ(json.at("gripper").back().at("opening_m"), grasp.at("opening_m"));
+}
+
+TEST_F(PlanCommand, ConformsToItsSchemaWithAllGraspsJudged) {
+  write_grasps();
+  auto few = json_of("grasps.json");
+  while (few["grasps"].size() > 3) few["grasps"].erase(few["grasps"].size() - 1);
+  write(file("few.json"), few.dump());
+  const std::string all = "plan few.json --result result --all --json -o all.json";
+  const Outcome outcome = run(all);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(JsonSchema("trajectory.schema.json").violation(json_of("all.json")), "");
+  const auto report = last_line(outcome.out);
+  EXPECT_EQ(report.at("reached").get<int>() + report.at("not_reached").get<int>(),
+            report.at("grasps").get<int>());
+  EXPECT_EQ(report.at("not_reached"), json_of("all.json").at("not_reached").size());
+  ASSERT_EQ(run(all + " --ros 1").code, 0);
+  EXPECT_EQ(JsonSchema("trajectory.schema.json").violation(json_of("all.json")), "");
+}
+
+TEST_F(PlanCommand, PlansTheGraspsOfAnObjectAndWritesThemForMoveIt) {
+  const Outcome outcome =
+      run("plan result --scene scene --object 0 --moveit moveit.json"
+          " --finger-joints panda_finger_joint1,panda_finger_joint2 -o object.json");
+  ASSERT_TRUE(outcome.code == 0 || fs::exists(file("moveit.json"))) << outcome.err;
+  const auto json = json_of("moveit.json");
+  for (const auto& grasp : json.at("grasps")) {
+    EXPECT_EQ(grasp.at("grasp_pose").at("header").at("frame_id"), "panda_link0");
+    EXPECT_EQ(grasp.at("allowed_touch_objects").at(0), "object_0");
+    EXPECT_EQ(grasp.at("grasp_posture").at("joint_names").size(), 2U);
+  }
+  const auto& objects = json.at("collision_objects");
+  EXPECT_EQ(objects.back().at("id"), "table");
+  EXPECT_EQ(objects.size(), objects_without_times("result").at("objects").size() + 1);
+  ASSERT_EQ(run("plan result --scene scene --object 0 --moveit moveit.yaml -o object.json").code,
+            outcome.code);
+  EXPECT_NE(contents(file("moveit.yaml")).find("\"collision_objects\":"), std::string::npos);
 }
 
 TEST_F(PlanCommand, WritesTheSamePointsAsCsv) {
@@ -118,6 +155,10 @@ TEST_F(PlanCommand, RefusesInputsThatItCannotUse) {
                  "panda_joint1");
   expect_refusal("plan grasps.json --result result --start panda_joint9=0 -o new.json", 1,
                  "panda_joint");
+  expect_refusal("plan grasps.json --result result --moveit m.txt -o new.json", 1, ".yaml");
+  expect_refusal("plan grasps.json --result result --finger-joints a -o new.json", 1, "--moveit");
+  EXPECT_NE(run("plan grasps.json --result result --object 99 -o new.json").err.find("--object"),
+            std::string::npos);
   auto json = json_of("grasps.json");
   json["objects"].push_back({{"id", json["objects"].size()}, {"candidates", 0}, {"grasps", 0}});
   write(file("others.json"), json.dump());

@@ -108,7 +108,9 @@ struct MoveItTest : ::testing::Test {
   }
 };
 
-Eigen::Vector3d vector_of(const Json& json) { return {json.at("x"), json.at("y"), json.at("z")}; }
+Eigen::Vector3d vector_of(const Json& json) {
+  return {json.at("x").get<double>(), json.at("y").get<double>(), json.at("z").get<double>()};
+}
 
 TEST_F(MoveItTest, HasTheFieldsOfTheMessages) {
   const Json json = Json::parse(format_moveit_json(scene()));
