@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clutter/found_mesh.hpp"
 #include "core/random.hpp"
 #include "grasp_aim.hpp"
 #include "symscene/clutter/graspability.hpp"
@@ -12,25 +13,10 @@
 namespace symscene {
 namespace {
 
-constexpr double point_reach = 0.02;  // of an observed point from its object's true surface [m]
-
 std::vector<TriangleMesh> surfaces_of(const Tabletop& tabletop) {
   std::vector<TriangleMesh> surfaces;
   for (const PlacedObject& placed : tabletop.objects) surfaces.push_back(world_mesh(placed));
   return surfaces;
-}
-
-/// The mesh on which most of the points are; TrueSurface::Nearest::nothing if they are on none.
-Index mesh_of(const Points& points, const TrueSurface& surface, std::size_t meshes) {
-  std::vector<std::size_t> counts(meshes);
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Eigen::Vector3d point = points.row(i).transpose().cast<double>();
-    const Index mesh = surface.nearest(point, point_reach).mesh;
-    if (mesh != TrueSurface::Nearest::nothing) ++counts[mesh];
-  }
-  const auto most = std::max_element(counts.begin(), counts.end());
-  if (most == counts.end() || *most == 0) return TrueSurface::Nearest::nothing;
-  return static_cast<Index>(most - counts.begin());
 }
 
 /// A table, the hand's way with it and what comes of it.
@@ -103,7 +89,7 @@ class Clearing {
                          false, 0, "not found as an object of its own"});
     std::vector<Index> meshes;  // per found object
     for (const FoundObject& found : proposals.objects) {
-      const Index mesh = mesh_of(found.points, truth, present.size());
+      const Index mesh = found_mesh(found.points, truth, present.size());
       meshes.push_back(mesh);
       if (mesh == TrueSurface::Nearest::nothing) continue;
       FirstLookObject& object = objects[mesh];

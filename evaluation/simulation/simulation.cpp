@@ -8,8 +8,8 @@
 #include "simulation/depth_renderer.hpp"
 #include "simulation/frame_fusion.hpp"
 #include "simulation/shapes.hpp"
+#include "simulation/tabletop_meshes.hpp"
 #include "symscene/core/error.hpp"
-#include "tabletop_meshes.hpp"
 #include "tabletop_parts.hpp"
 
 namespace symscene {

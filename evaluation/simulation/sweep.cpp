@@ -11,8 +11,8 @@
 #include "core/random.hpp"
 #include "hand_shake.hpp"
 #include "simulation/depth_renderer.hpp"
+#include "simulation/tabletop_meshes.hpp"
 #include "symscene/core/error.hpp"
-#include "tabletop_meshes.hpp"
 #include "tabletop_parts.hpp"
 
 namespace symscene {

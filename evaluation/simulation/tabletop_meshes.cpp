@@ -1,4 +1,4 @@
-#include "tabletop_meshes.hpp"
+#include "simulation/tabletop_meshes.hpp"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "hand_in_world.hpp"
@@ -14,6 +15,28 @@
 namespace symscene {
 namespace {
 
+/// Height of the lowest point of a link above the table; infinite without capsules. [m]
+double lowest_point(const Link& link, const Eigen::Isometry3d& T_table_link) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Capsule& capsule : link.capsules) {
+    for (const Eigen::Vector3d& end : {capsule.begin, capsule.end})
+      lowest = std::min(lowest, (T_table_link * end).z() - capsule.radius);
+  }
+  return lowest;
+}
+
+/// Links that reach into the table at home stand there. A contact that never ends, with forces that
+/// no joint can yield to, would make the solver diverge.
+std::string describe_standing_links(const Robot& robot, const Eigen::Isometry3d& T_table_base) {
+  const std::vector<Eigen::Isometry3d> poses = link_poses(robot.model, robot.home);
+  std::string text;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (lowest_point(robot.model.links[i], T_table_base * poses[i]) < 0.0)
+      text += "<exclude body1=\"world\" body2=\"" + mjcf_link(i) + "\"/>\n";
+  }
+  return text.empty() ? text : "<contact>\n" + text + "</contact>\n";
+}
+
 std::string describe_world(std::span<const WeighedBody> bodies, const Robot& robot,
                            const Eigen::Isometry3d& T_table_base, const Arm& arm,
                            const Eigen::Isometry3d& T_tip_tool, const ParallelHand& hand,
@@ -22,8 +45,9 @@ std::string describe_world(std::span<const WeighedBody> bodies, const Robot& rob
   return describe_options(bodies.size(), options.contacts) + describe_assets(bodies, hand) +
          "<worldbody>" + describe_bodies(bodies, fixed, options.contacts) +
          describe_robot(robot.model, T_table_base, options.armature, arm.tip_link, palm) +
-         "</worldbody>\n" + describe_finger_coupling() + "<actuator>\n" +
-         describe_finger_actuators(hand) + "</actuator>\n</mujoco>\n";
+         "</worldbody>\n" + describe_standing_links(robot, T_table_base) +
+         describe_finger_coupling() + "<actuator>\n" + describe_finger_actuators(hand) +
+         "</actuator>\n</mujoco>\n";
 }
 
 void require_positions(const Eigen::VectorXd& positions, const RobotModel& model) {

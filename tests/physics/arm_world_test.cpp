@@ -145,6 +145,19 @@ TEST_F(ArmWorldTest, ALinkThatMeetsABodyIsTold) {
   EXPECT_TRUE(arm.hand_contacts().bodies.empty());
 }
 
+TEST_F(ArmWorldTest, ALinkThatReachesIntoTheTableDisturbsNothing) {
+  Robot robot = gantry();
+  robot.model.links[1].capsules.push_back({{0, 0, -0.1}, {0, 0, 0.1}, 0.06});
+  const std::vector<WeighedBody> bodies{{&cube_, 0.1}};
+  ArmWorld arm(bodies, robot, Eigen::Isometry3d::Identity(),
+               make_arm(robot.model, "arm", "base", "tip"), tool_in_tip(), panda_parallel_hand());
+  arm.put(0, at(0.3, 0, 0.5 * cube_edge));
+  arm.advance(0.5);
+  EXPECT_FALSE(arm.arm_contacts().any());
+  EXPECT_LT((arm.positions() - robot.home).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((arm.pose(0).translation() - Eigen::Vector3d(0.3, 0, 0.5 * cube_edge)).norm(), 1e-3);
+}
+
 TEST_F(ArmWorldTest, TheSameCallsGiveTheSamePoses) {
   ArmWorld a = world(), b = world();
   lift(a);

@@ -43,9 +43,10 @@ struct ArmContacts {
 
 /// Rigid bodies on a table and a robot whose arm carries a parallel hand. The frame is that of the
 /// table, as in GraspWorld. Links are their capsules with the density of water; they meet bodies,
-/// the table and fixed boxes, but not each other. Bodies are absent at first, fixed boxes take
-/// part, and the robot is at rest in its home configuration. The same calls give the same poses to
-/// the last bit.
+/// the table and fixed boxes, but not each other. A link that reaches into the table in the home
+/// configuration stands there: it meets neither the table nor fixed boxes. Bodies are absent at
+/// first, fixed boxes take part, and the robot is at rest in its home configuration. The same calls
+/// give the same poses to the last bit.
 class ArmWorld {
  public:
   /// The hand is at T_tip_tool in the tip link of `arm`. Copies what it is given. Throws

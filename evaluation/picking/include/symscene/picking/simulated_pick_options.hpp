@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+
+#include "symscene/clutter/clutter_methods.hpp"
+#include "symscene/grasping/grasp_options.hpp"
+#include "symscene/motion/pick.hpp"
+#include "symscene/physics/arm_world.hpp"
+#include "symscene/picking/camera_look_options.hpp"
+#include "symscene/pipeline/pipeline_options.hpp"
+#include "symscene/reconstruction/reconstruction.hpp"
+#include "symscene/simulation/sensor_noise.hpp"
+#include "symscene/tabletop/scene_building.hpp"
+
+namespace symscene {
+
+/// How the motions are executed.
+struct PickExecutionOptions {
+  double control_period = 0.01;
+  double closing_time = 0.6;
+  double release_time = 0.8;
+  double min_width = 0.003;
+  double rest_time = 2.0;
+  double bin_width = 0.26;
+  double bin_height = 0.12;
+  double drop_height = 0.03;
+  double carry_speed = 0.5;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("control_period", self.control_period, "s", between(0.001, 0.1),
+          "time between two targets of the joints, and between two looks at the contacts");
+    visit("closing_time", self.closing_time, "s", above(0.0), "time in which the fingers close");
+    visit("release_time", self.release_time, "s", above(0.0),
+          "time in which the fingers open and the object falls");
+    visit("min_width", self.min_width, "m", at_least(0.0),
+          "a hand that is closed to this width holds nothing");
+    visit("rest_time", self.rest_time, "s", above(0.0),
+          "longest time that objects are given to come to rest before a look");
+    visit("bin_width", self.bin_width, "m", above(0.0), "inner edge of the square bin");
+    visit("bin_height", self.bin_height, "m", above(0.0), "height of its walls");
+    visit("drop_height", self.drop_height, "m", at_least(0.0),
+          "height of the held object above the bin when the hand opens");
+    visit("carry_speed", self.carry_speed, "", above_up_to(0.0, 1.0),
+          "share of the limits of velocity at which an object is carried");
+  }
+  /// Throws InputError if a value is out of its range.
+  void validate() const { check_fields(*this); }
+};
+
+struct SimulatedPickOptions {
+  int max_looks = 30;
+  int max_failures = 2;
+  int empty_looks = 2;
+  double record_rate = 20.0;
+  std::uint64_t seed = 0;
+  CameraLookOptions look;
+  SensorNoiseOptions sensor = default_sensor();
+  ReconstructionOptions reconstruction;
+  SceneBuildingOptions scene;
+  PipelineOptions pipeline;
+  GraspOptions grasping;
+  PickOptions pick = default_pick();
+  PickExecutionOptions execution;
+  ArmWorldOptions physics;
+  GraspMethod method = GraspMethod::symscene;  ///< symscene or cylinders
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("max_looks", self.max_looks, "", at_least(1), "looks after which the run ends");
+    visit("max_failures", self.max_failures, "", at_least(1),
+          "failed attempts at a place after which no grasp is tried there again");
+    visit("empty_looks", self.empty_looks, "", at_least(1),
+          "looks in a row without a grasp that the arm can take, after which the run ends");
+    visit("record_rate", self.record_rate, "1/s", between(1.0, 100.0),
+          "recorded moments per simulated second");
+    visit("seed", self.seed, "", any_value(), "seed of the sensor's noise");
+    visit("look", self.look);
+    visit("sensor", self.sensor);
+    visit("reconstruction", self.reconstruction);
+    visit("scene", self.scene);
+    visit("pipeline", self.pipeline);
+    visit("grasping", self.grasping);
+    visit("pick", self.pick);
+    visit("execution", self.execution);
+    visit("physics", self.physics);
+  }
+  /// A camera of short range, which does not see the floor behind the table.
+  static SensorNoiseOptions default_sensor();
+  /// All grasps of a table are tried before a look counts as empty.
+  static PickOptions default_pick();
+  /// Throws InputError if a value is out of its range or the method needs true meshes.
+  void validate() const;
+};
+
+}  // namespace symscene

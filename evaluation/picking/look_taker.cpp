@@ -1,0 +1,65 @@
+#include "look_taker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+
+namespace symscene {
+
+CameraMoment LookTaker::moment(const ArmCell& cell) const {
+  const RobotState state = cell.state();
+  const RobotCamera& camera = *robot_.camera;
+  return {cell.time(),
+          robot_.T_world_base * link_poses(robot_.model, state.positions)[camera.link] *
+              camera.T_link_camera,
+          solids_.poses(state)};
+}
+
+std::vector<CameraMoment> LookTaker::move(ArmCell& cell) const {
+  const Arm& arm = robot_.arms[*robot_.camera->arm].arm;
+  cell.follow(arm, motion_->there);
+  const double begin = cell.time();
+  const double interval = motion_->sweep.duration() / std::max(1, options_.look.frames - 1);
+  std::vector<CameraMoment> moments{moment(cell)};
+  cell.follow(arm, motion_->sweep, [&] {
+    if (cell.time() - begin >= interval * static_cast<double>(moments.size()))
+      moments.push_back(moment(cell));
+    return false;
+  });
+  moments.resize(std::min(moments.size(), static_cast<std::size_t>(options_.look.frames)));
+  cell.follow(arm, motion_->back);
+  return moments;
+}
+
+std::vector<CameraMoment> LookTaker::fly(const ArmCell& cell) const {
+  const Eigen::Vector3d base = robot_.T_world_base.translation();
+  std::vector<CameraMoment> moments;
+  for (const Eigen::Isometry3d& pose : flying_look(options_.look, std::atan2(base.y(), base.x()))) {
+    const double time = cell.time() + static_cast<double>(moments.size()) / options_.record_rate;
+    moments.push_back({time, pose, solids_.poses(cell.state())});
+  }
+  return moments;
+}
+
+double LookTaker::take(ArmCell& cell, TablePerception& perception) {
+  const Tabletop tabletop = cell.tabletop();
+  const LookRenderer renderer(tabletop, solids_, bin_, options_);
+  const std::vector<CameraMoment> moments = motion_ ? move(cell) : fly(cell);
+  constexpr std::size_t at_once = 8;  // bounds the memory for images
+  double covered = 0.0;
+  for (std::size_t begin = 0; begin < moments.size(); begin += at_once) {
+    std::vector<LookImage> images(std::min(at_once, moments.size() - begin));
+    parallel_for_each(images.size(), [&](std::size_t i) {
+      images[i] = renderer.render(moments[begin + i], images_ + begin + i);
+    });
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      covered += images[i].robot_share;
+      perception.add(images[i].frame, moments[begin + i].T_table_camera);
+    }
+  }
+  images_ += moments.size();
+  return covered / static_cast<double>(moments.size());
+}
+
+}  // namespace symscene

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "arm_cell.hpp"
+#include "look_motion.hpp"
+#include "look_renderer.hpp"
+#include "table_belief.hpp"
+
+namespace symscene {
+
+/// Moves the camera past the table and takes images. References are kept.
+class LookTaker {
+ public:
+  /// `motion`: of the arm with the camera; nullptr: the camera flies.
+  LookTaker(const Robot& robot, const RobotSolids& solids, const TriangleMesh& bin,
+            const LookMotion* motion, const SimulatedPickOptions& options)
+      : robot_(robot), solids_(solids), bin_(bin), motion_(motion), options_(options) {}
+
+  /// Passes the images to `perception`, in order. Returns the share of their pixels that the robot
+  /// or the bin covered.
+  double take(ArmCell& cell, TablePerception& perception);
+
+ private:
+  CameraMoment moment(const ArmCell& cell) const;
+  std::vector<CameraMoment> move(ArmCell& cell) const;
+  std::vector<CameraMoment> fly(const ArmCell& cell) const;
+
+  const Robot& robot_;
+  const RobotSolids& solids_;
+  const TriangleMesh& bin_;
+  const LookMotion* motion_;
+  const SimulatedPickOptions& options_;
+  std::uint64_t images_ = 0;
+};
+
+}  // namespace symscene

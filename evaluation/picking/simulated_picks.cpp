@@ -1,0 +1,325 @@
+#include "symscene/picking/simulated_picks.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "clutter/found_mesh.hpp"
+#include "look_motion.hpp"
+#include "look_taker.hpp"
+#include "pick_choice.hpp"
+#include "run_recorder.hpp"
+#include "symscene/clutter/graspability.hpp"
+#include "symscene/core/error.hpp"
+#include "symscene/physics/physics_world.hpp"
+
+namespace symscene {
+namespace {
+
+std::vector<TriangleMesh> surfaces_of(const Tabletop& tabletop) {
+  std::vector<TriangleMesh> surfaces;
+  for (const PlacedObject& placed : tabletop.objects) surfaces.push_back(world_mesh(placed));
+  return surfaces;
+}
+
+/// A bin that the arm reaches, else any beside the table.
+PickBin bin_for(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
+                const TableOptions& table, const PickExecutionOptions& options,
+                std::vector<std::string>& warnings) {
+  if (const auto bin = reachable_bin(robot, arm, gripper, table, options)) return *bin;
+  warnings.push_back("the arm reaches no place beside the table for a bin");
+  return {{0.0, 0.5 * (table.width + options.bin_width) + PickBin::wall},
+          options.bin_width,
+          options.bin_height};
+}
+
+/// One call of simulate_picks().
+class PickLoop {
+ public:
+  PickLoop(const PickTable& table, const Robot& robot, const Gripper& gripper,
+           const SimulatedPickOptions& options, const PickObserver& observer)
+      : table_(table),
+        robot_(robot),
+        gripper_(gripper),
+        options_(options),
+        observer_(observer),
+        arm_(robot.grasping_arm()),
+        solids_(robot, arm_, gripper),
+        bin_(bin_for(robot, arm_, gripper, table.tabletop.table, options.execution, run_.warnings)),
+        bin_mesh_(bin_.mesh()),
+        recorder_(table, solids_, bin_mesh_, options.record_rate, observer),
+        failed_(gripper.finger_width),
+        fates_(table.tabletop.objects.size()),
+        is_in_bin_(table.tabletop.objects.size()),
+        is_fallen_(table.tabletop.objects.size()) {}
+
+  PickRun run() {
+    run_.placed = table_.tabletop.objects.size();
+    find_graspable();
+    try {
+      cell_.emplace(table_, robot_, arm_, gripper_, bin_, options_,
+                    [this](const ArmCell& cell) { recorder_.step(cell); });
+      settle();
+      if (plan_camera()) clear();
+    } catch (const PhysicsDiverged&) {
+      end(PickRunEnd::diverged);
+    }
+    finish();
+    return std::move(run_);
+  }
+
+ private:
+  void stage(const std::string& name) const {
+    if (observer_.on_stage) observer_.on_stage(name);
+  }
+  void end(PickRunEnd reason) { run_.end = reason; }
+  void tell(const std::string& text, RecordedOutcome outcome = RecordedOutcome::note) {
+    recorder_.add(cell_ ? cell_->time() : 0.0, text, outcome);
+  }
+
+  void find_graspable() {
+    Gripper physical = gripper_;
+    physical.friction = options_.physics.contacts.finger_friction;
+    for (const PlacedObject& placed : table_.tabletop.objects) {
+      const bool can_hold =
+          graspability(world_mesh(placed), table_.tabletop.plane(), physical).at_all;
+      graspable_.push_back(can_hold);
+      run_.graspable += can_hold ? 1 : 0;
+    }
+  }
+
+  /// Whether the camera sees the table.
+  bool plan_camera() {
+    stage("motion of the camera");
+    if (!robot_.camera || !robot_.camera->arm) {
+      tell("the robot's description has no camera on an arm: a camera flies along an arc");
+      return true;
+    }
+    PlannedLook planned = timer_.time("motion of the camera", [&] {
+      return plan_look(robot_, gripper_, options_.look, options_.pick);
+    });
+    look_motion_ = std::move(planned.motion);
+    if (look_motion_) return true;
+    tell(planned.obstacle, RecordedOutcome::failure);
+    no_view_ = planned.obstacle;
+    end(PickRunEnd::no_view);
+    return false;
+  }
+
+  void clear() {
+    LookTaker camera(robot_, solids_, bin_mesh_, look_motion_ ? &*look_motion_ : nullptr, options_);
+    for (int looks = 0, empty = 0; !cell_->present().empty(); ++looks) {
+      if (looks == options_.max_looks) return end(PickRunEnd::looks);
+      look(camera);
+      PickChoice choice = choose();
+      empty = choice.planned ? 0 : empty + 1;
+      if (choice.planned)
+        attempt(*choice.planned);
+      else if (empty == options_.empty_looks)
+        return end(belief_.scene.objects.empty() ? PickRunEnd::nothing_found : PickRunEnd::no_pick);
+    }
+  }
+
+  void look(LookTaker& camera) {
+    stage(fmt::format("look {}", run_.looks.size() + 1));
+    surfaces_ = surfaces_of(cell_->tabletop());
+    present_ = cell_->present();
+    TablePerception perception(options_);
+    const double robot_share = camera.take(*cell_, perception);
+    stage(fmt::format("objects of look {}", run_.looks.size() + 1));
+    belief_ = perception.finish(gripper_);
+    PickLook look = perception.look();
+    look.robot_share = robot_share;
+    look.time = cell_->time();
+    look.present = present_.size();
+    look.found = belief_.scene.objects.size();
+    look.grasps = belief_.grasps.size();
+    for (const StageTime& time : look.times) timer_.add(time.stage, time.seconds);
+    recorder_.add(belief_, cell_->time());
+    tell_look(look);
+    run_.looks.push_back(std::move(look));
+    add_bin_to_belief();
+  }
+
+  void tell_look(const PickLook& look) {
+    tell(fmt::format("look {}: {} objects found, {} grasps", run_.looks.size() + 1, look.found,
+                     look.grasps));
+    if (look.robot_share > options_.look.max_robot_share)
+      tell(fmt::format("the robot covers {:.0f} % of the images: an arm blocks the camera",
+                       100.0 * look.robot_share),
+           RecordedOutcome::failure);
+    if (look.fused < look.frames)
+      tell(fmt::format("the camera was lost in {} of {} images", look.frames - look.fused,
+                       look.frames));
+  }
+
+  /// The robot knows where the bin is.
+  void add_bin_to_belief() {
+    const Points walls = bin_.obstacle_points();
+    Points& all = belief_.scene.obstacles;
+    const Eigen::Index before = all.rows();
+    all.conservativeResize(before + walls.rows(), 3);
+    all.bottomRows(walls.rows()) = walls;
+  }
+
+  PickScene scene() const { return {robot_, arm_, gripper_, belief_.scene, bin_, options_}; }
+
+  PickChoice choose() {
+    stage(fmt::format("motions of look {}", run_.looks.size()));
+    StageTimer timer;
+    PickChoice choice = choose_pick(scene(), belief_, cell_->target(), failed_, timer);
+    PickLook& look = run_.looks.back();
+    for (const StageTime& time : timer.stages()) {
+      add_to_sums(look.times, time);
+      timer_.add(time.stage, time.seconds);
+    }
+    look.no_pick = choice.no_pick;
+    if (!choice.planned) tell(choice.no_pick, RecordedOutcome::failure);
+    note_fates(choice.fates);
+    return choice;
+  }
+
+  /// What the look says about each true object, for the reasons why objects are left.
+  void note_fates(const std::vector<BeliefFate>& fates) {
+    const TrueSurface truth(surfaces_);
+    std::fill(fates_.begin(), fates_.end(), std::nullopt);
+    true_objects_.clear();
+    for (std::size_t k = 0; k < fates.size(); ++k) {
+      const Index mesh =
+          found_mesh(belief_.scene.objects[k].observed.positions, truth, surfaces_.size());
+      const bool is_known = mesh != TrueSurface::Nearest::nothing;
+      true_objects_.push_back(is_known ? std::optional(present_[mesh]) : std::nullopt);
+      // Objects come in descending order of confidence: the first one says why.
+      if (is_known && !fates_[present_[mesh]]) fates_[present_[mesh]] = fates[k];
+    }
+  }
+
+  void attempt(const PlannedPick& planned) {
+    const auto aim = true_objects_[static_cast<std::size_t>(planned.grasp.object)];
+    PickAttempt attempt;
+    attempt.look = run_.looks.size() - 1;
+    attempt.grasp = planned.grasp;
+    attempt.object = aim ? cell_->object(*aim).object.name : "nothing that is there";
+    attempt.begin = cell_->time();
+    stage(fmt::format("pick {}: {}", run_.attempts.size() + 1, attempt.object));
+    PickOutcome outcome;
+    outcome.end = AttemptEnd::diverged;
+    try {
+      outcome = execute_pick(*cell_, arm_.arm, planned, options_.execution);
+    } catch (const PhysicsDiverged&) {
+      note_attempt(attempt, outcome, aim);
+      throw;
+    }
+    note_attempt(attempt, outcome, aim);
+    go_home(outcome.end == AttemptEnd::in_bin ? planned.grasp.object : -1);
+    settle();
+  }
+
+  void note_attempt(PickAttempt& attempt, const PickOutcome& outcome,
+                    const std::optional<std::size_t>& aim) {
+    attempt.end = outcome.end;
+    attempt.detail = outcome.detail;
+    attempt.finish = cell_->time();
+    for (const std::size_t i : outcome.in_bin) is_in_bin_[i] = true;
+    const bool succeeded = outcome.end == AttemptEnd::in_bin;
+    if (!succeeded) failed_.add(tip_point(attempt.grasp, gripper_));
+    if (!outcome.in_bin.empty() && run_.to_first.empty()) {
+      for (const StageTime& time : timer_.stages()) add_to_sums(run_.to_first, time);
+    }
+    tell(fmt::format("{}: {}{}{}", attempt.object, description(outcome.end),
+                     attempt.detail.empty() ? "" : ", ", attempt.detail),
+         succeeded ? RecordedOutcome::success : RecordedOutcome::failure);
+    aims_.push_back(aim);
+    run_.attempts.push_back(attempt);
+  }
+
+  void go_home(int without) {
+    stage("motion home");
+    const PlaceMotion home = plan_home(scene(), cell_->target(), without);
+    if (home.path) {
+      cell_->follow(arm_.arm, *home.path);
+      return;
+    }
+    tell("no free way home is known, the arm goes straight: " + home.obstacle);
+    const std::vector<Eigen::VectorXd> straight{arm_positions(arm_.arm, cell_->target()),
+                                                arm_positions(arm_.arm, robot_.home)};
+    if ((straight[0] - straight[1]).norm() == 0.0) return;
+    cell_->follow(arm_.arm,
+                  time_optimal_trajectory(
+                      straight, motion_limits(robot_.model, arm_.arm, options_.pick.line_speed)));
+  }
+
+  void settle() {
+    for (const std::size_t i : cell_->settle()) {
+      is_fallen_[i] = true;
+      ++run_.fallen;
+      tell(cell_->object(i).object.name + " was pushed off the table", RecordedOutcome::failure);
+    }
+  }
+
+  std::string reason(std::size_t i) const {
+    if (is_fallen_[i]) return "it was pushed off the table";
+    if (!no_view_.empty()) return "it was not looked at: " + no_view_;
+    if (run_.looks.empty()) return description(run_.end);
+    std::vector<PickAttempt> attempts;
+    for (std::size_t k = 0; k < aims_.size(); ++k) {
+      if (aims_[k] == i) attempts.push_back(run_.attempts[k]);
+    }
+    return reason_left(fates_[i], attempts);
+  }
+
+  void finish() {
+    for (std::size_t i = 0; i < is_in_bin_.size(); ++i) {
+      if (is_in_bin_[i]) {
+        ++run_.in_bin;
+        run_.in_bin_graspable += graspable_[i] ? 1 : 0;
+      } else {
+        run_.left.push_back({table_.tabletop.objects[i].object.name, graspable_[i], reason(i)});
+      }
+    }
+    tell(description(run_.end),
+         run_.end == PickRunEnd::cleared ? RecordedOutcome::success : RecordedOutcome::note);
+    if (cell_) run_.duration = cell_->time();
+    run_.recording = recorder_.take();
+    for (const LeftObject& left : run_.left)
+      run_.recording.left.push_back(left.name + ": " + left.reason);
+  }
+
+  const PickTable& table_;
+  const Robot& robot_;
+  const Gripper& gripper_;
+  const SimulatedPickOptions& options_;
+  const PickObserver& observer_;
+  const RobotArm& arm_;
+  PickRun run_;
+  RobotSolids solids_;
+  PickBin bin_;
+  TriangleMesh bin_mesh_;
+  RunRecorder recorder_;
+  FailedPlaces failed_;
+  std::optional<ArmCell> cell_;
+  std::optional<LookMotion> look_motion_;
+  std::string no_view_;
+  TableBelief belief_;
+  StageTimer timer_;                                      ///< of all that the robot computes
+  std::vector<TriangleMesh> surfaces_;                    ///< true, at the last look
+  std::vector<std::size_t> present_;                      ///< their numbers
+  std::vector<std::optional<std::size_t>> true_objects_;  ///< per object of the belief
+  std::vector<std::optional<BeliefFate>> fates_;          ///< per true object
+  std::vector<bool> graspable_, is_in_bin_, is_fallen_;   ///< the same
+  std::vector<std::optional<std::size_t>> aims_;          ///< per attempt
+};
+
+}  // namespace
+
+PickRun simulate_picks(const PickTable& table, const Robot& robot, const Gripper& gripper,
+                       const SimulatedPickOptions& options, const PickObserver& observer) {
+  options.validate();
+  gripper.validate();
+  if (gripper.kind != GripperKind::parallel)
+    throw InputError(gripper.name, "a parallel gripper", to_string(gripper.kind));
+  return PickLoop(table, robot, gripper, options, observer).run();
+}
+
+}  // namespace symscene

@@ -1,0 +1,82 @@
+#include "table_belief.hpp"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "cylinder_belief.hpp"
+#include "symscene/core/object_class.hpp"
+#include "symscene/pipeline/pipeline.hpp"
+
+namespace symscene {
+namespace {
+
+std::string label_of(const SceneObject& object) {
+  const std::string kind =
+      object.symmetry_class ? to_string(object.symmetry_class->kind) : "object";
+  return fmt::format("{}, {:.2f}", kind, object.rank());
+}
+
+}  // namespace
+
+TablePerception::TablePerception(const SimulatedPickOptions& options)
+    : options_(options), reconstruction_(options.look.intrinsics(), options.reconstruction) {}
+
+void TablePerception::add(const DepthFrame& frame, const Eigen::Isometry3d& T_table_camera) {
+  // The first image places the scene; from then on the arm only tells where the search begins.
+  const PoseUse use = reconstruction_.empty() ? PoseUse::exact : PoseUse::start;
+  const auto start = std::chrono::steady_clock::now();
+  const FrameReport report = reconstruction_.add(frame, T_table_camera, use);
+  tracking_seconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ++frames_;
+  if (!report.fused) return;
+  estimated_.push_back(report.tracking.T_world_camera);
+  truth_.push_back(T_table_camera);
+}
+
+Scene TablePerception::build(StageTimer& timer) const {
+  if (reconstruction_.empty()) return {};
+  const TriangleMesh surface = timer.time("surface", [&] { return reconstruction_.surface(); });
+  if (surface.vertices.rows() == 0) return {};
+  // The robot knows where up is, and where its camera was.
+  TablePrior prior;
+  prior.up = Eigen::Vector3d::UnitZ();
+  for (const Eigen::Isometry3d& pose : estimated_) prior.viewpoints.push_back(pose.translation());
+  Scene scene = timer.time("table", [&] {
+    return build_scene({surface.vertices, surface.normals, surface.colors},
+                       reconstruction_.occupancy(), prior, options_.scene)
+        .scene;
+  });
+  // Without a table, what was seen is not what stands on it.
+  return scene.table ? scene : Scene{};
+}
+
+TableBelief TablePerception::finish(const Gripper& gripper) {
+  const Scene scene = build(timer_);
+  TableBelief belief;
+  if (scene.cloud.empty()) return belief;
+  if (options_.method == GraspMethod::cylinders) return cylinder_belief(scene, gripper, timer_);
+  const SegmentationResult result =
+      timer_.time("objects", [&] { return segment_scene(scene, options_.pipeline); });
+  GraspPlan plan = timer_.time("grasps", [&] {
+    belief.scene = grasp_scene(result, &scene, options_.grasping);
+    return plan_grasps(belief.scene, gripper, options_.grasping);
+  });
+  for (const SceneObject& object : result.objects) belief.labels.push_back(label_of(object));
+  belief.grasps = std::move(plan.grasps);
+  belief.objects = std::move(plan.objects);
+  return belief;
+}
+
+PickLook TablePerception::look() const {
+  PickLook look;
+  look.frames = frames_;
+  look.fused = estimated_.size();
+  if (!estimated_.empty()) look.trajectory = trajectory_error(estimated_, truth_);
+  look.times.push_back({"tracking and fusion", tracking_seconds_});
+  for (const StageTime& time : timer_.stages()) add_to_sums(look.times, time);
+  return look;
+}
+
+}  // namespace symscene

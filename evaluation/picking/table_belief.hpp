@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "symscene/grasping/planner.hpp"
+#include "symscene/picking/pick_run.hpp"
+#include "symscene/picking/simulated_pick_options.hpp"
+
+namespace symscene {
+
+/// What the robot believes to stand on the table. Frame of the table.
+struct TableBelief {
+  GraspScene scene;
+  std::vector<Grasp> grasps;                ///< best first
+  std::vector<ObjectGraspSummary> objects;  ///< one per object of the scene
+  std::vector<std::string> labels;          ///< the same: what it is taken for
+};
+
+/// Turns the images of a look into a belief. The pose of the first image is the arm's; all others
+/// are found by tracking, which starts from the arm's pose.
+class TablePerception {
+ public:
+  /// The options are kept.
+  explicit TablePerception(const SimulatedPickOptions& options);
+
+  /// `T_table_camera`: the pose by the arm's joints; the tracked one is compared with it.
+  void add(const DepthFrame& frame, const Eigen::Isometry3d& T_table_camera);
+  /// Reconstructs the surface, finds table and objects, and plans grasps.
+  TableBelief finish(const Gripper& gripper);
+  /// Frames, errors and wall times so far.
+  PickLook look() const;
+
+ private:
+  Scene build(StageTimer& timer) const;
+
+  const SimulatedPickOptions& options_;
+  Reconstruction reconstruction_;
+  std::size_t frames_ = 0;
+  double tracking_seconds_ = 0.0;
+  std::vector<Eigen::Isometry3d> estimated_, truth_;
+  StageTimer timer_;
+};
+
+}  // namespace symscene
