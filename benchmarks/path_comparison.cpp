@@ -1,6 +1,7 @@
 #include "path_comparison.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/random.hpp"
 #include "path_oracle.hpp"
@@ -11,11 +12,24 @@ namespace {
 
 constexpr double least_seconds = 0.05;  // for the oracle
 
-Eigen::VectorXd free_positions(const JointSpace& space, const ArmCollision& arm, Random& random) {
-  for (;;) {
+/// None if many samples meet something: an arm may have nearly no room.
+std::optional<Eigen::VectorXd> free_positions(const JointSpace& space, const ArmCollision& arm,
+                                              Random& random) {
+  constexpr int tries = 2000;
+  for (int i = 0; i < tries; ++i) {
     const Eigen::VectorXd positions = space.sample(random);
     if (!arm.contact(positions)) return positions;
   }
+  return std::nullopt;
+}
+
+/// Where the robot stands at home nothing can be hidden, as for picks.
+std::vector<Capsule> capsules_at_home(const Robot& robot, const RobotArm& arm,
+                                      const Gripper& gripper, const PickOptions& options) {
+  const MotionObstacles nothing{GraspScene{}};
+  return ArmCollision(robot, arm, &gripper, gripper.max_opening, nothing, robot.home,
+                      options.collision)
+      .capsules(arm_positions(arm.arm, robot.home));
 }
 
 void compare(const JointSpace& space, const MotionValidity& validity, const Eigen::VectorXd& start,
@@ -40,7 +54,8 @@ void compare_paths(const Robot& robot, const Gripper& gripper, const GraspScene&
                    const PickOptions& options, std::uint64_t seed, int pairs,
                    PathComparison& comparison) {
   const RobotArm& arm = robot.grasping_arm();
-  const MotionObstacles obstacles(scene, {}, options.obstacles);
+  const MotionObstacles obstacles(scene, capsules_at_home(robot, arm, gripper, options),
+                                  options.obstacles);
   const ArmCollision collision(robot, arm, &gripper, gripper.max_opening, obstacles, robot.home,
                                options.collision);
   const JointSpace space = joint_space(robot.model, arm.arm);
@@ -52,9 +67,9 @@ void compare_paths(const Robot& robot, const Gripper& gripper, const GraspScene&
       [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return collision.is_free(a, b); }};
   Random random(seed);
   for (int i = 0; i < pairs; ++i) {
-    const Eigen::VectorXd start = free_positions(space, collision, random);
-    const Eigen::VectorXd goal = free_positions(space, collision, random);
-    compare(space, validity, start, goal, options.rrt, comparison);
+    const auto start = free_positions(space, collision, random);
+    const auto goal = free_positions(space, collision, random);
+    if (start && goal) compare(space, validity, *start, *goal, options.rrt, comparison);
   }
 }
 
