@@ -19,7 +19,7 @@ if(SYMSCENE_WITH_ROBOTS)
     ${SYMSCENE_LIBRARY_tinyxml})
   set(SYMSCENE_YAML_LIBRARIES ${SYMSCENE_LIBRARY_yaml_cpp})
   symscene_check_compiles(SYMSCENE_URDF_WORKS
-    "#include <console_bridge/console.h>\n#include <urdf_parser/urdf_parser.h>
+    "#include <console_bridge/console.h>\n#include <tinyxml.h>\n#include <urdf_parser/urdf_parser.h>
     int main() { console_bridge::noOutputHandler(); urdf::parseURDF(\"\"); TiXmlDocument().Parse(\"\"); }"
     INCLUDES ${SYMSCENE_URDF_INCLUDE} LIBRARIES ${SYMSCENE_URDF_LIBRARIES})
   symscene_check_compiles(SYMSCENE_YAML_WORKS

@@ -17,7 +17,9 @@
 
 // Those of the evaluation's wing. The simulation's need SYMSCENE_BUILD_SIMULATION or
 // SYMSCENE_BUILD_EVALUATION, the others SYMSCENE_BUILD_EVALUATION.
-#define SYMSCENE_SIMULATION_SUBCOMMANDS(SUBCOMMAND) SUBCOMMAND(simulate)
+#define SYMSCENE_SIMULATION_SUBCOMMANDS(SUBCOMMAND) \
+  SUBCOMMAND(simulate)                              \
+  SUBCOMMAND(pick)
 #define SYMSCENE_EVALUATION_SUBCOMMANDS(SUBCOMMAND) \
   SUBCOMMAND(dataset)                               \
   SUBCOMMAND(evaluate)

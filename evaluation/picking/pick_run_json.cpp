@@ -83,7 +83,8 @@ std::string format_pick_run(const PickRun& run, const std::string& description) 
                                                     {"text", event.text}};
                                       })},
                   {"warnings", run.warnings}};
-  return json.dump(2) + "\n";
+  // Names come from files and may be no UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace symscene

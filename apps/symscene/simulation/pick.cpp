@@ -1,0 +1,166 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "io/atomic_file.hpp"
+#include "session.hpp"
+#include "symscene/grasping/gripper.hpp"
+#include "symscene/io/gripper.hpp"
+#include "symscene/io/robot.hpp"
+#include "symscene/physics/physics_world.hpp"
+#include "symscene/picking/simulated_picks.hpp"
+#include "symscene/simulation/scanned_models.hpp"
+
+namespace symscene::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* household = "household";
+
+/// Options of the table, and those of the run.
+struct PickRunOptions {
+  PickTableOptions table;
+  SimulatedPickOptions run;
+
+  template <class Self, class Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit("table", self.table);
+    SimulatedPickOptions::visit_fields(self.run, visit);
+  }
+  void validate() const {
+    table.validate();
+    run.validate();
+  }
+};
+
+DirectoryLayout pick_layout() {
+  return {"a folder of a run of picks", "run.json", [](const std::string& relative) {
+            return relative == "run.json" || relative == "page.html";
+          }};
+}
+
+struct PickCommand {
+  SharedOptions shared;
+  PickRunOptions options;
+  bool simulate = false;
+  std::string robot = "panda";
+  std::string objects = household;
+  std::string method = "symscene";
+  std::optional<int> count;
+  std::optional<std::uint64_t> seed;
+
+  OptionFields configure() {
+    return configure_options(options, shared.config, [&] {
+      TabletopOptions& tabletop = options.table.tabletop;
+      tabletop.objects = count.value_or(tabletop.objects);
+      tabletop.seed = seed.value_or(tabletop.seed);
+      options.run.seed = seed.value_or(options.run.seed);
+      options.run.method = parse_grasp_method(method);
+    });
+  }
+
+  void check() const {
+    if (!simulate)
+      throw InputError("symscene pick",
+                       "--simulate: it moves no real robot; symscene grasp finds "
+                       "grasps for one",
+                       "none");
+    if (!has_physics())
+      throw InputError("--simulate",
+                       "a build with physics (the package libmujoco-dev, then configure and build "
+                       "again)",
+                       "one without");
+    if (objects != household) require_not_input(shared.output, objects);
+  }
+
+  PickTable furnish(Session& session) const {
+    if (objects == household) return furnish_pick_table({}, options.table);
+    if (!fs::is_directory(objects))
+      throw InputError("--objects", fmt::format("a folder of meshes, or \"{}\"", household),
+                       objects);
+    const ModelFolder folder = read_models(objects, {});
+    session.warn(folder.warnings);
+    return naming(objects, [&] { return furnish_pick_table(folder.models, options.table); });
+  }
+
+  static Gripper gripper_of(const RobotArm& arm) {
+    return fs::exists(*arm.gripper) ? read_gripper(*arm.gripper) : named_gripper(*arm.gripper);
+  }
+
+  PickObserver observer(Session& session) {
+    return {session.on_begin(), [this, &session](const RecordedEvent& event) {
+              if (shared.verbose)
+                session.print_line(fmt::format("{:7.2f} s  {}", event.time, event.text));
+            }};
+  }
+
+  void write(const PickRun& run, const std::string& description) const {
+    AtomicDirectory folder(absolute(shared.output), pick_layout());
+    folder.write("run.json", format_pick_run(run, description));
+    write_run_page(folder.staging() / "page.html", run.recording,
+                   fmt::format("{} clears a table", robot));
+    folder.commit();
+  }
+
+  void report(const PickRun& run, Session& session) const {
+    session.print_line(fmt::format("{}: {} of {} objects in the bin with {} attempts, {}",
+                                   shared.output.string(), run.in_bin, run.placed,
+                                   run.attempts.size(), description(run.end)));
+    for (const LeftObject& left : run.left)
+      session.print_line(fmt::format("  {} is left: {}", left.name, left.reason));
+    session.finish({{"output", shared.output},
+                    {"objects", run.placed},
+                    {"in_bin", run.in_bin},
+                    {"attempts", run.attempts.size()},
+                    {"left", run.left.size()}},
+                   run.to_first);
+  }
+
+  void run() {
+    const OptionFields fields = configure();
+    check();
+    const Robot described = read_robot(robot);
+    const Gripper gripper = gripper_of(described.grasping_arm());
+    Session session("pick", shared);
+    session.warn(described.warnings);
+    session.on_begin()("table");
+    const PickTable table = furnish(session);
+    session.warn(table.tabletop.warnings);
+    const PickRun run = simulate_picks(table, described, gripper, options.run, observer(session));
+    session.warn(run.warnings);
+    session.on_begin()("write");
+    write(run, describe_run("pick", fields));
+    report(run, session);
+  }
+};
+
+}  // namespace
+
+void add_pick(CommandLine& line) {
+  const auto state = std::make_shared<PickCommand>();
+  Arguments arguments(line, "pick", "Clear a simulated table with a robot arm",
+                      "symscene pick --simulate --robot panda --objects household -o run\n"
+                      "  symscene pick --simulate --robot baxter --objects ycb --count 4 -o run");
+  arguments.flag("--simulate", state->simulate,
+                 "in physics: the only way so far, no real robot is moved");
+  arguments.text("--robot", state->robot,
+                 "panda, baxter, or a YAML file that describes a robot (default panda)");
+  arguments.text("--objects", state->objects,
+                 "folder of meshes in metres, or household for simulated ones (default household)");
+  arguments.count(
+      "--count", state->count,
+      fmt::format("number of objects (default {})", state->options.table.tabletop.objects));
+  arguments.choice("--method", state->method, {"symscene", "cylinders"},
+                   "what proposes grasps: segmented objects, or clusters and bounding cylinders "
+                   "(default symscene)");
+  arguments.seed(state->seed, state->options.table.tabletop.seed);
+  arguments.required_output(state->shared, "folder to write: run.json and page.html");
+  arguments.threads(state->shared);
+  arguments.reporting(state->shared);
+  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run([state] { state->run(); });
+}
+
+}  // namespace symscene::app
