@@ -16,6 +16,10 @@ PlannedPick planned_pick(const Robot& robot, const RobotArm& arm, const Gripper&
       why.grasp += first;
       planned.rejected.push_back(std::move(why));
     }
+    if (!pick.motion && all && !pick.rejected.empty()) {
+      first += pick.rejected.size();  // at most max_grasps are judged at once
+      continue;
+    }
     if (!pick.motion) break;
     pick.motion->grasp += first;
     first = pick.motion->grasp + 1;

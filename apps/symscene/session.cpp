@@ -62,7 +62,7 @@ void Session::warn(std::span<const std::string> lines) {
 
 void Session::finish(const std::vector<ReportMember>& members,
                      const std::vector<StageTime>& times) {
-  if (shared_.verbose && !shared_.quiet) print(format_times(times));
+  if (shared_.verbose && !shared_.quiet && !times.empty()) print(format_times(times));
   if (!shared_.json) return;
   std::string line = fmt::format("{{\"command\":{}", json_string(command_));
   for (const ReportMember& member : members)

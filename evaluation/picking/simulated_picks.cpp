@@ -143,8 +143,8 @@ class PickLoop {
   }
 
   void tell_look(const PickLook& look) {
-    tell(fmt::format("look {}: {} objects found, {} grasps", run_.looks.size() + 1, look.found,
-                     look.grasps));
+    tell(fmt::format("look {}: {} {} found, {} grasps", run_.looks.size() + 1, look.found,
+                     look.found == 1 ? "object" : "objects", look.grasps));
     if (look.robot_share > options_.look.max_robot_share)
       tell(fmt::format("the robot covers {:.0f} % of the images: an arm blocks the camera",
                        100.0 * look.robot_share),

@@ -156,7 +156,9 @@ class RobotReader {
 
   /// A name stays; a file is found from where the description is.
   std::string gripper_of(const std::string& gripper) const {
-    return fs::path(gripper).extension() == ".json" ? (folder_ / gripper).string() : gripper;
+    const fs::path extension = fs::path(gripper).extension();
+    const bool is_file = extension == ".json" || extension == ".yaml" || extension == ".yml";
+    return is_file ? (folder_ / gripper).string() : gripper;
   }
 
   void read_accelerations() {

@@ -4,7 +4,8 @@
 namespace symscene {
 namespace {
 
-/// Appends a motion after the last point, which it starts at.
+/// Appends a motion after the last point, which it starts at. Both ends rest: controllers that
+/// interpolate accelerations would else swing past them.
 void append(const char* name, const TimedPath& motion, double period, JointTrajectory& trajectory) {
   const double start = trajectory.points.empty() ? 0.0 : trajectory.points.back().time;
   JointTrajectoryPart part{name, trajectory.points.empty() ? 0 : trajectory.points.size() - 1, 0};
@@ -13,6 +14,8 @@ void append(const char* name, const TimedPath& motion, double period, JointTraje
     trajectory.points.push_back(
         {start + state.time, state.position, state.velocity, state.acceleration});
   }
+  trajectory.points[part.begin].accelerations.setZero();
+  trajectory.points.back().accelerations.setZero();
   part.end = trajectory.points.size() - 1;
   trajectory.parts.push_back(part);
 }
@@ -21,7 +24,6 @@ void append_pause(double pause, JointTrajectory& trajectory) {
   JointTrajectoryPoint point = trajectory.points.back();
   point.time += pause;
   point.velocities.setZero();
-  point.accelerations.setZero();
   trajectory.parts.push_back({"grasp", trajectory.points.size() - 1, trajectory.points.size()});
   trajectory.points.push_back(point);
 }

@@ -25,8 +25,8 @@ std::string encode_rotations(const std::vector<Eigen::Isometry3d>& poses,
   std::vector<std::uint8_t> bytes;
   bytes.reserve(8 * kept.size());
   for (const Index moment : kept) {
-    const Eigen::Quaterniond rotation(poses[moment].linear());
-    for (const double value : rotation.normalized().coeffs())
+    const Eigen::Vector4d xyzw = Eigen::Quaterniond(poses[moment].linear()).normalized().coeffs();
+    for (const double value : xyzw)
       append_little_endian(bytes, static_cast<std::int16_t>(std::lround(32767.0 * value)));
   }
   return base64(bytes);

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
 #include "session.hpp"
-#include "symscene/grasping/gripper.hpp"
-#include "symscene/io/gripper.hpp"
 #include "symscene/io/robot.hpp"
 #include "symscene/physics/physics_world.hpp"
 #include "symscene/picking/simulated_picks.hpp"
@@ -63,16 +62,14 @@ struct PickCommand {
 
   void check() const {
     if (!simulate)
-      throw InputError("symscene pick",
-                       "--simulate: it moves no real robot; symscene grasp finds "
-                       "grasps for one",
-                       "none");
+      throw InputError("--simulate", "this flag, as only simulated tables can be cleared", "none");
     if (!has_physics())
       throw InputError("--simulate",
                        "a build with physics (the package libmujoco-dev, then configure and build "
                        "again)",
                        "one without");
     if (objects != household) require_not_input(shared.output, objects);
+    const AtomicDirectory writable(absolute(shared.output), pick_layout());
   }
 
   PickTable furnish(Session& session) const {
@@ -83,10 +80,6 @@ struct PickCommand {
     const ModelFolder folder = read_models(objects, {});
     session.warn(folder.warnings);
     return naming(objects, [&] { return furnish_pick_table(folder.models, options.table); });
-  }
-
-  static Gripper gripper_of(const RobotArm& arm) {
-    return fs::exists(*arm.gripper) ? read_gripper(*arm.gripper) : named_gripper(*arm.gripper);
   }
 
   PickObserver observer(Session& session) {
@@ -122,7 +115,7 @@ struct PickCommand {
     const OptionFields fields = configure();
     check();
     const Robot described = read_robot(robot);
-    const Gripper gripper = gripper_of(described.grasping_arm());
+    const Gripper gripper = GripperChoice{*described.grasping_arm().gripper}.gripper();
     Session session("pick", shared);
     session.warn(described.warnings);
     session.on_begin()("table");

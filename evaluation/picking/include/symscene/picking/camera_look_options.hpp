@@ -35,22 +35,23 @@ struct CameraLookOptions {
           "lowest elevation of the camera above the table");
     visit("max_elevation", self.max_elevation, "rad", above_up_to(0.0, radians(89.0)),
           "highest elevation of the camera above the table");
-    visit("min_radius", self.min_radius, "m", above(0.0),
+    visit("min_radius", self.min_radius, "m", above_up_to(0.0, 10.0),
           "least distance of the camera from the point looked at");
-    visit("max_radius", self.max_radius, "m", above(0.0),
+    visit("max_radius", self.max_radius, "m", above_up_to(0.0, 10.0),
           "greatest distance, which is tried first: it shows most of the table");
-    visit("target_height", self.target_height, "m", any_value(),
+    visit("target_height", self.target_height, "m", between(-2.0, 2.0),
           "height of the point looked at above the table's middle");
-    visit("speed", self.speed, "m/s", above(0.0), "mean speed of the camera");
-    visit("keep_out_radius", self.keep_out_radius, "m", at_least(0.0),
+    visit("speed", self.speed, "m/s", above_up_to(0.0, 10.0), "mean speed of the camera");
+    visit("keep_out_radius", self.keep_out_radius, "m", between(0.0, 2.0),
           "the arm stays out of a cylinder of this radius about the table's middle while it looks: "
           "it does not know yet what stands there");
-    visit("keep_out_height", self.keep_out_height, "m", at_least(0.0), "height of that cylinder");
+    visit("keep_out_height", self.keep_out_height, "m", between(0.0, 2.0),
+          "height of that cylinder");
     visit("max_robot_share", self.max_robot_share, "", between(0.0, 1.0),
           "greatest share of the images that the robot itself may cover before the run says so");
-    visit("width", self.width, "px", at_least(16), "width of the images");
-    visit("height", self.height, "px", at_least(16), "height of the images");
-    visit("focal_length", self.focal_length, "px", above(0.0), "focal length of both axes");
+    visit("width", self.width, "px", between(16, 4096), "width of the images");
+    visit("height", self.height, "px", between(16, 4096), "height of the images");
+    visit("focal_length", self.focal_length, "px", between(1.0, 1e5), "focal length of both axes");
   }
   /// Throws InputError if a value is out of its range, or a least value exceeds its greatest.
   void validate() const;

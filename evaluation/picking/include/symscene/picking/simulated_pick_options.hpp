@@ -30,16 +30,17 @@ struct PickExecutionOptions {
   static void visit_fields(Self& self, Visit&& visit) {
     visit("control_period", self.control_period, "s", between(0.001, 0.1),
           "time between two targets of the joints, and between two looks at the contacts");
-    visit("closing_time", self.closing_time, "s", above(0.0), "time in which the fingers close");
-    visit("release_time", self.release_time, "s", above(0.0),
+    visit("closing_time", self.closing_time, "s", above_up_to(0.0, 60.0),
+          "time in which the fingers close");
+    visit("release_time", self.release_time, "s", above_up_to(0.0, 60.0),
           "time in which the fingers open and the object falls");
-    visit("min_width", self.min_width, "m", at_least(0.0),
+    visit("min_width", self.min_width, "m", between(0.0, 1.0),
           "a hand that is closed to this width holds nothing");
-    visit("rest_time", self.rest_time, "s", above(0.0),
+    visit("rest_time", self.rest_time, "s", above_up_to(0.0, 60.0),
           "longest time that objects are given to come to rest before a look");
-    visit("bin_width", self.bin_width, "m", above(0.0), "inner edge of the square bin");
-    visit("bin_height", self.bin_height, "m", above(0.0), "height of its walls");
-    visit("drop_height", self.drop_height, "m", at_least(0.0),
+    visit("bin_width", self.bin_width, "m", between(0.05, 2.0), "inner edge of the square bin");
+    visit("bin_height", self.bin_height, "m", between(0.01, 1.0), "height of its walls");
+    visit("drop_height", self.drop_height, "m", between(0.0, 1.0),
           "height of the held object above the bin when the hand opens");
     visit("carry_speed", self.carry_speed, "", above_up_to(0.0, 1.0),
           "share of the limits of velocity at which an object is carried");
@@ -67,7 +68,7 @@ struct SimulatedPickOptions {
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("max_looks", self.max_looks, "", at_least(1), "looks after which the run ends");
+    visit("max_looks", self.max_looks, "", between(1, 10000), "looks after which the run ends");
     visit("max_failures", self.max_failures, "", at_least(1),
           "failed attempts at a place after which no grasp is tried there again");
     visit("empty_looks", self.empty_looks, "", at_least(1),
