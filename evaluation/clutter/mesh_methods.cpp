@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "clutter/joined_meshes.hpp"
 #include "core/random.hpp"
 #include "core/surface_sampling.hpp"
 #include "method_parts.hpp"
@@ -35,26 +36,6 @@ Eigen::Vector3d random_approach(const Eigen::Vector3d& closing, Random& random) 
   do approach = closing.cross(random_direction(random)).normalized();
   while (approach.z() > 0.0);
   return approach;
-}
-
-TriangleMesh joined(const std::vector<TriangleMesh>& meshes) {
-  Eigen::Index vertices = 0, triangles = 0;
-  for (const TriangleMesh& mesh : meshes) {
-    vertices += mesh.vertices.rows();
-    triangles += mesh.triangles.rows();
-  }
-  TriangleMesh all;
-  all.vertices.resize(vertices, 3);
-  all.triangles.resize(triangles, 3);
-  vertices = triangles = 0;
-  for (const TriangleMesh& mesh : meshes) {
-    all.vertices.middleRows(vertices, mesh.vertices.rows()) = mesh.vertices;
-    all.triangles.middleRows(triangles, mesh.triangles.rows()) =
-        mesh.triangles.array() + static_cast<Index>(vertices);
-    vertices += mesh.vertices.rows();
-    triangles += mesh.triangles.rows();
-  }
-  return all;
 }
 
 PointCloud sampled_surfaces(const ClutterWorld& world) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "clutter/joined_meshes.hpp"
 #include "core/rigid_motion.hpp"
 #include "simulation/shapes.hpp"
 #include "solid_mesh.hpp"

@@ -1,5 +1,6 @@
 #include "robot_solids.hpp"
 
+#include "clutter/joined_meshes.hpp"
 #include "solid_mesh.hpp"
 
 namespace symscene {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include <Eigen/Geometry>
 
 #include "symscene/core/triangle_mesh.hpp"
@@ -14,8 +12,5 @@ TriangleMesh box_mesh(const Eigen::AlignedBox3d& box);
 
 /// The surface of a capsule. [m]
 TriangleMesh capsule_mesh(const Capsule& capsule);
-
-/// All triangles of several meshes as one, without colours and normals.
-TriangleMesh joined(std::span<const TriangleMesh> meshes);
 
 }  // namespace symscene
