@@ -6,6 +6,7 @@
 #include "core/random.hpp"
 #include "path_oracle.hpp"
 #include "stopwatch.hpp"
+#include "symscene/motion/motion_validity.hpp"
 
 namespace symscene::bench {
 namespace {
@@ -59,12 +60,7 @@ void compare_paths(const Robot& robot, const Gripper& gripper, const GraspScene&
   const ArmCollision collision(robot, arm, &gripper, gripper.max_opening, obstacles, robot.home,
                                options.collision);
   const JointSpace space = joint_space(robot.model, arm.arm);
-  const MotionValidity validity{
-      [&](const Eigen::VectorXd& q) {
-        const auto met = collision.contact(q);
-        return met ? describe(*met) : std::string();
-      },
-      [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return collision.is_free(a, b); }};
+  const MotionValidity validity = motion_validity(collision);
   Random random(seed);
   for (int i = 0; i < pairs; ++i) {
     const auto start = free_positions(space, collision, random);

@@ -6,6 +6,7 @@
 #include "checked_trajectory.hpp"
 #include "pick_candidates.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/motion/motion_validity.hpp"
 
 namespace symscene {
 namespace {
@@ -75,33 +76,20 @@ class PickPlanner {
 
   PathResult path_to(const Eigen::VectorXd& start, const Grasp& grasp,
                      const std::vector<PickCandidate>& found) const {
-    const ArmCollision& arm = candidates_.open_arm();
-    const IgnoredObstacles ignored = at_target(grasp);
     std::vector<Eigen::VectorXd> goals;
     for (const PickCandidate& candidate : found) goals.push_back(candidate.approach.front());
-    const MotionValidity validity{[&](const Eigen::VectorXd& q) {
-                                    const auto met = arm.contact(q, ignored);
-                                    return met ? describe(*met) : std::string();
-                                  },
-                                  [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-                                    return arm.is_free(a, b, ignored);
-                                  }};
-    return rrt_connect(candidates_.space(), start, goals, validity, options_.rrt);
+    return rrt_connect(candidates_.space(), start, goals,
+                       motion_validity(candidates_.open_arm(), at_target(grasp)), options_.rrt);
   }
 
   PickMotion timed(const Grasp& grasp, const PickCandidate& candidate,
                    const std::vector<Eigen::VectorXd>& path) const {
-    const ArmCollision& arm = candidates_.open_arm();
-    const IgnoredObstacles ignored = at_target(grasp);
+    const MotionValidity validity = motion_validity(candidates_.open_arm(), at_target(grasp));
     // Full turns that the path made go on in what follows it.
     const Eigen::VectorXd turns = path.back() - candidate.approach.front();
     TrajectoryOptions line = options_.trajectory;
     line.max_deviation = std::min(line.max_deviation, 0.002);
-    return {0,
-            checked_trajectory(path, limits_, options_.trajectory,
-                               [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-                                 return arm.is_free(a, b, ignored);
-                               }),
+    return {0, checked_trajectory(path, limits_, options_.trajectory, validity.is_free),
             time_optimal_trajectory(turned(candidate.approach, turns), line_limits_, line),
             time_optimal_trajectory(turned(candidate.retreat, turns), line_limits_, line)};
   }
