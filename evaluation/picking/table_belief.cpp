@@ -1,7 +1,5 @@
 #include "table_belief.hpp"
 
-#include <chrono>
-
 #include <fmt/format.h>
 
 #include "cylinder_belief.hpp"
@@ -25,10 +23,8 @@ TablePerception::TablePerception(const SimulatedPickOptions& options)
 void TablePerception::add(const DepthFrame& frame, const Eigen::Isometry3d& T_table_camera) {
   // The first image places the scene; from then on the arm only tells where the search begins.
   const PoseUse use = reconstruction_.empty() ? PoseUse::exact : PoseUse::start;
-  const auto start = std::chrono::steady_clock::now();
-  const FrameReport report = reconstruction_.add(frame, T_table_camera, use);
-  tracking_seconds_ +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const FrameReport report = timer_.time(
+      "tracking and fusion", [&] { return reconstruction_.add(frame, T_table_camera, use); });
   ++frames_;
   if (!report.fused) return;
   estimated_.push_back(report.tracking.T_world_camera);
@@ -74,7 +70,6 @@ PickLook TablePerception::look() const {
   look.frames = frames_;
   look.fused = estimated_.size();
   if (!estimated_.empty()) look.trajectory = trajectory_error(estimated_, truth_);
-  look.times.push_back({"tracking and fusion", tracking_seconds_});
   for (const StageTime& time : timer_.stages()) add_to_sums(look.times, time);
   return look;
 }

@@ -37,7 +37,6 @@ class TablePerception {
   const SimulatedPickOptions& options_;
   Reconstruction reconstruction_;
   std::size_t frames_ = 0;
-  double tracking_seconds_ = 0.0;
   std::vector<Eigen::Isometry3d> estimated_, truth_;
   StageTimer timer_;
 };
