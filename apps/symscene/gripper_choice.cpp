@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/file_names.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
 #include "symscene/io/gripper.hpp"
@@ -16,9 +17,7 @@ void GripperChoice::add_to(Arguments& arguments) {
 }
 
 Gripper GripperChoice::gripper() const {
-  const std::string extension = std::filesystem::path(name).extension();
-  if (extension == ".json" || extension == ".yaml" || extension == ".yml")
-    return read_gripper(name);
+  if (is_gripper_file(name)) return read_gripper(name);
   try {
     return named_gripper(name);
   } catch (const InputError& error) {

@@ -1,18 +1,11 @@
 #include "moveit_output.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/file_names.hpp"
 #include "symscene/core/error.hpp"
 #include "text_list.hpp"
 
 namespace symscene::app {
-namespace {
-
-bool is_yaml(const std::filesystem::path& path) {
-  return path.extension() == ".yaml" || path.extension() == ".yml";
-}
-
-}  // namespace
-
 void MoveItOutput::add_to(Arguments& arguments) {
   arguments.file("--moveit", path,
                  "also write all grasps as moveit_msgs/Grasp and the objects as "

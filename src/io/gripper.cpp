@@ -9,6 +9,7 @@
 
 #include "gripper_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/file_names.hpp"
 #include "symscene/core/error.hpp"
 #include "yaml.hpp"
 
@@ -87,8 +88,6 @@ void read_numbers(const JsonCursor& root, Gripper& gripper) {
     gripper.tip_thickness = gripper.finger_thickness;
 }
 
-bool is_yaml(const std::string& file) { return file.ends_with(".yaml") || file.ends_with(".yml"); }
-
 }  // namespace
 
 Eigen::Isometry3d pose_of(const JsonCursor& json) {
@@ -104,9 +103,14 @@ Eigen::Isometry3d pose_of(const JsonCursor& json) {
   return pose;
 }
 
-Json pose_json(const Eigen::Isometry3d& pose, const char* what) {
+Eigen::Quaterniond orientation_of(const Eigen::Isometry3d& pose) {
   Eigen::Quaterniond q(pose.linear());
   if (q.w() < 0.0) q.coeffs() *= -1.0;
+  return q;
+}
+
+Json pose_json(const Eigen::Isometry3d& pose, const char* what) {
+  const Eigen::Quaterniond q = orientation_of(pose);
   Json orientation = Json::array();
   for (const double value : {q.x(), q.y(), q.z(), q.w()})
     orientation.push_back(to_json(value, what));

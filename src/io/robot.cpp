@@ -11,6 +11,7 @@
 #include "core/nearest_name.hpp"
 #include "gripper_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/file_names.hpp"
 #include "symscene/core/error.hpp"
 #include "yaml.hpp"
 
@@ -156,9 +157,7 @@ class RobotReader {
 
   /// A name stays; a file is found from where the description is.
   std::string gripper_of(const std::string& gripper) const {
-    const fs::path extension = fs::path(gripper).extension();
-    const bool is_file = extension == ".json" || extension == ".yaml" || extension == ".yml";
-    return is_file ? (folder_ / gripper).string() : gripper;
+    return is_gripper_file(gripper) ? (folder_ / gripper).string() : gripper;
   }
 
   void read_accelerations() {
@@ -258,7 +257,7 @@ Robot read_robot(const std::string& name_or_file) {
   if (const IncludedRobot* robot = find_included(name_or_file))
     return parse_robot(robot->yaml(), robot->name, {});
   const fs::path path(name_or_file);
-  if (path.extension() != ".yaml" && path.extension() != ".yml")
+  if (!is_yaml(path))
     throw InputError("robot",
                      fmt::format("one of {}, or a .yaml file", fmt::join(robot_names(), ", ")),
                      with_nearest_name(name_or_file, robot_names()));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "gripper_json.hpp"
+
 namespace symscene {
 
 std::int64_t nanoseconds_of(double seconds) { return std::llround(seconds * 1e9); }
@@ -27,8 +29,7 @@ Json RosJson::vector(const Eigen::Vector3d& vector) const {
 }
 
 Json RosJson::pose(const Eigen::Isometry3d& pose) const {
-  Eigen::Quaterniond q(pose.linear());
-  if (q.w() < 0.0) q.coeffs() *= -1.0;
+  const Eigen::Quaterniond q = orientation_of(pose);
   return {
       {"position", vector(pose.translation())},
       {"orientation",
