@@ -1,4 +1,4 @@
-#include "run_checks.hpp"
+#include "viewer/run_checks.hpp"
 
 #include <cmath>
 

@@ -8,11 +8,11 @@
 #include "io/atomic_file.hpp"
 #include "page_filling.hpp"
 #include "page_template.hpp"
-#include "run_checks.hpp"
 #include "run_payload.hpp"
 #include "run_tracks.hpp"
 #include "scan_payload.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "viewer/run_checks.hpp"
 
 namespace symscene {
 namespace {

@@ -5,9 +5,11 @@
 #include "commands.hpp"
 #include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
+#include "io/gif_writer.hpp"
 #include "session.hpp"
 #include "symscene/io/robot.hpp"
 #include "symscene/physics/physics_world.hpp"
+#include "symscene/picking/run_video.hpp"
 #include "symscene/picking/simulated_picks.hpp"
 #include "symscene/simulation/scanned_models.hpp"
 
@@ -18,19 +20,22 @@ namespace fs = std::filesystem;
 
 constexpr const char* household = "household";
 
-/// Options of the table, and those of the run.
+/// Options of the table, those of the run, and those of its video.
 struct PickRunOptions {
   PickTableOptions table;
   SimulatedPickOptions run;
+  RunVideoOptions video;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit("table", self.table);
     SimulatedPickOptions::visit_fields(self.run, visit);
+    visit("video", self.video);
   }
   void validate() const {
     table.validate();
     run.validate();
+    video.validate();
   }
 };
 
@@ -47,6 +52,7 @@ struct PickCommand {
   std::string robot = "panda";
   std::string objects = household;
   std::string method = "symscene";
+  fs::path video;  ///< empty: none is written
   std::optional<int> count;
   std::optional<std::uint64_t> seed;
 
@@ -69,7 +75,21 @@ struct PickCommand {
                        "again)",
                        "one without");
     if (objects != household) require_not_input(shared.output, objects);
+    check_video();
     const AtomicDirectory writable(absolute(shared.output), pick_layout());
+  }
+
+  void check_video() const {
+    if (video.empty()) return;
+    if (video.extension() != ".gif")
+      throw InputError("--video", "a name that ends in .gif", video.string());
+    if (!has_gif())
+      throw InputError("--video",
+                       "a build with giflib (the package libgif-dev, then configure and build "
+                       "again)",
+                       "one without");
+    if (!fs::is_directory(absolute(video).parent_path()))
+      throw InputError("--video", "a file in a folder that exists", video.string());
   }
 
   PickTable furnish(Session& session) const {
@@ -125,6 +145,10 @@ struct PickCommand {
     session.warn(run.warnings);
     session.on_begin()("write");
     write(run, describe_run("pick", fields));
+    if (!video.empty()) {
+      session.on_begin()("video");
+      write_file_atomically(video, render_run_video(run.recording, options.video));
+    }
     report(run, session);
   }
 };
@@ -148,6 +172,8 @@ void add_pick(CommandLine& line) {
   arguments.choice("--method", state->method, {"symscene", "cylinders"},
                    "what proposes grasps: segmented objects, or clusters and bounding cylinders "
                    "(default symscene)");
+  arguments.file("--video", state->video,
+                 "also write the run as an animated GIF: a name that ends in .gif");
   arguments.seed(state->seed, state->options.table.tabletop.seed);
   arguments.required_output(state->shared, "folder to write: run.json and page.html");
   arguments.threads(state->shared);
