@@ -39,14 +39,14 @@ struct Arguments {
 /// Sums over the tables.
 struct Tally {
   int tables = 0, cleared = 0;
-  std::vector<ShareCounts> attempts, graspable;
+  std::vector<ShareCounts> attempts, graspable, in_some_pose, all;
   std::map<std::string, int> outcomes, ends, reasons;
   std::map<std::string, std::vector<double>> stages;  ///< wall times to the first in the bin [s]
   std::vector<double> to_first;                       ///< their sums [s]
 
   void add(const PickRun& run) {
     ++tables;
-    cleared += run.in_bin == run.placed ? 1 : 0;
+    cleared += run.all.in_bin == run.all.placed ? 1 : 0;
     ++ends[to_string(run.end)];
     std::size_t successes = 0;
     for (const PickAttempt& attempt : run.attempts) {
@@ -54,16 +54,20 @@ struct Tally {
       successes += attempt.end == AttemptEnd::in_bin ? 1 : 0;
     }
     attempts.push_back({successes, run.attempts.size()});
-    graspable.push_back({run.in_bin_graspable, run.graspable});
+    graspable.push_back({run.graspable.in_bin, run.graspable.placed});
+    in_some_pose.push_back({run.graspable_in_some_pose.in_bin, run.graspable_in_some_pose.placed});
+    all.push_back({run.all.in_bin, run.all.placed});
     for (const LeftObject& left : run.left) {
-      if (left.graspable) ++reasons[left.reason.substr(0, left.reason.find(" ("))];
+      if (left.graspable.as_it_lies) ++reasons[left.reason.substr(0, left.reason.find(" ("))];
     }
     add_times(run.to_first);
   }
 
   void print() const {
     print_share("attempts that put an object into the bin", attempts);
-    print_share("graspable objects in the bin", graspable);
+    print_share("objects in the bin, of those graspable as they lie", graspable);
+    print_share("objects in the bin, of those graspable in some pose", in_some_pose);
+    print_share("objects in the bin, of all", all);
     fmt::print("{} of {} tables cleared\n", cleared, tables);
     print_counts("attempts by outcome", outcomes);
     print_counts("tables by end", ends);
@@ -101,12 +105,17 @@ struct Tally {
   }
 };
 
+const char* shortcoming(const Graspability& graspable) {
+  if (graspable.as_it_lies) return "";
+  return graspable.at_all ? " (cannot be held as it lay)" : " (cannot be held)";
+}
+
 void print_run(int number, const PickRun& run) {
   fmt::print("table {}: {} of {} objects in the bin ({} of {} graspable), {} attempts, {}\n",
-             number, run.in_bin, run.placed, run.in_bin_graspable, run.graspable,
+             number, run.all.in_bin, run.all.placed, run.graspable.in_bin, run.graspable.placed,
              run.attempts.size(), description(run.end));
   for (const LeftObject& left : run.left)
-    fmt::print("  {}{}: {}\n", left.name, left.graspable ? "" : " (cannot be held)", left.reason);
+    fmt::print("  {}{}: {}\n", left.name, shortcoming(left.graspable), left.reason);
   std::fflush(stdout);
 }
 

@@ -26,8 +26,14 @@ std::string belief_reason(const std::optional<BeliefFate>& fate) {
   if (!fate) return "not found as an object of its own at the last look";
   if (fate->no_grasp) return fmt::format("no grasp: {}", description(*fate->no_grasp));
   if (!fate->rejected.empty()) return unreachable_reason(fate->rejected);
-  if (fate->given_up > 0) return "no grasp is left at a place where none has failed";
+  if (fate->given_up > 0)
+    return fmt::format("its {} grasps are given up after failed attempts", fate->given_up);
   return "it has grasps that were not tried";
+}
+
+std::string failed_text(std::span<const PickAttempt> attempts) {
+  return fmt::format("{} failed attempt{}, the last: {}", attempts.size(),
+                     attempts.size() == 1 ? "" : "s", description(attempts.back().end));
 }
 
 }  // namespace
@@ -36,8 +42,12 @@ std::string reason_left(const std::optional<BeliefFate>& fate,
                         std::span<const PickAttempt> attempts) {
   const std::string belief = belief_reason(fate);
   if (attempts.empty()) return belief;
-  return fmt::format("{} failed attempt{}, the last: {}; {}", attempts.size(),
-                     attempts.size() == 1 ? "" : "s", description(attempts.back().end), belief);
+  return failed_text(attempts) + "; " + belief;
+}
+
+std::string reason_fallen(std::span<const PickAttempt> attempts) {
+  if (attempts.empty()) return "it left the table, and no attempt aimed at it";
+  return "it left the table after " + failed_text(attempts);
 }
 
 }  // namespace symscene

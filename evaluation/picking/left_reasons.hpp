@@ -14,7 +14,8 @@ namespace symscene {
 /// What became of an object that the robot believed in, at the last look.
 struct BeliefFate {
   std::size_t grasps = 0;
-  std::size_t given_up = 0;                ///< of the grasps: at places where attempts failed
+  int failures = 0;                        ///< attempts that failed on it
+  std::size_t given_up = 0;                ///< of the grasps, as attempts failed there or on it
   std::vector<RejectedPick> rejected;      ///< grasps that the arm cannot take
   std::optional<GraspRejection> no_grasp;  ///< why it has none
 };
@@ -23,5 +24,7 @@ struct BeliefFate {
 /// `fate`: none if the last look did not find it.
 std::string reason_left(const std::optional<BeliefFate>& fate,
                         std::span<const PickAttempt> attempts);
+/// The same of an object that is not on the table any more, nor in the bin.
+std::string reason_fallen(std::span<const PickAttempt> attempts);
 
 }  // namespace symscene

@@ -85,15 +85,15 @@ const RobotArm& camera_arm(const Robot& robot) {
 /// One call of plan_look().
 class LookPlanner {
  public:
-  LookPlanner(const Robot& robot, const Gripper& gripper, const CameraLookOptions& options,
-              const PickOptions& planning)
+  LookPlanner(const Robot& robot, const Gripper& gripper, const PickBin& bin,
+              const CameraLookOptions& options, const PickOptions& planning)
       : options_(options),
         planning_(planning),
         arm_(camera_arm(robot)),
         chain_(arm_chain(robot.model, arm_.arm)),
         space_(joint_space(robot.model, arm_.arm)),
         limits_(motion_limits(robot.model, arm_.arm, planning.speed)),
-        obstacles_(scene()),
+        obstacles_(scene(bin)),
         collision_(robot, arm_, arm_.gripper ? &gripper : nullptr, gripper.max_opening, obstacles_,
                    robot.home, planning.collision),
         home_(arm_positions(arm_.arm, robot.home)) {
@@ -122,10 +122,11 @@ class LookPlanner {
   }
 
  private:
-  GraspScene scene() const {
+  GraspScene scene(const PickBin& bin) const {
     GraspScene scene;
     scene.table = Plane{};
     scene.obstacles = keep_out_points(options_);
+    bin.add_walls_to(scene.obstacles);
     return scene;
   }
 
@@ -210,9 +211,9 @@ std::vector<Eigen::Isometry3d> flying_look(const CameraLookOptions& options, dou
   return poses;
 }
 
-PlannedLook plan_look(const Robot& robot, const Gripper& gripper, const CameraLookOptions& options,
-                      const PickOptions& planning) {
-  return LookPlanner(robot, gripper, options, planning).plan();
+PlannedLook plan_look(const Robot& robot, const Gripper& gripper, const PickBin& bin,
+                      const CameraLookOptions& options, const PickOptions& planning) {
+  return LookPlanner(robot, gripper, bin, options, planning).plan();
 }
 
 }  // namespace symscene

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pick_bin.hpp"
 #include "symscene/motion/pick.hpp"
 #include "symscene/motion/trajectory.hpp"
 #include "symscene/picking/camera_look_options.hpp"
@@ -36,7 +37,7 @@ std::vector<Eigen::Isometry3d> flying_look(const CameraLookOptions& options, dou
 /// the camera, the farthest first, that it reaches without collision and near the pose before.
 /// Throws InputError if the robot has no camera on an arm, or the camera does not move with the
 /// arm's tip.
-PlannedLook plan_look(const Robot& robot, const Gripper& gripper, const CameraLookOptions& options,
-                      const PickOptions& planning);
+PlannedLook plan_look(const Robot& robot, const Gripper& gripper, const PickBin& bin,
+                      const CameraLookOptions& options, const PickOptions& planning);
 
 }  // namespace symscene

@@ -16,19 +16,23 @@ CameraMoment LookTaker::moment(const ArmCell& cell) const {
           solids_.poses(state)};
 }
 
-std::vector<CameraMoment> LookTaker::move(ArmCell& cell) const {
+std::vector<CameraMoment> LookTaker::move(ArmCell& cell, ContactWatch& watch) const {
   const Arm& arm = robot_.arms[*robot_.camera->arm].arm;
-  cell.follow(arm, motion_->there);
+  const auto watched = [&] {
+    watch.note(true);
+    return false;
+  };
+  cell.follow(arm, motion_->there, watched);
   const double begin = cell.time();
   const double interval = motion_->sweep.duration() / std::max(1, options_.look.frames - 1);
   std::vector<CameraMoment> moments{moment(cell)};
   cell.follow(arm, motion_->sweep, [&] {
     if (cell.time() - begin >= interval * static_cast<double>(moments.size()))
       moments.push_back(moment(cell));
-    return false;
+    return watched();
   });
   moments.resize(std::min(moments.size(), static_cast<std::size_t>(options_.look.frames)));
-  cell.follow(arm, motion_->back);
+  cell.follow(arm, motion_->back, watched);
   return moments;
 }
 
@@ -42,10 +46,11 @@ std::vector<CameraMoment> LookTaker::fly(const ArmCell& cell) const {
   return moments;
 }
 
-double LookTaker::take(ArmCell& cell, TablePerception& perception) {
+TakenLook LookTaker::take(ArmCell& cell, TablePerception& perception) {
   const Tabletop tabletop = cell.tabletop();
   const LookRenderer renderer(tabletop, solids_, bin_, options_);
-  const std::vector<CameraMoment> moments = motion_ ? move(cell) : fly(cell);
+  ContactWatch watch(cell);
+  const std::vector<CameraMoment> moments = motion_ ? move(cell, watch) : fly(cell);
   constexpr std::size_t at_once = 8;  // bounds the memory for images
   double covered = 0.0;
   for (std::size_t begin = 0; begin < moments.size(); begin += at_once) {
@@ -59,7 +64,7 @@ double LookTaker::take(ArmCell& cell, TablePerception& perception) {
     }
   }
   images_ += moments.size();
-  return covered / static_cast<double>(moments.size());
+  return {covered / static_cast<double>(moments.size()), watch.touched()};
 }
 
 }  // namespace symscene

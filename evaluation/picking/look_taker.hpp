@@ -2,12 +2,18 @@
 
 #include <optional>
 
-#include "arm_cell.hpp"
+#include "contact_watch.hpp"
 #include "look_motion.hpp"
 #include "look_renderer.hpp"
 #include "table_belief.hpp"
 
 namespace symscene {
+
+/// What a look showed besides its images.
+struct TakenLook {
+  double robot_share = 0.0;  ///< of the pixels, that the robot or the bin covered
+  std::string touched;       ///< what the arm touched on its way; empty for nothing
+};
 
 /// Moves the camera past the table and takes images. References are kept.
 class LookTaker {
@@ -17,13 +23,12 @@ class LookTaker {
             const LookMotion* motion, const SimulatedPickOptions& options)
       : robot_(robot), solids_(solids), bin_(bin), motion_(motion), options_(options) {}
 
-  /// Passes the images to `perception`, in order. Returns the share of their pixels that the robot
-  /// or the bin covered.
-  double take(ArmCell& cell, TablePerception& perception);
+  /// Passes the images to `perception`, in order.
+  TakenLook take(ArmCell& cell, TablePerception& perception);
 
  private:
   CameraMoment moment(const ArmCell& cell) const;
-  std::vector<CameraMoment> move(ArmCell& cell) const;
+  std::vector<CameraMoment> move(ArmCell& cell, ContactWatch& watch) const;
   std::vector<CameraMoment> fly(const ArmCell& cell) const;
 
   const Robot& robot_;

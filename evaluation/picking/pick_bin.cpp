@@ -52,15 +52,16 @@ class BinReach {
     return (T_table_base_ * chain_.joints.front().T_previous_joint).translation().head<2>();
   }
 
-  /// With room for flat and for tall objects below the hand.
+  /// With room for flat and for tall objects below the hand, and for the arm at home.
   bool reaches(const PickBin& bin) const {
     GraspScene scene;
     scene.table = Plane{};
-    scene.obstacles = bin.obstacle_points();
+    bin.add_walls_to(scene.obstacles);
     const MotionObstacles obstacles(scene);
     const ArmCollision collision(robot_, arm_, &gripper_, gripper_.max_opening, obstacles,
                                  robot_.home);
-    return reaches_at(bin, bin.height + 0.06, collision) &&
+    return !collision.contact(arm_positions(arm_.arm, robot_.home)) &&
+           reaches_at(bin, bin.height + 0.06, collision) &&
            reaches_at(bin, bin.height + 0.2, collision);
   }
 
@@ -105,24 +106,21 @@ bool PickBin::is_above(const Eigen::Vector3d& point) const {
   return (point.head<2>() - middle).cwiseAbs().maxCoeff() < 0.5 * width && point.z() > 0.0;
 }
 
-Points PickBin::obstacle_points() const {
+void PickBin::add_walls_to(Points& obstacles) const {
   constexpr double spacing = 0.02;
   const double half = 0.5 * (width + wall);
   const int along = static_cast<int>(std::ceil(2.0 * half / spacing));
   const int up = static_cast<int>(std::ceil(height / spacing));
-  std::vector<Eigen::Vector3d> points;
+  Eigen::Index row = obstacles.rows();
+  obstacles.conservativeResize(row + 4 * along * (up + 1), 3);
   for (int i = 0; i < along; ++i) {
     const double t = -half + 2.0 * half * i / along;
     for (int k = 0; k <= up; ++k) {
       const double z = height * k / up;
       for (const auto& [x, y] : {std::pair(t, -half), {half, t}, {-t, half}, {-half, -t}})
-        points.emplace_back(middle.x() + x, middle.y() + y, z);
+        obstacles.row(row++) = Eigen::RowVector3d(middle.x() + x, middle.y() + y, z).cast<float>();
     }
   }
-  Points rows(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    rows.row(static_cast<Eigen::Index>(i)) = points[i].transpose().cast<float>();
-  return rows;
 }
 
 TriangleMesh PickBin::mesh() const {

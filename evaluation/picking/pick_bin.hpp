@@ -24,8 +24,8 @@ struct PickBin {
   std::vector<FixedBox> boxes() const;
   /// Whether a point is above its floor and between its walls, at any height.
   bool is_above(const Eigen::Vector3d& point) const;
-  /// Points on its walls at most 2 cm apart.
-  Points obstacle_points() const;
+  /// Adds points on its walls at most 2 cm apart.
+  void add_walls_to(Points& obstacles) const;
   TriangleMesh mesh() const;
 };
 

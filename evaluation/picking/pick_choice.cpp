@@ -1,5 +1,6 @@
 #include "pick_choice.hpp"
 
+#include <algorithm>
 #include <span>
 
 namespace symscene {
@@ -8,20 +9,35 @@ namespace {
 std::vector<BeliefFate> fates_of(const TableBelief& belief) {
   std::vector<BeliefFate> fates;
   for (const ObjectGraspSummary& object : belief.objects)
-    fates.push_back({object.grasps, 0, {}, object.reason});
+    fates.push_back({object.grasps, 0, 0, {}, object.reason});
   return fates;
 }
 
-/// The grasps at places where fewer than `max_failures` attempts failed.
+Box box_of(const GraspObject& object) {
+  const TriangleMesh& mesh = object.surface.mesh;
+  return bounding_box(mesh.vertices.rows() > 0 ? mesh.vertices : object.observed.positions);
+}
+
+/// The grasps that are not given up: those of objects with the fewest failed attempts first, and
+/// among these the best first.
 std::vector<Grasp> grasps_to_try(const PickScene& in, const TableBelief& belief,
-                                 const FailedPlaces& failed, std::vector<BeliefFate>& fates) {
+                                 const FailedAttempts& failed, std::vector<BeliefFate>& fates) {
+  for (std::size_t k = 0; k < fates.size(); ++k)
+    fates[k].failures = failed.in(box_of(belief.scene.objects[k]));
+  const auto fate = [&](const Grasp& grasp) -> BeliefFate& {
+    return fates[static_cast<std::size_t>(grasp.object)];
+  };
   std::vector<Grasp> grasps;
   for (const Grasp& grasp : belief.grasps) {
-    if (failed.failures_at(tip_point(grasp, in.gripper)) < in.options.max_failures)
+    if (fate(grasp).failures < in.options.max_object_failures &&
+        failed.at(tip_point(grasp, in.gripper)) < in.options.max_failures)
       grasps.push_back(grasp);
     else
-      ++fates[static_cast<std::size_t>(grasp.object)].given_up;
+      ++fate(grasp).given_up;
   }
+  std::stable_sort(grasps.begin(), grasps.end(), [&](const Grasp& a, const Grasp& b) {
+    return fate(a).failures < fate(b).failures;
+  });
   return grasps;
 }
 
@@ -38,7 +54,7 @@ Eigen::Vector3d tip_point(const Grasp& grasp, const Gripper& gripper) {
 }
 
 PickChoice choose_pick(const PickScene& in, const TableBelief& belief, const Eigen::VectorXd& start,
-                       const FailedPlaces& failed, StageTimer& timer) {
+                       const FailedAttempts& failed, StageTimer& timer) {
   constexpr int most_places = 8;  // grasps without a way to the bin before the choice is given up
   PickChoice choice{std::nullopt, fates_of(belief), {}};
   const std::vector<Grasp> grasps = grasps_to_try(in, belief, failed, choice.fates);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "failed_places.hpp"
+#include "failed_attempts.hpp"
 #include "left_reasons.hpp"
 #include "pick_execution.hpp"
 #include "place_motion.hpp"
@@ -22,9 +22,10 @@ struct PickChoice {
 /// The point between the finger tips of a grasp.
 Eigen::Vector3d tip_point(const Grasp& grasp, const Gripper& gripper);
 
-/// The best grasp to which the arm has a motion, and from it one to the bin, at a place where fewer
-/// than `max_failures` attempts failed. `start`: positions of all moving joints.
+/// The best grasp to which the arm has a motion, and from it one to the bin. Objects on which
+/// attempts failed come after all others, and are given up after `max_object_failures`, a place on
+/// them after `max_failures`. `start`: positions of all moving joints.
 PickChoice choose_pick(const PickScene& in, const TableBelief& belief, const Eigen::VectorXd& start,
-                       const FailedPlaces& failed, StageTimer& timer);
+                       const FailedAttempts& failed, StageTimer& timer);
 
 }  // namespace symscene

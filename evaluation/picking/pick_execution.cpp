@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contact_watch.hpp"
+
 namespace symscene {
 namespace {
 
@@ -21,7 +23,7 @@ class Execution {
     const auto& in_bin = outcome.in_bin;
     const bool placed = held_ && std::find(in_bin.begin(), in_bin.end(), *held_) != in_bin.end();
     if (placed) outcome.end = AttemptEnd::in_bin;
-    outcome.detail = touched_;
+    outcome.detail = watch_.touched();
     return outcome;
   }
 
@@ -29,7 +31,7 @@ class Execution {
   /// Up to the opening of the hand.
   AttemptEnd carry() {
     cell_.follow(arm_, planned_.pick.to_pre_grasp, [&] {
-      note_contact(true);
+      watch_.note(true);
       return false;
     });
     cell_.follow(arm_, planned_.pick.approach, [&] { return cell_.world().hand_contacts().any(); });
@@ -58,7 +60,7 @@ class Execution {
     constexpr int patience = 10;
     int without = 0;
     return cell_.follow(arm_, path, [&] {
-      note_contact(false);
+      watch_.note(false);
       const std::vector<std::size_t> bodies = cell_.world().hand_contacts().bodies;
       const bool holds = std::find(bodies.begin(), bodies.end(), *held_) != bodies.end();
       without = holds ? 0 : without + 1;
@@ -66,28 +68,12 @@ class Execution {
     });
   }
 
-  /// Remembers the first thing that the arm, or the empty hand, touches.
-  void note_contact(bool with_hand) {
-    if (!touched_.empty()) return;
-    const ArmContacts arm = cell_.world().arm_contacts();
-    if (!arm.bodies.empty())
-      touched_ = "the arm touched " + cell_.object(arm.bodies.front()).object.name;
-    else if (arm.table && !stands_on_table_)
-      touched_ = "the arm touched the table or the bin";
-    if (!with_hand || !touched_.empty()) return;
-    const HandContacts hand = cell_.world().hand_contacts();
-    if (!hand.bodies.empty())
-      touched_ = "the hand touched " + cell_.object(hand.bodies.front()).object.name +
-                 " before the approach";
-  }
-
   ArmCell& cell_;
   const Arm& arm_;
   const PlannedPick& planned_;
   const PickExecutionOptions& options_;
-  bool stands_on_table_ = cell_.world().arm_contacts().table;  ///< before anything moved
+  ContactWatch watch_{cell_};
   std::optional<std::size_t> held_;
-  std::string touched_;
 };
 
 }  // namespace

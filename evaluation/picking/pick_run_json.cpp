@@ -18,12 +18,17 @@ Json times_json(const std::vector<StageTime>& times) {
   return json;
 }
 
+Json cleared_json(const PickRun::Cleared& cleared) {
+  return {{"placed", cleared.placed}, {"in_bin", cleared.in_bin}};
+}
+
 Json look_json(const PickLook& look) {
   return {{"time_s", look.time},
           {"frames", look.frames},
           {"fused", look.fused},
           {"tracking_error_m", look.trajectory.absolute},
           {"robot_share", look.robot_share},
+          {"touched", look.touched},
           {"objects_on_table", look.present},
           {"objects_found", look.found},
           {"grasps", look.grasps},
@@ -60,10 +65,9 @@ Json array_of(const Items& items, const ToJson& to_json) {
 std::string format_pick_run(const PickRun& run, const std::string& description) {
   const Json json{{"made_by", Json::parse(description)},
                   {"end", to_string(run.end)},
-                  {"objects", run.placed},
-                  {"graspable", run.graspable},
-                  {"in_bin", run.in_bin},
-                  {"graspable_in_bin", run.in_bin_graspable},
+                  {"objects", cleared_json(run.all)},
+                  {"graspable_objects", cleared_json(run.graspable)},
+                  {"objects_graspable_in_some_pose", cleared_json(run.graspable_in_some_pose)},
                   {"fallen", run.fallen},
                   {"simulated_s", run.duration},
                   {"wall_times_to_first_in_bin_s",
@@ -73,7 +77,8 @@ std::string format_pick_run(const PickRun& run, const std::string& description) 
                   {"left", array_of(run.left,
                                     [](const LeftObject& left) {
                                       return Json{{"object", left.name},
-                                                  {"graspable", left.graspable},
+                                                  {"graspable", left.graspable.as_it_lies},
+                                                  {"graspable_in_some_pose", left.graspable.at_all},
                                                   {"reason", left.reason}};
                                     })},
                   {"events", array_of(run.recording.events,

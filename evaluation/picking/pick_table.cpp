@@ -1,5 +1,9 @@
 #include "symscene/picking/pick_table.hpp"
 
+#include <map>
+
+#include <fmt/format.h>
+
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -24,11 +28,25 @@ void PickTableOptions::validate() const {
                  1.0);
 }
 
+namespace {
+
+/// Objects of one name are numbered: "cup", "cup 2".
+void make_names_unique(std::vector<PlacedObject>& objects) {
+  std::map<std::string, int> seen;
+  for (PlacedObject& placed : objects) {
+    const int number = ++seen[placed.object.name];
+    if (number > 1) placed.object.name += fmt::format(" {}", number);
+  }
+}
+
+}  // namespace
+
 PickTable furnish_pick_table(std::span<const ObjectModel> models, const PickTableOptions& options) {
   options.validate();
   PickTable table{{}, options.drop.physics.density, options.drop.parts};
   table.tabletop = models.empty() ? arrange_tabletop(options.tabletop)
                                   : drop_tabletop(models, options.tabletop, options.drop);
+  make_names_unique(table.tabletop.objects);
   return table;
 }
 

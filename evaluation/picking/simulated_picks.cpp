@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "clutter/found_mesh.hpp"
 #include "look_motion.hpp"
 #include "look_taker.hpp"
+#include "object_ledger.hpp"
 #include "pick_choice.hpp"
 #include "run_recorder.hpp"
-#include "symscene/clutter/graspability.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/physics/physics_world.hpp"
 
@@ -21,6 +20,12 @@ std::vector<TriangleMesh> surfaces_of(const Tabletop& tabletop) {
   std::vector<TriangleMesh> surfaces;
   for (const PlacedObject& placed : tabletop.objects) surfaces.push_back(world_mesh(placed));
   return surfaces;
+}
+
+/// The gripper with the friction that its fingers have in the physics.
+Gripper physical(Gripper gripper, const SimulatedPickOptions& options) {
+  gripper.friction = options.physics.contacts.finger_friction;
+  return gripper;
 }
 
 /// A bin that the arm reaches, else any beside the table.
@@ -50,13 +55,9 @@ class PickLoop {
         bin_mesh_(bin_.mesh()),
         recorder_(table, solids_, bin_mesh_, options.record_rate, observer),
         failed_(gripper.finger_width),
-        fates_(table.tabletop.objects.size()),
-        is_in_bin_(table.tabletop.objects.size()),
-        is_fallen_(table.tabletop.objects.size()) {}
+        ledger_(table, physical(gripper, options)) {}
 
   PickRun run() {
-    run_.placed = table_.tabletop.objects.size();
-    find_graspable();
     try {
       cell_.emplace(table_, robot_, arm_, gripper_, bin_, options_,
                     [this](const ArmCell& cell) { recorder_.step(cell); });
@@ -78,17 +79,6 @@ class PickLoop {
     recorder_.add(cell_ ? cell_->time() : 0.0, text, outcome);
   }
 
-  void find_graspable() {
-    Gripper physical = gripper_;
-    physical.friction = options_.physics.contacts.finger_friction;
-    for (const PlacedObject& placed : table_.tabletop.objects) {
-      const bool can_hold =
-          graspability(world_mesh(placed), table_.tabletop.plane(), physical).at_all;
-      graspable_.push_back(can_hold);
-      run_.graspable += can_hold ? 1 : 0;
-    }
-  }
-
   /// Whether the camera sees the table.
   bool plan_camera() {
     stage("motion of the camera");
@@ -97,7 +87,7 @@ class PickLoop {
       return true;
     }
     PlannedLook planned = timer_.time("motion of the camera", [&] {
-      return plan_look(robot_, gripper_, options_.look, options_.pick);
+      return plan_look(robot_, gripper_, bin_, options_.look, options_.pick);
     });
     look_motion_ = std::move(planned.motion);
     if (look_motion_) return true;
@@ -126,11 +116,12 @@ class PickLoop {
     surfaces_ = surfaces_of(cell_->tabletop());
     present_ = cell_->present();
     TablePerception perception(options_);
-    const double robot_share = camera.take(*cell_, perception);
+    const TakenLook taken = camera.take(*cell_, perception);
     stage(fmt::format("objects of look {}", run_.looks.size() + 1));
     belief_ = perception.finish(gripper_);
     PickLook look = perception.look();
-    look.robot_share = robot_share;
+    look.robot_share = taken.robot_share;
+    look.touched = taken.touched;
     look.time = cell_->time();
     look.present = present_.size();
     look.found = belief_.scene.objects.size();
@@ -139,7 +130,7 @@ class PickLoop {
     recorder_.add(belief_, cell_->time());
     tell_look(look);
     run_.looks.push_back(std::move(look));
-    add_bin_to_belief();
+    bin_.add_walls_to(belief_.scene.obstacles);  // the robot knows where the bin is
   }
 
   void tell_look(const PickLook& look) {
@@ -149,18 +140,10 @@ class PickLoop {
       tell(fmt::format("the robot covers {:.0f} % of the images: an arm blocks the camera",
                        100.0 * look.robot_share),
            RecordedOutcome::failure);
+    if (!look.touched.empty()) tell(look.touched + " during the look", RecordedOutcome::failure);
     if (look.fused < look.frames)
       tell(fmt::format("the camera was lost in {} of {} images", look.frames - look.fused,
                        look.frames));
-  }
-
-  /// The robot knows where the bin is.
-  void add_bin_to_belief() {
-    const Points walls = bin_.obstacle_points();
-    Points& all = belief_.scene.obstacles;
-    const Eigen::Index before = all.rows();
-    all.conservativeResize(before + walls.rows(), 3);
-    all.bottomRows(walls.rows()) = walls;
   }
 
   PickScene scene() const { return {robot_, arm_, gripper_, belief_.scene, bin_, options_}; }
@@ -176,27 +159,12 @@ class PickLoop {
     }
     look.no_pick = choice.no_pick;
     if (!choice.planned) tell(choice.no_pick, RecordedOutcome::failure);
-    note_fates(choice.fates);
+    ledger_.note(belief_, choice.fates, present_, surfaces_);
     return choice;
   }
 
-  /// What the look says about each true object, for the reasons why objects are left.
-  void note_fates(const std::vector<BeliefFate>& fates) {
-    const TrueSurface truth(surfaces_);
-    std::fill(fates_.begin(), fates_.end(), std::nullopt);
-    true_objects_.clear();
-    for (std::size_t k = 0; k < fates.size(); ++k) {
-      const Index mesh =
-          found_mesh(belief_.scene.objects[k].observed.positions, truth, surfaces_.size());
-      const bool is_known = mesh != TrueSurface::Nearest::nothing;
-      true_objects_.push_back(is_known ? std::optional(present_[mesh]) : std::nullopt);
-      // Objects come in descending order of confidence: the first one says why.
-      if (is_known && !fates_[present_[mesh]]) fates_[present_[mesh]] = fates[k];
-    }
-  }
-
   void attempt(const PlannedPick& planned) {
-    const auto aim = true_objects_[static_cast<std::size_t>(planned.grasp.object)];
+    const auto aim = ledger_.true_object(planned.grasp.object);
     PickAttempt attempt;
     attempt.look = run_.looks.size() - 1;
     attempt.grasp = planned.grasp;
@@ -221,7 +189,7 @@ class PickLoop {
     attempt.end = outcome.end;
     attempt.detail = outcome.detail;
     attempt.finish = cell_->time();
-    for (const std::size_t i : outcome.in_bin) is_in_bin_[i] = true;
+    for (const std::size_t i : outcome.in_bin) ledger_.note_in_bin(i);
     const bool succeeded = outcome.end == AttemptEnd::in_bin;
     if (!succeeded) failed_.add(tip_point(attempt.grasp, gripper_));
     if (!outcome.in_bin.empty() && run_.to_first.empty()) {
@@ -230,54 +198,45 @@ class PickLoop {
     tell(fmt::format("{}: {}{}{}", attempt.object, description(outcome.end),
                      attempt.detail.empty() ? "" : ", ", attempt.detail),
          succeeded ? RecordedOutcome::success : RecordedOutcome::failure);
-    aims_.push_back(aim);
+    ledger_.note_attempt(attempt, aim);
     run_.attempts.push_back(attempt);
   }
 
   void go_home(int without) {
     stage("motion home");
     const PlaceMotion home = plan_home(scene(), cell_->target(), without);
-    if (home.path) {
-      cell_->follow(arm_.arm, *home.path);
-      return;
-    }
-    tell("no free way home is known, the arm goes straight: " + home.obstacle);
+    if (!home.path) tell("no free way home is known, the arm goes straight: " + home.obstacle);
+    const auto path = home.path ? home.path : straight_home();
+    if (!path) return;
+    ContactWatch watch(*cell_);
+    cell_->follow(arm_.arm, *path, [&] {
+      watch.note(true);
+      return false;
+    });
+    if (!watch.touched().empty())
+      tell(watch.touched() + " on the way home", RecordedOutcome::failure);
+  }
+
+  /// None if the arm is at home.
+  std::optional<TimedPath> straight_home() const {
     const std::vector<Eigen::VectorXd> straight{arm_positions(arm_.arm, cell_->target()),
                                                 arm_positions(arm_.arm, robot_.home)};
-    if ((straight[0] - straight[1]).norm() == 0.0) return;
-    cell_->follow(arm_.arm,
-                  time_optimal_trajectory(
-                      straight, motion_limits(robot_.model, arm_.arm, options_.pick.line_speed)));
+    if ((straight[0] - straight[1]).norm() == 0.0) return std::nullopt;
+    return time_optimal_trajectory(straight,
+                                   motion_limits(robot_.model, arm_.arm, options_.pick.line_speed));
   }
 
   void settle() {
     for (const std::size_t i : cell_->settle()) {
-      is_fallen_[i] = true;
-      ++run_.fallen;
-      tell(cell_->object(i).object.name + " was pushed off the table", RecordedOutcome::failure);
+      ledger_.note_fallen(i);
+      tell(cell_->object(i).object.name + " left the table", RecordedOutcome::failure);
     }
-  }
-
-  std::string reason(std::size_t i) const {
-    if (is_fallen_[i]) return "it was pushed off the table";
-    if (!no_view_.empty()) return "it was not looked at: " + no_view_;
-    if (run_.looks.empty()) return description(run_.end);
-    std::vector<PickAttempt> attempts;
-    for (std::size_t k = 0; k < aims_.size(); ++k) {
-      if (aims_[k] == i) attempts.push_back(run_.attempts[k]);
-    }
-    return reason_left(fates_[i], attempts);
   }
 
   void finish() {
-    for (std::size_t i = 0; i < is_in_bin_.size(); ++i) {
-      if (is_in_bin_[i]) {
-        ++run_.in_bin;
-        run_.in_bin_graspable += graspable_[i] ? 1 : 0;
-      } else {
-        run_.left.push_back({table_.tabletop.objects[i].object.name, graspable_[i], reason(i)});
-      }
-    }
+    const std::string not_looked_at =
+        run_.looks.empty() && no_view_.empty() ? std::string(description(run_.end)) : no_view_;
+    ledger_.finish(run_, not_looked_at);
     tell(description(run_.end),
          run_.end == PickRunEnd::cleared ? RecordedOutcome::success : RecordedOutcome::note);
     if (cell_) run_.duration = cell_->time();
@@ -297,18 +256,15 @@ class PickLoop {
   PickBin bin_;
   TriangleMesh bin_mesh_;
   RunRecorder recorder_;
-  FailedPlaces failed_;
+  FailedAttempts failed_;
+  ObjectLedger ledger_;
   std::optional<ArmCell> cell_;
   std::optional<LookMotion> look_motion_;
   std::string no_view_;
   TableBelief belief_;
-  StageTimer timer_;                                      ///< of all that the robot computes
-  std::vector<TriangleMesh> surfaces_;                    ///< true, at the last look
-  std::vector<std::size_t> present_;                      ///< their numbers
-  std::vector<std::optional<std::size_t>> true_objects_;  ///< per object of the belief
-  std::vector<std::optional<BeliefFate>> fates_;          ///< per true object
-  std::vector<bool> graspable_, is_in_bin_, is_fallen_;   ///< the same
-  std::vector<std::optional<std::size_t>> aims_;          ///< per attempt
+  StageTimer timer_;                    ///< of all that the robot computes
+  std::vector<TriangleMesh> surfaces_;  ///< true, at the last look
+  std::vector<std::size_t> present_;    ///< their numbers
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "gripper_choice.hpp"
@@ -109,6 +110,14 @@ struct PickCommand {
             }};
   }
 
+  std::string made_by(const OptionFields& fields) const {
+    auto json = nlohmann::ordered_json::parse(describe_run("pick", fields));
+    json["robot"] = robot;
+    json["models"] = objects;
+    json["method"] = method;
+    return json.dump();
+  }
+
   void write(const PickRun& run, const std::string& description) const {
     AtomicDirectory folder(absolute(shared.output), pick_layout());
     folder.write("run.json", format_pick_run(run, description));
@@ -119,13 +128,13 @@ struct PickCommand {
 
   void report(const PickRun& run, Session& session) const {
     session.print_line(fmt::format("{}: {} of {} objects in the bin with {} attempts, {}",
-                                   shared.output.string(), run.in_bin, run.placed,
+                                   shared.output.string(), run.all.in_bin, run.all.placed,
                                    run.attempts.size(), description(run.end)));
     for (const LeftObject& left : run.left)
       session.print_line(fmt::format("  {} is left: {}", left.name, left.reason));
     session.finish({{"output", shared.output},
-                    {"objects", run.placed},
-                    {"in_bin", run.in_bin},
+                    {"objects", run.all.placed},
+                    {"in_bin", run.all.in_bin},
                     {"attempts", run.attempts.size()},
                     {"left", run.left.size()}},
                    run.to_first);
@@ -144,7 +153,7 @@ struct PickCommand {
     const PickRun run = simulate_picks(table, described, gripper, options.run, observer(session));
     session.warn(run.warnings);
     session.on_begin()("write");
-    write(run, describe_run("pick", fields));
+    write(run, made_by(fields));
     if (!video.empty()) {
       session.on_begin()("video");
       write_file_atomically(video, render_run_video(run.recording, options.video));

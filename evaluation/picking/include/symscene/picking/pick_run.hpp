@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "symscene/clutter/graspability.hpp"
 #include "symscene/core/grasp.hpp"
 #include "symscene/core/stage_timer.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
@@ -33,6 +34,7 @@ struct PickLook {
   std::size_t fused = 0;         ///< of the frames; others were lost
   TrajectoryError trajectory;    ///< of the fused frames
   double robot_share = 0.0;      ///< of the pixels, that the robot or the bin covered
+  std::string touched;           ///< what the arm touched on its way; empty for nothing
   std::size_t found = 0;         ///< objects
   std::size_t present = 0;       ///< true objects on the table
   std::size_t grasps = 0;        ///< proposed
@@ -54,7 +56,7 @@ struct PickAttempt {
 /// An object that is not in the bin at the end.
 struct LeftObject {
   std::string name;
-  bool graspable = false;  ///< it has a place that the hand could close on (Graspability::at_all)
+  Graspability graspable;
   std::string reason;
 };
 
@@ -72,10 +74,14 @@ const char* description(PickRunEnd end);
 
 /// A table that was cleared as far as it could be.
 struct PickRun {
-  std::size_t placed = 0;     ///< objects on the table at first
-  std::size_t graspable = 0;  ///< of these: Graspability::at_all
-  std::size_t in_bin = 0;
-  std::size_t in_bin_graspable = 0;
+  /// Objects of a kind on the table at first, and of these in the bin at the end.
+  struct Cleared {
+    std::size_t placed = 0;
+    std::size_t in_bin = 0;
+  };
+  Cleared all;
+  Cleared graspable;  ///< the hand could close on them as they lay (Graspability)
+  Cleared graspable_in_some_pose;
   std::size_t fallen = 0;  ///< pushed off the table
   PickRunEnd end = PickRunEnd::cleared;
   double duration = 0.0;  ///< simulated [s]

@@ -52,6 +52,7 @@ struct PickExecutionOptions {
 struct SimulatedPickOptions {
   int max_looks = 30;
   int max_failures = 2;
+  int max_object_failures = 4;
   int empty_looks = 2;
   double record_rate = 20.0;
   std::uint64_t seed = 0;
@@ -71,6 +72,8 @@ struct SimulatedPickOptions {
     visit("max_looks", self.max_looks, "", between(1, 10000), "looks after which the run ends");
     visit("max_failures", self.max_failures, "", at_least(1),
           "failed attempts at a place after which no grasp is tried there again");
+    visit("max_object_failures", self.max_object_failures, "", at_least(1),
+          "failed attempts on an object, wherever on it, after which it is given up");
     visit("empty_looks", self.empty_looks, "", at_least(1),
           "looks in a row without a grasp that the arm can take, after which the run ends");
     visit("record_rate", self.record_rate, "1/s", between(1.0, 100.0),

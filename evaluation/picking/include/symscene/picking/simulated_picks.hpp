@@ -28,9 +28,10 @@ struct PickObserver {
 /// 3. The arm follows them. The approach stops at the first contact, the fingers close until they
 ///    meet the object. An object in the bin is taken out of the physics.
 ///
-/// A place at which max_failures attempts failed is not tried again. The same input gives the same
-/// run, apart from wall times. Throws InputError if an option, the robot's arm or its gripper is
-/// invalid, an object has no volume, or this build has no physics.
+/// Objects on which attempts failed are tried after all others. A place at which max_failures
+/// attempts failed is not tried again, nor an object after max_object_failures. The same input
+/// gives the same run, apart from wall times. Throws InputError if an option, the robot's arm or
+/// its gripper is invalid, an object has no volume, or this build has no physics.
 PickRun simulate_picks(const PickTable& table, const Robot& robot, const Gripper& gripper,
                        const SimulatedPickOptions& options = {}, const PickObserver& observer = {});
 
