@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "symscene/physics/physics_world.hpp"
 #include "symscene/picking/simulated_picks.hpp"
 #include "symscene/simulation/scanned_models.hpp"
+#include "symscene/viewer/run_page.hpp"
 
 namespace {
 
@@ -32,6 +34,7 @@ struct Arguments {
   std::uint64_t seed = 1;
   std::size_t threads = 2;
   bool verbose = false;
+  std::string pages;
   PickTableOptions table;
   SimulatedPickOptions options;
 };
@@ -119,6 +122,13 @@ void print_run(int number, const PickRun& run) {
   std::fflush(stdout);
 }
 
+void write_page(int number, const PickRun& run, const std::string& folder) {
+  if (folder.empty()) return;
+  std::filesystem::create_directories(folder);
+  write_run_page(std::filesystem::path(folder) / fmt::format("table_{}.html", number),
+                 run.recording, fmt::format("Table {}", number));
+}
+
 PickObserver observer_of(const Arguments& arguments) {
   if (!arguments.verbose) return {};
   return {{}, [](const RecordedEvent& event) {
@@ -147,6 +157,7 @@ int run(Arguments& arguments) {
     const PickRun run =
         simulate_picks(table, robot, gripper, arguments.options, observer_of(arguments));
     print_run(k, run);
+    write_page(k, run, arguments.pages);
     tally.add(run);
   }
   tally.print();
@@ -177,6 +188,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "of table 0")->capture_default_str();
   app.add_option("--threads", arguments.threads, "at most so many threads")->capture_default_str();
+  app.add_option("--pages", arguments.pages, "folder for pages that play the runs");
   app.add_flag("-v,--verbose", arguments.verbose, "what happens, as it happens");
   CLI11_PARSE(app, argc, argv);
   return symscene::bench::exit_code_of("symscene_bench_picks", [&] {

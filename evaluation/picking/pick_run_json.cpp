@@ -65,9 +65,10 @@ Json array_of(const Items& items, const ToJson& to_json) {
 std::string format_pick_run(const PickRun& run, const std::string& description) {
   const Json json{{"made_by", Json::parse(description)},
                   {"end", to_string(run.end)},
-                  {"objects", cleared_json(run.all)},
-                  {"graspable_objects", cleared_json(run.graspable)},
-                  {"objects_graspable_in_some_pose", cleared_json(run.graspable_in_some_pose)},
+                  {"objects", run.all.placed},
+                  {"in_bin", run.all.in_bin},
+                  {"graspable", cleared_json(run.graspable)},
+                  {"graspable_in_some_pose", cleared_json(run.graspable_in_some_pose)},
                   {"fallen", run.fallen},
                   {"simulated_s", run.duration},
                   {"wall_times_to_first_in_bin_s",

@@ -195,8 +195,9 @@ class PickLoop {
     if (!outcome.in_bin.empty() && run_.to_first.empty()) {
       for (const StageTime& time : timer_.stages()) add_to_sums(run_.to_first, time);
     }
-    tell(fmt::format("{}: {}{}{}", attempt.object, description(outcome.end),
-                     attempt.detail.empty() ? "" : ", ", attempt.detail),
+    tell(fmt::format("{}: {} (grasp: {}, quality {:.2f}){}{}", attempt.object,
+                     description(outcome.end), to_string(attempt.grasp.source),
+                     attempt.grasp.quality, attempt.detail.empty() ? "" : ", ", attempt.detail),
          succeeded ? RecordedOutcome::success : RecordedOutcome::failure);
     ledger_.note_attempt(attempt, aim);
     run_.attempts.push_back(attempt);
