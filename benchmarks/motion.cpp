@@ -68,7 +68,8 @@ struct Tally {
         "acceleration; ",
         checks.states, checks.positions, checks.velocities, checks.accelerations);
     if (bench::checks_meshes())
-      fmt::print("{} in which the arm meets a true mesh\n", checks.objects);
+      fmt::print("{} in which the arm meets a true mesh, {} in which the held object does\n",
+                 checks.objects, checks.held);
     else
       fmt::print("not checked against meshes, for want of FCL\n");
   }
@@ -135,7 +136,8 @@ void plan_scene(const Arguments& arguments, int scene_number, const Robot& robot
                        arguments.oracle, tally.paths);
   if (arguments.check && pick.motion) {
     tally.checks += bench::check_pick(*pick.motion, robot, robot.grasping_arm(), gripper,
-                                      simulated.tabletop, arguments.options);
+                                      grasps.grasps[pick.motion->grasp].opening, simulated.tabletop,
+                                      arguments.options);
   }
   fmt::print("seed {}: {} grasps, {}{}\n", options.tabletop.seed, grasps.grasps.size(),
              pick.motion ? fmt::format("grasp {} taken", pick.motion->grasp) : "no pick",

@@ -1,5 +1,6 @@
 #include "pick_checks.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -83,8 +84,9 @@ bool is_carried_by(const RobotModel& model, std::size_t link, std::size_t carrie
   return link == carrier;
 }
 
-/// What the arm moves: capsules of links, and in place of the tip link's the open gripper.
-std::vector<LinkShape> arm_shapes(const Robot& robot, const RobotArm& arm, const Gripper& gripper) {
+/// What the arm moves: capsules of links, and in place of the tip link's the gripper.
+std::vector<LinkShape> arm_shapes(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
+                                  double opening) {
   std::vector<LinkShape> shapes;
   const RobotModel& model = robot.model;
   const std::size_t first = model.joints[model.joint_of_position(arm.arm.positions.front())].child;
@@ -94,16 +96,19 @@ std::vector<LinkShape> arm_shapes(const Robot& robot, const RobotArm& arm, const
     for (const Capsule& capsule : model.links[link].capsules)
       shapes.push_back(capsule_shape(link, capsule));
   }
-  for (const Eigen::AlignedBox3d& box : gripper_boxes(gripper, gripper.max_opening))
+  for (const Eigen::AlignedBox3d& box : gripper_boxes(gripper, opening))
     shapes.push_back(box_shape(arm.arm.tip_link, arm.T_tip_tool(gripper), box));
   return shapes;
 }
 
 class MeshCheck {
  public:
-  MeshCheck(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
+  MeshCheck(const Robot& robot, const RobotArm& arm, const Gripper& gripper, double opening,
             const Tabletop& tabletop)
-      : robot_(robot), arm_(arm), gripper_(gripper), shapes_(arm_shapes(robot, arm, gripper)) {
+      : robot_(robot),
+        arm_(arm),
+        gripper_(gripper),
+        shapes_(arm_shapes(robot, arm, gripper, opening)) {
     for (const PlacedObject& placed : tabletop.objects) {
       meshes_.push_back(world_mesh(placed));
       objects_.emplace_back(fcl_mesh(meshes_.back()));
@@ -118,11 +123,29 @@ class MeshCheck {
     return count;
   }
 
+  /// The states of a motion in which object `held`, which moves with the tool from its beginning,
+  /// meets another one that it does not touch there.
+  std::size_t held_violations(const TimedPath& motion, std::size_t held) {
+    const Eigen::Isometry3d T_tool_world = T_world_tool(motion.at(0.0).position).inverse();
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      if (i != held && !objects_meet(held, i)) others.push_back(i);
+    }
+    std::size_t count = 0;
+    for (const JointState& state : sampled(motion, period)) {
+      objects_[held].setTransform(T_world_tool(state.position) * T_tool_world);
+      objects_[held].computeAABB();
+      count += std::any_of(others.begin(), others.end(),
+                           [&](std::size_t i) { return objects_meet(held, i); })
+                   ? 1
+                   : 0;
+    }
+    return count;
+  }
+
   /// The object with a vertex nearest to the tool.
   std::size_t object_at(const Eigen::VectorXd& positions) const {
-    const Eigen::Isometry3d T_world_tool =
-        robot_.T_world_base * poses(positions)[arm_.arm.tip_link] * arm_.T_tip_tool(gripper_);
-    const Eigen::RowVector3f tool = T_world_tool.translation().cast<float>().transpose();
+    const Eigen::RowVector3f tool = T_world_tool(positions).translation().cast<float>().transpose();
     std::size_t nearest = 0;
     float least = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
@@ -137,6 +160,16 @@ class MeshCheck {
  private:
   std::vector<Eigen::Isometry3d> poses(const Eigen::VectorXd& positions) const {
     return link_poses(robot_.model, with_arm_positions(arm_.arm, positions, robot_.home));
+  }
+
+  Eigen::Isometry3d T_world_tool(const Eigen::VectorXd& positions) const {
+    return robot_.T_world_base * poses(positions)[arm_.arm.tip_link] * arm_.T_tip_tool(gripper_);
+  }
+
+  bool objects_meet(std::size_t a, std::size_t b) const {
+    if (!objects_[a].getAABB().overlap(objects_[b].getAABB())) return false;
+    fcl::CollisionResultd result;
+    return fcl::collide(&objects_[a], &objects_[b], fcl::CollisionRequestd(), result) > 0;
   }
 
   bool meets_object(const Eigen::VectorXd& positions, std::size_t target) {
@@ -172,6 +205,7 @@ PickChecks& PickChecks::operator+=(const PickChecks& other) {
   velocities += other.velocities;
   accelerations += other.accelerations;
   objects += other.objects;
+  held += other.held;
   return *this;
 }
 
@@ -184,8 +218,8 @@ bool checks_meshes() {
 }
 
 PickChecks check_pick(const PickMotion& motion, const Robot& robot, const RobotArm& arm,
-                      const Gripper& gripper, [[maybe_unused]] const Tabletop& tabletop,
-                      const PickOptions& options) {
+                      const Gripper& gripper, [[maybe_unused]] double opening,
+                      [[maybe_unused]] const Tabletop& tabletop, const PickOptions& options) {
   PickChecks checks;
   check_limits(motion.to_pre_grasp, robot.model, arm.arm, options.speed, checks);
   const double slow = options.speed * options.line_speed;
@@ -193,11 +227,14 @@ PickChecks check_pick(const PickMotion& motion, const Robot& robot, const RobotA
   check_limits(motion.retreat, robot.model, arm.arm, slow, checks);
 #ifdef SYMSCENE_HAS_FCL
   constexpr std::size_t no_target = std::numeric_limits<std::size_t>::max();
-  MeshCheck meshes(robot, arm, gripper, tabletop);
+  MeshCheck open(robot, arm, gripper, gripper.max_opening, tabletop);
+  MeshCheck closed(robot, arm, gripper, opening, tabletop);
   const std::size_t target =
-      meshes.object_at(motion.approach.at(motion.approach.duration()).position);
-  checks.objects = meshes.violations(motion.to_pre_grasp, no_target) +
-                   meshes.violations(motion.approach, target);
+      open.object_at(motion.approach.at(motion.approach.duration()).position);
+  checks.objects = open.violations(motion.to_pre_grasp, no_target) +
+                   open.violations(motion.approach, target) +
+                   closed.violations(motion.retreat, target);
+  checks.held = closed.held_violations(motion.retreat, target);
 #else
   static_cast<void>(gripper);
 #endif
