@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "segmentation/occupancy_warning.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
@@ -16,6 +17,21 @@ void warn_without_occupancy(const std::filesystem::path& path, Session& session)
       fmt::format("{}: no occupancy, so that space which was never seen counts as free for the "
                   "gripper",
                   path.string()));
+}
+
+/// Segmentation and the gripper take space that was never seen in different ways.
+void warn_of_segmentation(std::span<const std::string> warnings, const std::filesystem::path& path,
+                          Session& session) {
+  for (const std::string& warning : warnings) {
+    if (warning != no_occupancy_warning) {
+      session.warn(warning);
+      continue;
+    }
+    session.warn(fmt::format(
+        "{}: no occupancy: all space off the surface counts as never seen where objects "
+        "are found, and as free for the gripper",
+        path.string()));
+  }
 }
 
 }  // namespace
@@ -92,9 +108,8 @@ SegmentedInput GraspInput::of_scene(StageTimer& timer, Session& session,
     if (read.scene.cloud.empty()) return nothing_found(read.scene);
     return naming(source.path, [&] { return segment_scene(read.scene); });
   });
-  session.warn(std::span(input.result.warnings).subspan(read.scene.warnings.size()));
-  if (!read.scene.occupancy && !read.scene.cloud.empty())
-    warn_without_occupancy(source.path, session);
+  warn_of_segmentation(std::span(input.result.warnings).subspan(read.scene.warnings.size()),
+                       source.path, session);
   input.scene = graspable(input.result, &read.scene, options);
   if (with_page) {
     input.around = {surface_around(read.surface, input.result, source.path, session),

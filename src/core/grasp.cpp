@@ -12,7 +12,7 @@ struct RejectionText {
 };
 constexpr std::array<RejectionText, grasp_rejections> rejection_texts{
     {{"no_surface", "no closed surface"},
-     {"no_axis", "no axis of symmetry"},
+     {"no_axis", "no cylinder was fitted to it"},
      {"too_wide", "too wide for the gripper"},
      {"too_thin", "too thin for the gripper"},
      {"no_contact", "the pads touch too little of it"},

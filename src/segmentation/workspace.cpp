@@ -7,6 +7,7 @@
 #include "core/stray_points.hpp"
 #include "core/voxel_sampling.hpp"
 #include "occupancy/frame_checks.hpp"
+#include "segmentation/occupancy_warning.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -55,7 +56,7 @@ DistanceField space_around(const Scene& scene, const PointCloud& cloud,
                            const WorkspaceOptions& options, Warnings& warnings) {
   const Box box = bounding_box(cloud.positions).padded(static_cast<float>(options.space_margin));
   if (!scene.occupancy) {
-    warnings.emplace_back("no occupancy map: all space off the surface counts as never seen");
+    warnings.emplace_back(no_occupancy_warning);
     return unknown_distance_field(box, static_cast<float>(options.voxel_size), scene.table,
                                   options.distance_field);
   }

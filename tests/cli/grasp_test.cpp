@@ -80,6 +80,16 @@ TEST_F(GraspCommand, WarnsThatASceneDoesNotTellWhatWasNeverSeen) {
   EXPECT_NE(outcome.err.find("never seen counts as free"), std::string::npos) << outcome.err;
 }
 
+TEST_F(GraspCommand, TellsOnceWhatMissingOccupancyMeansForObjectsAndForTheGripper) {
+  copy("scene", "unmapped");
+  fs::remove(file("unmapped") / "occupancy.bt");
+  const Outcome outcome = run("grasp unmapped -o grasps.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::size_t warning = outcome.err.find("no occupancy");
+  EXPECT_NE(outcome.err.find("as free for the gripper"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("no occupancy", warning + 1), std::string::npos) << outcome.err;
+}
+
 TEST_F(GraspCommand, NamesAReasonForAnObjectThatIsTooLarge) {
   write_box_scene("large", 0.2, 0.15);
   for (const char* command : {"grasp", "cylinders"}) {
