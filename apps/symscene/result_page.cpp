@@ -22,8 +22,9 @@ TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResul
 
 void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,
                        const SegmentationResult& result, Surroundings around,
-                       std::optional<PageGrasps> grasps) {
+                       std::optional<PageGrasps> grasps, const std::string& noun) {
   PageOptions options;
+  options.noun = noun;
   options.title = folder_name(source);
   options.table = result.table;
   options.surface = std::move(around.surface);

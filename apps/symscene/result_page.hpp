@@ -13,9 +13,11 @@ namespace symscene::app {
 TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResult& result,
                             const std::filesystem::path& source, Session& session);
 
-/// Writes the page of a result that was made of `source`, which gives its title.
+/// Writes the page of a result that was made of `source`, which gives its title. `noun`: what the
+/// page calls an object.
 void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,
                        const SegmentationResult& result, Surroundings around,
-                       std::optional<PageGrasps> grasps = std::nullopt);
+                       std::optional<PageGrasps> grasps = std::nullopt,
+                       const std::string& noun = "object");
 
 }  // namespace symscene::app

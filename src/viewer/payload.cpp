@@ -143,6 +143,7 @@ json make_payload(const SegmentationResult& result, const PageOptions& options) 
   return {{"version", 1},
           {"title", options.title},
           {"note", options.note},
+          {"noun", options.noun},
           {"up", encode(up)},
           {"table", options.table ? json(-options.table->offset / length) : json(nullptr)},
           {"cloud", to_json(result.cloud)},

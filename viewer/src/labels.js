@@ -15,7 +15,7 @@ function anchorOf(outline) {
 function createLabel(object, outline, actions) {
   const color = objectColor(object.index);
   const element = h('button', {
-    class: 'label', type: 'button', tabindex: '-1', 'aria-label': `Object ${object.id}`,
+    class: 'label', type: 'button', tabindex: '-1', 'aria-label': object.name,
     style: { '--color': css(color), '--on-color': inkOn(color) },
     onclick: () => actions.toggleSelect(object.index),
     onpointerenter: (event) => actions.hoverWith(event, object.index),

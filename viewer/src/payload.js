@@ -1,4 +1,5 @@
 // Decodes the payload of the page into typed arrays. World frame, metres.
+import { words } from './format.js';
 
 function decodeBytes(base64) {
   const text = atob(base64);
@@ -62,12 +63,13 @@ export function decodeSurface({ positions, colors, triangles }) {
   };
 }
 
-function decodeObject(object, index) {
+function decodeObject(object, index, noun) {
   const completed = decodeCloud(object.completed);
   const closed = object.closed ? decodeSurface(object.closed) : null;
   return {
     ...object,
     index,
+    name: `${words(noun)} ${object.id}`,
     points: decodeAs(Uint32Array, object.points),
     completed,
     closed,
@@ -76,10 +78,12 @@ function decodeObject(object, index) {
 }
 
 export function decodePayload(payload) {
+  const noun = payload.noun ?? 'object';
   return {
     ...payload,
+    noun,
     cloud: decodeCloud(payload.cloud),
-    objects: payload.objects.map(decodeObject),
+    objects: payload.objects.map((object, index) => decodeObject(object, index, noun)),
     warnings: payload.warnings ?? [],
     grasps: payload.grasps ?? null,
     surface: payload.surface ? decodeSurface(payload.surface) : null,

@@ -59,7 +59,7 @@ export function createGraspList(object, grasps, store, actions) {
   const summary = grasps.objects[object.index];
   const accepted = graspsOfObject(grasps, object.index, 'a');
   const rejected = graspsOfObject(grasps, object.index, 'r');
-  const element = h('section', { class: 'object-grasps', 'aria-label': `Grasps of object ${object.id}` },
+  const element = h('section', { class: 'object-grasps', 'aria-label': `Grasps: ${object.name}` },
     h('h3', {}, heading(grasps, summary)),
     createRows(accepted, summary.grasps, acceptedRow, actions),
     byCount(summary.rejected).length > 0 && h('h3', {}, `Rejected, of ${format.plural(summary.candidates, 'candidate')}`),
@@ -96,15 +96,15 @@ function reasonRow(grasps, [reason, count], most) {
 }
 
 /** The section of the whole scene: the gripper, its grasps, and the rejected candidates by reason. */
-export function createGraspSection({ grasps, objects }) {
+export function createGraspSection({ grasps, objects, noun }) {
   if (!grasps) return null;
   const { candidates, grasps: count, graspable, rejected } = totals(grasps);
   const reasons = byCount(rejected);
   return h('details', { class: 'grasp-section', open: true },
-    h('summary', {}, 'Grasps', h('span', { class: 'aside' }, `${graspable} of ${format.plural(objects.length, 'object')}`)),
+    h('summary', {}, 'Grasps', h('span', { class: 'aside' }, `${graspable} of ${format.plural(objects.length, noun)}`)),
     h('p', { class: 'more' }, `Gripper ${grasps.gripper.name}, which opens ${millimetres(grasps.gripper.max_opening)}: ` +
       `${format.plural(count, 'grasp')} of ${format.plural(candidates, 'candidate')}.` +
-      (count > 0 ? ' The best of each object is drawn; select an object for all of its grasps.' : '')),
+      (count > 0 ? ` The best of each ${noun} is drawn; select one for all of its grasps.` : '')),
     qualityScale(),
     reasons.length > 0 && h('h3', {}, 'Rejected candidates by reason (log scale)'),
     reasons.length > 0 && h('table', { class: 'bars' }, h('tbody', {}, reasons.map((entry) => reasonRow(grasps, entry, reasons[0][1])))));

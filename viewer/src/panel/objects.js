@@ -27,7 +27,7 @@ function scoreMeter(score) {
 }
 
 function createRow(object, scene, store, actions, extent) {
-  const name = `Object ${object.id}`;
+  const { name } = object;
   const { index } = object;
   const eye = iconButton('eye', `Show or hide ${name}`, () => actions.toggleVisible(index), 'eye');
   const completed = iconButton('completed', `Completed ${name}`, () => actions.toggleCompleted(index));
@@ -71,8 +71,8 @@ function updateRow(entry, state, actions) {
 export function createObjectList(scene, store, actions, extents) {
   const rows = scene.objects.map((object, i) => createRow(object, scene, store, actions, extents[i]));
   const chip = (text, onclick) => h('button', { class: 'chip', type: 'button', onclick }, text);
-  const section = h('section', { class: 'objects', 'aria-label': 'Objects' },
-    h('div', { class: 'section-head' }, h('h2', {}, 'Objects'),
+  const section = h('section', { class: 'objects', 'aria-label': format.words(`${scene.noun}s`) },
+    h('div', { class: 'section-head' }, h('h2', {}, format.words(`${scene.noun}s`)),
       h('div', { class: 'chips' }, chip('All', actions.showAll), chip('None', actions.showNone))),
     h('ul', {}, rows.map(({ row }) => row)));
   store.subscribe((state, changed) => {

@@ -9,8 +9,8 @@ import { createWhy } from './why.js';
 
 const HEIGHTS = ['peek', 'half', 'full'];
 
-function stats({ objects, cloud, timings }) {
-  const parts = [format.plural(objects.length, 'object'), format.plural(cloud.count, 'point')];
+function stats({ objects, cloud, timings, noun }) {
+  const parts = [format.plural(objects.length, noun), format.plural(cloud.count, 'point')];
   if (timings.length) parts.push(format.seconds(totalTime(timings)));
   return parts.join(' · ');
 }
@@ -98,8 +98,8 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
     h('div', { class: 'scroll', tabindex: '-1' },
       scene.note && h('p', { class: 'note' }, scene.note),
       createWarnings(scene),
-      hasObjects && h('p', { class: 'lead' }, 'One colour per object. Sheets are mirror planes, ' +
-        'arrows are axes of rotation. Click an object for details.'),
+      hasObjects && h('p', { class: 'lead' }, `One colour per ${scene.noun}. Sheets are mirror planes, ` +
+        'arrows are axes of rotation. Click one for details.'),
       createLegend(scene),
       hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
       createGraspSection(scene),

@@ -21,6 +21,7 @@ struct PageOptions {
   // Every field has an initialiser, so that callers may name only some without a warning.
   std::string title = "Segmentation";
   std::string note = {};                             ///< line under the title
+  std::string noun = "object";                       ///< what the page calls an object
   std::optional<Plane> table = std::nullopt;         ///< its normal is up; the grid lies on it
   std::optional<Eigen::Vector3d> up = std::nullopt;  ///< without a table; default: the world's z
   TriangleMesh surface = {};   ///< reconstructed surface; page_surface() of it is shown
