@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "free_motion.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
@@ -110,6 +112,7 @@ class LookPlanner {
   }
 
   PlannedLook plan() const {
+    if (const auto met = collision_.contact(home_)) return {std::nullopt, blocked_home(*met)};
     const auto stations = reachable_stations();
     if (stations.size() < 2)
       return {std::nullopt, "the arm brings its camera to no two poses that see the table"};
@@ -128,6 +131,14 @@ class LookPlanner {
     scene.obstacles = keep_out_points(options_);
     bin.add_walls_to(scene.obstacles);
     return scene;
+  }
+
+  std::string blocked_home(const RobotContact& met) const {
+    if (met.other.kind != ObstacleKind::surface) return "at its home positions " + describe(met);
+    return fmt::format(
+        "at its home positions {} is in the space kept free for objects, within {:g} m of the "
+        "table's middle and {:g} m above it (keep_out_radius, keep_out_height)",
+        met.part, options_.keep_out_radius, options_.keep_out_height);
   }
 
   std::vector<Eigen::VectorXd> reachable_stations() const {
