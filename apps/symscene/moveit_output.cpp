@@ -1,45 +1,119 @@
 #include "moveit_output.hpp"
 
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "io/atomic_file.hpp"
 #include "io/file_names.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/io/grasping_msgs.hpp"
 #include "text_list.hpp"
 
 namespace symscene::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Index most_triangles = 4000;  // of all objects: half a megabyte of JSON
+
+void check_name(const fs::path& path, const char* flag) {
+  if (!path.empty() && !is_yaml(path) && path.extension() != ".json")
+    throw InputError(flag, "a name that ends in .json or .yaml", path.string());
+}
+
+/// NAME or NAME=SHARE.
+FingerJoint parse_joint(const std::string& text, double usual_share) {
+  const std::size_t equals = text.find('=');
+  FingerJoint joint{text.substr(0, equals), usual_share};
+  bool is_share = true;
+  if (equals != std::string::npos) {
+    const char* const end = text.data() + text.size();
+    const auto [after, error] = std::from_chars(text.data() + equals + 1, end, joint.share);
+    is_share = error == std::errc{} && after == end && std::isfinite(joint.share);
+  }
+  if (joint.name.empty() || !is_share)
+    throw InputError("--finger-joints", "NAME or NAME=SHARE", fmt::format("\"{}\"", text));
+  return joint;
+}
+
+std::vector<FingerJoint> parse_joints(const std::string& text) {
+  const std::vector<std::string> items = comma_separated(text);
+  std::vector<FingerJoint> joints;
+  for (const std::string& item : items)
+    joints.push_back(parse_joint(item, 1.0 / static_cast<double>(items.size())));
+  return joints;
+}
+
+std::vector<std::string> classes_of(const GraspScene& scene) {
+  std::vector<std::string> names;
+  for (const GraspObject& object : scene.objects)
+    names.emplace_back(object.symmetry_class ? to_string(object.symmetry_class->kind) : "");
+  return names;
+}
+
+std::string describe(const ThinnedSurfaces& surfaces) {
+  return fmt::format(
+      "surfaces of objects in messages: {} triangles, within {:.1f} mm of the full "
+      "ones",
+      surfaces.triangles, 1e3 * surfaces.error);
+}
+
+}  // namespace
+
 void MoveItOutput::add_to(Arguments& arguments) {
   arguments.file("--moveit", path,
-                 "also write all grasps as moveit_msgs/Grasp and the objects as "
-                 "moveit_msgs/CollisionObject: .json or .yaml");
-  arguments.text(
-      "--finger-joints", finger_joints,
-      "names of the joints of the fingers, separated by commas: the postures of --moveit "
-      "open each by an equal share of the opening");
+                 "also write all grasps as moveit_msgs/Grasp, the objects as "
+                 "moveit_msgs/CollisionObject and the motion as moveit_msgs/RobotTrajectory: .json "
+                 "or .yaml");
+  arguments.file("--grasping-msgs", grasping_path,
+                 "also write objects with their grasps as grasping_msgs/GraspableObject: .json or "
+                 ".yaml");
+  arguments.text("--finger-joints", finger_joints,
+                 "joints of the fingers in these messages, separated by commas: NAME, which stands "
+                 "at an equal share of the opening, or NAME=SHARE (default: those of the robot's "
+                 "description)");
   arguments.choice("--ros", ros, {"1", "2"},
                    "names of times in messages: secs, nsecs or sec, nanosec (default 2)");
 }
 
 void MoveItOutput::check() const {
-  if (path.empty() && !finger_joints.empty())
-    throw InputError("--finger-joints", "--moveit beside it", "none");
-  if (!path.empty() && !is_yaml(path) && path.extension() != ".json")
-    throw InputError("--moveit", "a name that ends in .json or .yaml", path.string());
+  if (!is_wanted() && !finger_joints.empty())
+    throw InputError("--finger-joints", "--moveit or --grasping-msgs beside it", "none");
+  check_name(path, "--moveit");
+  check_name(grasping_path, "--grasping-msgs");
+  if (!finger_joints.empty()) parse_joints(finger_joints);
 }
 
-void MoveItOutput::write(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
-                         const GraspScene& scene, const std::vector<Grasp>& grasps) const {
-  if (path.empty()) return;
+std::vector<FingerJoint> MoveItOutput::joints_of(const RobotArm& arm) const {
+  return finger_joints.empty() ? arm.finger_joints : parse_joints(finger_joints);
+}
+
+std::string MoveItOutput::write(const MoveItContent& content) const {
   std::vector<TriangleMesh> surfaces;
-  for (const GraspObject& object : scene.objects) surfaces.push_back(object.surface.mesh);
-  MoveItScene messages{robot.model.links.front().name,
-                       robot.T_world_base.inverse(),
-                       grasps,
-                       gripper,
-                       arm.T_tip_tool(gripper).inverse(),
-                       surfaces,
-                       scene.table};
-  if (!finger_joints.empty()) messages.finger_joints = comma_separated(finger_joints);
-  write_file_atomically(path, is_yaml(path) ? format_moveit_yaml(messages, version())
-                                            : format_moveit_json(messages, version()));
+  for (const GraspObject& object : content.scene.objects) surfaces.push_back(object.surface.mesh);
+  const ThinnedSurfaces thinned = thinned_surfaces(surfaces, most_triangles);
+  const MoveItScene messages{content.robot.model.links.front().name,
+                             content.robot.T_world_base.inverse(),
+                             content.grasps,
+                             content.gripper,
+                             content.arm.T_tip_tool(content.gripper).inverse(),
+                             thinned.meshes,
+                             content.scene.table,
+                             joints_of(content.arm),
+                             content.trajectory ? &*content.trajectory : nullptr};
+  if (!path.empty())
+    write_file_atomically(path, is_yaml(path) ? format_moveit_yaml(messages, version())
+                                              : format_moveit_json(messages, version()));
+  if (!grasping_path.empty()) {
+    const std::vector<std::string> classes = classes_of(content.scene);
+    write_file_atomically(grasping_path,
+                          is_yaml(grasping_path)
+                              ? format_graspable_objects_yaml(messages, classes, version())
+                              : format_graspable_objects_json(messages, classes, version()));
+  }
+  return describe(thinned);
 }
 
 }  // namespace symscene::app

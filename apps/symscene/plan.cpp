@@ -12,11 +12,11 @@
 #include "io/atomic_file.hpp"
 #include "moveit_output.hpp"
 #include "pick_table.hpp"
-#include "planned_pick.hpp"
+#include "plan_page.hpp"
 #include "robot_choice.hpp"
 #include "symscene/io/grasps.hpp"
 #include "symscene/io/joint_trajectory.hpp"
-#include "symscene/motion/pick.hpp"
+#include "symscene/motion/pick_survey.hpp"
 
 namespace symscene::app {
 namespace {
@@ -53,6 +53,7 @@ struct PlanCommand {
   SharedOptions shared;
   PlanOptions options;
   fs::path path, result;  ///< a grasps.json, or what the objects are read from
+  fs::path page;          ///< empty: none is written
   GraspInput input;
   RobotChoice robot;
   GripperChoice gripper{""};
@@ -85,10 +86,19 @@ struct PlanCommand {
     if (input_is_grasps()) require_not_input(shared.output, path);
     input.require_not_input(shared.output);
     moveit.check();
-    if (moveit.path.empty()) return;
-    if (input_is_grasps()) require_not_input(moveit.path, path);
-    input.require_not_input(moveit.path);
-    require_not_input(moveit.path, shared.output);
+    std::vector<fs::path> before;
+    for (const fs::path& output : {moveit.path, moveit.grasping_path, page}) {
+      if (output.empty()) continue;
+      check_further_output(output);
+      for (const fs::path& other : before) require_not_input(output, other);
+      before.push_back(output);
+    }
+  }
+
+  void check_further_output(const fs::path& output) const {
+    if (input_is_grasps()) require_not_input(output, path);
+    input.require_not_input(output);
+    require_not_input(output, shared.output);
   }
 
   /// Throws InputError unless the objects are those of the grasps.
@@ -153,17 +163,24 @@ struct PlanCommand {
     StageTimer timer(session.on_begin());
     const PlanInput read =
         input_is_grasps() ? read_grasp_file(timer, session, arm) : find_grasps(timer, session, arm);
-    if (const auto warning = leaning(whole, read.scene.table)) session.warn(*warning);
-    if (!moveit.path.empty()) {
-      timer.time("write for MoveIt",
-                 [&] { moveit.write(whole, arm, read.gripper, read.scene, read.grasps); });
-    }
+    if (const auto warning = robot.check_stand(whole, read.scene.table)) session.warn(*warning);
     session.on_begin()("plan motions");
-    const PlannedPick pick =
-        planned_pick(whole, arm, read.gripper, start, read.scene, read.grasps, options.pick, all);
+    const PickSurvey pick = planned(whole, arm, start, read);
     for (const StageTime& stage : pick.timings) timer.add(stage.stage, stage.seconds);
+    const std::optional<JointTrajectory> trajectory = trajectory_of(pick, whole, arm, read);
+    if (moveit.is_wanted()) {
+      session.print_line(timer.time("write for MoveIt", [&] {
+        return moveit.write({whole, arm, read.gripper, read.scene, read.grasps, trajectory});
+      }));
+    }
+    if (!page.empty()) {
+      timer.time("page", [&] {
+        write_page({whole, arm, read.gripper, start, read.scene, read.grasps, read.numbers, pick,
+                    trajectory});
+      });
+    }
     require_motion(session, pick, read);
-    timer.time("write", [&] { write(whole, arm, read, pick); });
+    timer.time("write", [&] { write(*trajectory, arm, read, pick); });
     const std::size_t number = read.numbers[pick.motion->grasp];
     const Grasp& grasp = read.grasps[pick.motion->grasp];
     session.print_line(format_motion(*pick.motion, number, grasp));
@@ -177,7 +194,7 @@ struct PlanCommand {
   }
 
   /// Prints what the arm reaches. Throws InputError if it can take no grasp.
-  void require_motion(Session& session, const PlannedPick& pick, const PlanInput& read) const {
+  void require_motion(Session& session, const PickSurvey& pick, const PlanInput& read) const {
     if (!pick.start_contact.empty())
       throw InputError(robot.start.empty() ? robot.name + ": home" : "--start",
                        "joint positions at which the arm can move", pick.start_contact);
@@ -188,7 +205,7 @@ struct PlanCommand {
                        fmt::format("none of {}", read.grasps.size()));
   }
 
-  std::vector<GraspNotReached> not_reached(const PlannedPick& pick, const PlanInput& read) const {
+  std::vector<GraspNotReached> not_reached(const PickSurvey& pick, const PlanInput& read) const {
     std::vector<GraspNotReached> list;
     for (const RejectedPick& why : pick.rejected)
       list.push_back({read.numbers[why.grasp], read.grasps[why.grasp].object, to_string(why.reason),
@@ -196,12 +213,30 @@ struct PlanCommand {
     return list;
   }
 
-  void write(const Robot& whole, const RobotArm& arm, const PlanInput& read,
-             const PlannedPick& pick) const {
+  PickSurvey planned(const Robot& whole, const RobotArm& arm, const Eigen::VectorXd& start,
+                     const PlanInput& read) const {
+    if (all)
+      return survey_picks(whole, arm, read.gripper, start, read.scene, read.grasps, options.pick);
+    return as_survey(
+        plan_pick(whole, arm, read.gripper, start, read.scene, read.grasps, options.pick));
+  }
+
+  std::optional<JointTrajectory> trajectory_of(const PickSurvey& pick, const Robot& whole,
+                                               const RobotArm& arm, const PlanInput& read) const {
+    if (!pick.motion) return std::nullopt;
+    return pick_trajectory(*pick.motion, whole.model, arm.arm, read.gripper,
+                           read.grasps[pick.motion->grasp].opening, options.period, options.pause);
+  }
+
+  void write_page(const PlanToShow& plan) const {
+    write_file_atomically(page, render_plan_page(plan_recording(plan),
+                                                 fmt::format("{}: how to pick from {}", robot.name,
+                                                             folder_name(input.source.path))));
+  }
+
+  void write(const JointTrajectory& trajectory, const RobotArm& arm, const PlanInput& read,
+             const PickSurvey& pick) const {
     const Grasp& grasp = read.grasps[pick.motion->grasp];
-    const JointTrajectory trajectory =
-        pick_trajectory(*pick.motion, whole.model, arm.arm, read.gripper, grasp.opening,
-                        options.period, options.pause);
     if (writes_csv())
       return write_file_atomically(shared.output, format_joint_trajectory_csv(trajectory));
     const TrajectoryPurpose purpose{robot.name, arm.arm.name, read.numbers[pick.motion->grasp],
@@ -235,6 +270,8 @@ void add_plan(CommandLine& line) {
   state->input.add_to(arguments,
                       "of grasps or of a result: the scene that they were made of; what was never "
                       "seen is an obstacle");
+  arguments.file("--page", state->page,
+                 "also write a page that plays the motion, with a map of where the arm reaches");
   state->moveit.add_to(arguments);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

@@ -61,15 +61,13 @@ Eigen::Isometry3d parse_pose(const std::string& text, const std::string& where) 
   return pose;
 }
 
-std::optional<std::string> leaning(const Robot& robot, const std::optional<Plane>& table) {
-  constexpr double most = radians(20.0);
-  if (!table) return std::nullopt;
-  const double angle = angle_between(table->normal, robot.T_world_base.linear().col(2));
-  if (angle <= most) return std::nullopt;
-  return fmt::format(
-      "the robot leans {:.0f} degrees against the table: is --base its pose in the frame of the "
-      "scene?",
-      degrees(angle));
+Robot named_robot(const std::string& name) {
+  try {
+    return read_robot(name);
+  } catch (const InputError& error) {
+    if (error.where() != "robot") throw;  // the name of a file
+    throw InputError("--robot", error.expected(), error.found());
+  }
 }
 
 void RobotChoice::add_to(Arguments& arguments) {
@@ -86,9 +84,26 @@ void RobotChoice::add_to(Arguments& arguments) {
 }
 
 Robot RobotChoice::robot() const {
-  Robot robot = read_robot(name);
+  Robot robot = named_robot(name);
   if (!base.empty()) robot.T_world_base = parse_pose(base, "--base");
   return robot;
+}
+
+std::optional<std::string> RobotChoice::check_stand(const Robot& robot,
+                                                    const std::optional<Plane>& table) const {
+  constexpr double most = radians(20.0);
+  if (!table) return std::nullopt;
+  const double angle = angle_between(table->normal, robot.T_world_base.linear().col(2));
+  if (angle <= most) return std::nullopt;
+  if (comma_separated(base).size() != 7)
+    throw InputError("--base",
+                     "the robot's pose in the frame of the scene as x,y,z,qx,qy,qz,qw, as the table "
+                     "of the scene is tilted",
+                     fmt::format("{}, at which the robot leans {:.0f} degrees against the table",
+                                 base.empty() ? "base_pose of its description" : base,
+                                 degrees(angle)));
+  return fmt::format("the robot leans {:.0f} degrees against the table, as --base says",
+                     degrees(angle));
 }
 
 const RobotArm& RobotChoice::arm(const Robot& robot) const {

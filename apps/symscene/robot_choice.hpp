@@ -18,6 +18,11 @@ struct RobotChoice {
   /// The robot with T_world_base of --base. Throws InputError if it cannot be read or --base is no
   /// pose.
   Robot robot() const;
+  /// A robot that leans more than 20 degrees against the table is mounted on a wall or a ceiling, or
+  /// the scene is in another frame than its base_pose. Only a --base with a whole orientation says
+  /// the former: a sentence then. Throws InputError otherwise.
+  std::optional<std::string> check_stand(const Robot& robot,
+                                         const std::optional<Plane>& table) const;
   /// The arm of --arm; else the first with a gripper. Throws InputError if there is none.
   const RobotArm& arm(const Robot& robot) const;
   /// Positions of all moving joints: home, with those of --start. Throws InputError if a joint is
@@ -29,8 +34,8 @@ struct RobotChoice {
 /// another text.
 Eigen::Isometry3d parse_pose(const std::string& text, const std::string& where);
 
-/// A sentence if the robot leans more than 20 degrees against the table: the scene is then hardly
-/// in the frame in which the robot stands.
-std::optional<std::string> leaning(const Robot& robot, const std::optional<Plane>& table);
+/// An included robot or the one that a YAML file describes. Throws InputError, naming --robot, for
+/// another name, and as read_robot() does.
+Robot named_robot(const std::string& name);
 
 }  // namespace symscene::app

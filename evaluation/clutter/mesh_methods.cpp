@@ -3,7 +3,7 @@
 #include <numbers>
 #include <optional>
 
-#include "clutter/joined_meshes.hpp"
+#include "core/joined_meshes.hpp"
 #include "core/random.hpp"
 #include "core/surface_sampling.hpp"
 #include "method_parts.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pick_bin.hpp"
-#include "robot_solids.hpp"
+#include "robots/robot_solids.hpp"
 #include "symscene/motion/trajectory.hpp"
 #include "symscene/physics/arm_world.hpp"
 #include "symscene/picking/pick_table.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "robot_solids.hpp"
+#include "robots/robot_solids.hpp"
 #include "simulation/depth_renderer.hpp"
 #include "symscene/core/depth_frame.hpp"
 #include "symscene/picking/simulated_pick_options.hpp"

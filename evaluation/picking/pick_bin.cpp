@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "clutter/joined_meshes.hpp"
+#include "core/joined_meshes.hpp"
 #include "core/rigid_motion.hpp"
 #include "simulation/shapes.hpp"
-#include "solid_mesh.hpp"
+#include "robots/solid_mesh.hpp"
 #include "symscene/motion/arm_collision.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "solid_mesh.hpp"
+#include "robots/solid_mesh.hpp"
 
 namespace symscene {
 namespace {
@@ -18,7 +18,9 @@ TriangleMesh table_mesh(const TableOptions& table) {
 RunRecorder::RunRecorder(const PickTable& table, const RobotSolids& robot, const TriangleMesh& bin,
                          double rate, const PickObserver& observer)
     : robot_(robot), observer_(observer), interval_(1.0 / rate) {
-  recording_.solids = robot.solids();
+  for (const RobotSolid& solid : robot.solids())
+    recording_.solids.push_back(
+        {solid.name, solid.mesh, solid.is_hand ? RecordedKind::hand : RecordedKind::robot});
   recording_.solids.push_back({"bin", bin, RecordedKind::bin});
   recording_.solids.push_back({"table", table_mesh(table.tabletop.table), RecordedKind::table});
   for (const PlacedObject& placed : table.tabletop.objects)

@@ -59,7 +59,10 @@ std::map<std::string, double> numbers_of(const std::optional<JsonCursor>& object
 Eigen::Isometry3d robot_pose(const std::optional<JsonCursor>& json) {
   if (!json) return Eigen::Isometry3d::Identity();
   require_known(*json, {"position_m", "orientation_xyzw", "rpy_deg"});
-  if (!json->find("rpy_deg")) return pose_of(*json);
+  if (!json->find("rpy_deg")) {
+    if (!json->find("orientation_xyzw")) json->fail("rpy_deg or orientation_xyzw");
+    return pose_of(*json);
+  }
   if (json->find("orientation_xyzw")) json->fail("orientation_xyzw or rpy_deg, not both");
   const Eigen::Vector3d rpy = json->at("rpy_deg").vector3();
   Eigen::Isometry3d pose(Eigen::Translation3d{json->at("position_m").vector3()});
@@ -140,7 +143,8 @@ class RobotReader {
   }
 
   RobotArm arm_of(const JsonCursor& json) {
-    require_known(json, {"name", "base_link", "tip_link", "gripper", "wrist_pose"});
+    require_known(json,
+                  {"name", "base_link", "tip_link", "gripper", "wrist_pose", "finger_joints"});
     const std::string name = json.at("name").string();
     for (const RobotArm& other : robot_.arms) {
       if (other.arm.name == name) json.at("name").fail("a name of its own for each arm");
@@ -152,6 +156,8 @@ class RobotReader {
     if (arm.arm.positions.empty()) json.at("tip_link").fail("an arm with a moving joint");
     arm.T_tip_wrist = robot_pose(json.find("wrist_pose"));
     if (const auto gripper = json.find("gripper")) arm.gripper = gripper_of(gripper->string());
+    for (const auto& [joint, share] : numbers_of(json.find("finger_joints")))
+      arm.finger_joints.push_back({joint, share});
     return arm;
   }
 

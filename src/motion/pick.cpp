@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "checked_trajectory.hpp"
 #include "pick_candidates.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/motion/motion_validity.hpp"
+#include "symscene/motion/pick_survey.hpp"
 
 namespace symscene {
 namespace {
@@ -19,7 +21,7 @@ std::vector<Capsule> robot_at(const Robot& robot, const RobotArm& arm, const Gri
       .capsules(arm_positions(arm.arm, start));
 }
 
-/// One call of plan_pick().
+/// Plans for one grasp after another.
 class PickPlanner {
  public:
   PickPlanner(PickCandidates& candidates, const MotionLimits& limits,
@@ -106,6 +108,59 @@ class PickPlanner {
   const PickOptions& options_;
 };
 
+/// What the grasps of one call share: obstacles, limits and the start.
+class PickSearch {
+ public:
+  /// References are kept.
+  PickSearch(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
+             const Eigen::VectorXd& start, const GraspScene& scene, const PickOptions& options)
+      : obstacles_(timer_.time("obstacles",
+                               [&] {
+                                 gripper.validate();
+                                 options.validate();
+                                 return MotionObstacles(
+                                     scene, robot_at(robot, arm, gripper, start, options),
+                                     options.obstacles);
+                               })),
+        candidates_(robot, arm, gripper, start, scene, obstacles_, options),
+        from_(arm_positions(arm.arm, start)),
+        limits_(motion_limits(robot.model, arm.arm, options.speed)),
+        line_limits_(motion_limits(robot.model, arm.arm, options.speed * options.line_speed)),
+        planner_(candidates_, limits_, line_limits_, options) {}
+
+  /// Why the arm cannot move at all; empty if it can.
+  std::string start_contact() const {
+    if (const auto met = candidates_.open_arm().contact(from_)) return describe(*met);
+    return candidates_.space().joint_outside(from_) >= 0 ? "a joint is outside its limits" : "";
+  }
+
+  /// The motion for the grasp with this index; none, and the reason is added to `rejected`.
+  std::optional<PickMotion> plan(std::size_t index, const Grasp& grasp,
+                                 std::vector<RejectedPick>& rejected) {
+    RejectedPick why{index, PickRejection::too_far, {}};
+    std::optional<PickMotion> motion = planner_.plan(from_, grasp, timer_, why);
+    if (motion)
+      motion->grasp = index;
+    else
+      rejected.push_back(why);
+    return motion;
+  }
+
+  std::vector<StageTime> timings() const {
+    std::vector<StageTime> sums;
+    for (const StageTime& run : timer_.stages()) add_to_sums(sums, run);
+    return sums;
+  }
+
+ private:
+  StageTimer timer_;
+  MotionObstacles obstacles_;
+  PickCandidates candidates_;
+  Eigen::VectorXd from_;
+  MotionLimits limits_, line_limits_;
+  PickPlanner planner_;
+};
+
 }  // namespace
 
 const char* to_string(PickRejection reason) {
@@ -159,35 +214,40 @@ MotionLimits motion_limits(const RobotModel& model, const Arm& arm, double speed
 PickResult plan_pick(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
                      const Eigen::VectorXd& start, const GraspScene& scene,
                      std::span<const Grasp> grasps, const PickOptions& options) {
-  gripper.validate();
-  options.validate();
-  StageTimer timer;
+  PickSearch search(robot, arm, gripper, start, scene, options);
   PickResult result;
-  const MotionObstacles obstacles = timer.time("obstacles", [&] {
-    return MotionObstacles(scene, robot_at(robot, arm, gripper, start, options), options.obstacles);
-  });
-  PickCandidates candidates(robot, arm, gripper, start, scene, obstacles, options);
-  const MotionLimits limits = motion_limits(robot.model, arm.arm, options.speed);
-  const MotionLimits line_limits =
-      motion_limits(robot.model, arm.arm, options.speed * options.line_speed);
-  const Eigen::VectorXd from = arm_positions(arm.arm, start);
-  const Eigen::Index outside = candidates.space().joint_outside(from);
-  if (const auto met = candidates.open_arm().contact(from))
-    result.start_contact = describe(*met);
-  else if (outside >= 0)
-    result.start_contact = "a joint is outside its limits";
-  const PickPlanner planner(candidates, limits, line_limits, options);
+  result.start_contact = search.start_contact();
   const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options.max_grasps));
-  for (std::size_t i = 0; i < count && result.start_contact.empty() && !result.motion; ++i) {
-    RejectedPick why{i, PickRejection::too_far, {}};
-    result.motion = planner.plan(from, grasps[i], timer, why);
-    if (result.motion)
-      result.motion->grasp = i;
-    else
-      result.rejected.push_back(why);
-  }
-  for (const StageTime& run : timer.stages()) add_to_sums(result.timings, run);
+  for (std::size_t i = 0; i < count && result.start_contact.empty() && !result.motion; ++i)
+    result.motion = search.plan(i, grasps[i], result.rejected);
+  result.timings = search.timings();
   return result;
+}
+
+PickSurvey survey_picks(const Robot& robot, const RobotArm& arm, const Gripper& gripper,
+                        const Eigen::VectorXd& start, const GraspScene& scene,
+                        std::span<const Grasp> grasps, const PickOptions& options) {
+  PickSearch search(robot, arm, gripper, start, scene, options);
+  PickSurvey survey;
+  survey.start_contact = search.start_contact();
+  for (std::size_t i = 0; i < grasps.size() && survey.start_contact.empty(); ++i) {
+    std::optional<PickMotion> motion = search.plan(i, grasps[i], survey.rejected);
+    if (!motion) continue;
+    survey.reached.push_back(i);
+    if (!survey.motion) survey.motion = std::move(motion);
+  }
+  survey.timings = search.timings();
+  return survey;
+}
+
+PickSurvey as_survey(PickResult result) {
+  PickSurvey survey{std::move(result.motion),
+                    {},
+                    std::move(result.rejected),
+                    std::move(result.start_contact),
+                    std::move(result.timings)};
+  if (survey.motion) survey.reached.push_back(survey.motion->grasp);
+  return survey;
 }
 
 }  // namespace symscene

@@ -1,4 +1,5 @@
 // `symscene plan` from outside: grasps, scenes and results in, trajectories out.
+#include <map>
 #include <sstream>
 
 #include "cli/json_schema.hpp"
@@ -73,16 +74,20 @@ TEST_F(PlanCommand, ConformsToItsSchemaWithAllGraspsJudged) {
 TEST_F(PlanCommand, PlansTheGraspsOfAnObjectAndWritesThemForMoveIt) {
   const Outcome outcome =
       run("plan result --scene scene --object 0 --moveit moveit.json"
-          " --finger-joints panda_finger_joint1,panda_finger_joint2 -o object.json");
+          " --grasping-msgs objects.json -o object.json");
   ASSERT_TRUE(outcome.code == 0 || fs::exists(file("moveit.json"))) << outcome.err;
   const auto json = json_of("moveit.json");
   for (const auto& grasp : json.at("grasps")) {
     EXPECT_EQ(grasp.at("grasp_pose").at("header").at("frame_id"), "panda_link0");
     EXPECT_EQ(grasp.at("allowed_touch_objects").at(0), "object_0");
-    EXPECT_EQ(grasp.at("grasp_posture").at("joint_names").size(), 2U);
+    EXPECT_EQ(grasp.at("grasp_posture").at("joint_names"),
+              nlohmann::json({"panda_finger_joint1", "panda_finger_joint2"}));
   }
   const auto& objects = json.at("collision_objects");
   EXPECT_EQ(objects.back().at("id"), "table");
+  EXPECT_LT(fs::file_size(file("moveit.json")), 1'000'000U);
+  EXPECT_EQ(json_of("objects.json").at("objects").at(0).at("grasps"), json.at("grasps"));
+  EXPECT_EQ(json.contains("robot_trajectory"), outcome.code == 0);
   EXPECT_EQ(objects.size(), objects_without_times("result").at("objects").size() + 1);
   ASSERT_EQ(run("plan result --scene scene --object 0 --moveit moveit.yaml -o object.json").code,
             outcome.code);
@@ -118,6 +123,49 @@ TEST_F(PlanCommand, StartsWhereTheJointsAreAndNamesTimesAsRos1) {
   EXPECT_EQ(point.at("time_from_start").at("secs"), 0);
 }
 
+/// Of a page, without a browser: numbers of solids, and states of grasps.
+nlohmann::json payload_of(const std::string& page) {
+  const std::string begin = R"(id="payload">)";
+  const std::size_t at = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+TEST_F(PlanCommand, DrawsTheMotionTheGraspsAndTheReachOnAPage) {
+  write_grasps();
+  const Outcome outcome =
+      run("plan grasps.json --result result -o trajectory.json --page plan.html");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json payload = payload_of(contents(file("plan.html")));
+  const nlohmann::json grasps = json_of("grasps.json");
+  ASSERT_EQ(payload.at("plan").at("grasps").size(), grasps.at("grasps").size());
+  std::map<std::string, std::size_t> states;
+  for (const auto& grasp : payload.at("plan").at("grasps"))
+    ++states[grasp.at("state").get<std::string>()];
+  EXPECT_EQ(states["chosen"], 1U);
+  EXPECT_EQ(states["not_reached"], json_of("trajectory.json").at("not_reached").size());
+  EXPECT_FALSE(payload.at("plan").at("reach").is_null());
+  EXPECT_EQ(payload.at("events").size(), 4U);
+  std::map<std::string, std::size_t> kinds;
+  for (const auto& solid : payload.at("solids")) {
+    ++kinds[solid.at("kind").get<std::string>()];
+    EXPECT_FALSE(solid.at("surface").is_null()) << solid.at("name");
+  }
+  EXPECT_GE(kinds["robot"], 7U) << "links of the arm";
+  EXPECT_EQ(kinds["hand"], 3U) << "palm and fingers";
+}
+
+TEST_F(PlanCommand, ShowsOnAPageWhyNothingIsReached) {
+  write_grasps();
+  const Outcome outcome =
+      run("plan grasps.json --result result --base 5,0,0,180 -o far.json --page far.html");
+  EXPECT_EQ(outcome.code, 1);
+  const nlohmann::json payload = payload_of(contents(file("far.html")));
+  for (const auto& grasp : payload.at("plan").at("grasps"))
+    EXPECT_EQ(grasp.at("reason"), "it is farther away than the arm is long");
+  EXPECT_FALSE(fs::exists(file("far.json")));
+  fs::remove(file("far.html"));
+}
+
 TEST_F(PlanCommand, SaysWhyNothingIsReached) {
   write_grasps();
   const auto before = snapshot();
@@ -138,10 +186,21 @@ TEST_F(PlanCommand, WarnsThatTheSceneIsInAnotherFrame) {
   EXPECT_NE(outcome.err.find("leans 90 degrees"), std::string::npos) << outcome.err;
 }
 
+TEST_F(PlanCommand, RefusesARobotThatLeansUnlessItsWholePoseIsGiven) {
+  write_grasps();
+  write(file("leaning.yaml"),
+        "robot: panda\nbase_pose: {position_m: [-0.5, 0, 0], rpy_deg: [0, 30, 0]}\n");
+  expect_refusal("plan grasps.json --result result --robot leaning.yaml -o new.json", 1,
+                 "leans 30 degrees");
+  fs::remove(file("leaning.yaml"));
+}
+
 TEST_F(PlanCommand, RefusesInputsThatItCannotUse) {
   write_grasps();
   expect_refusal("plan grasps.json -o new.json", 1, "--scene or --result");
   expect_refusal("plan nowhere -o new.json", 1, "nowhere");
+  expect_refusal("plan result --robot pand -o new.json", 1, "--robot: expected one of");
+  expect_refusal("plan result --robot pand -o new.json", 1, "did you mean");
   expect_refusal("plan result --result result -o new.json", 1, "a grasps.json as input");
   expect_refusal("plan grasps.json --result result --gripper panda -o new.json", 1, "--gripper");
   expect_refusal("plan grasps.json --result result -o grasps.json", 1, "outside the input");

@@ -1,6 +1,8 @@
 // Messages of MoveIt by the names and types of their fields, and what they say.
 #include "symscene/io/moveit.hpp"
 
+#include <algorithm>
+
 #include <functional>
 #include <numbers>
 #include <regex>
@@ -10,6 +12,7 @@
 
 #include "io/yaml.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/io/grasping_msgs.hpp"
 
 namespace symscene {
 namespace {
@@ -83,6 +86,40 @@ const Check box_object =
              {"primitives", list(message({{"type", whole}, {"dimensions", list(number)}}))},
              {"primitive_poses", list(pose)}});
 
+const Check robot_trajectory =
+    message({{"joint_trajectory", posture},
+             {"multi_dof_joint_trajectory",
+              message({{"header", header},
+                       {"joint_names", list(text)},
+                       {"points", list(is("nothing", [](const Json&) { return false; }))}})}});
+
+/// Some of these fields: those that are left out have their default.
+Check part_of_message(const std::vector<std::pair<std::string, Check>>& fields) {
+  return [=](const Json& json) -> std::string {
+    for (const auto& [name, value] : json.items()) {
+      const auto field =
+          std::find_if(fields.begin(), fields.end(),
+                       [&key = name](const auto& each) { return each.first == key; });
+      if (field == fields.end()) return "field " + name;
+      if (const std::string found = field->second(value); !found.empty()) return name + "." + found;
+    }
+    return "";
+  };
+}
+const Check grasping_object =
+    part_of_message({{"header", header},
+                     {"name", text},
+                     {"support_surface", text},
+                     {"properties", list(message({{"name", text}, {"value", text}}))},
+                     {"primitives", list(message({{"type", whole}, {"dimensions", list(number)}}))},
+                     {"primitive_poses", list(pose)},
+                     {"meshes", list(mesh)},
+                     {"mesh_poses", list(pose)},
+                     {"surface", message({{"coef", list(number)}})}});
+const Check graspable_objects = message(
+    {{"objects", list(message({{"object", grasping_object}, {"grasps", list(grasp_message)}}))},
+     {"support_surfaces", list(grasping_object)}});
+
 struct MoveItTest : ::testing::Test {
   Gripper gripper;
   std::vector<Grasp> grasps{Grasp{}};
@@ -103,8 +140,14 @@ struct MoveItTest : ::testing::Test {
     surfaces[1].triangles << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
   }
   MoveItScene scene() const {
-    return {"base_link", T_base_world, grasps,           gripper, gripper.T_wrist_tool.inverse(),
-            surfaces,    Plane{},      {"left", "right"}};
+    return {"base_link",
+            T_base_world,
+            grasps,
+            gripper,
+            gripper.T_wrist_tool.inverse(),
+            surfaces,
+            Plane{},
+            {{"left", 0.5}, {"right", -0.5}}};
   }
 };
 
@@ -132,8 +175,8 @@ TEST_F(MoveItTest, GivesThePoseOfTheWristInTheFrame) {
   EXPECT_TRUE(direction("pre_grasp_approach").isApprox(-Eigen::Vector3d::UnitZ(), 1e-9));
   EXPECT_TRUE(direction("post_grasp_retreat").isApprox(Eigen::Vector3d::UnitZ(), 1e-9));
   EXPECT_EQ(grasp.at("pre_grasp_approach").at("desired_distance"), gripper.approach_distance);
-  EXPECT_EQ(grasp.at("pre_grasp_posture").at("points")[0].at("positions"), Json({0.04, 0.04}));
-  EXPECT_EQ(grasp.at("grasp_posture").at("points")[0].at("positions"), Json({0.02, 0.02}));
+  EXPECT_EQ(grasp.at("pre_grasp_posture").at("points")[0].at("positions"), Json({0.04, -0.04}));
+  EXPECT_EQ(grasp.at("grasp_posture").at("points")[0].at("positions"), Json({0.02, -0.02}));
   EXPECT_EQ(grasp.at("allowed_touch_objects"), Json::array({"object_1"}));
 }
 
@@ -158,6 +201,40 @@ TEST_F(MoveItTest, LeavesThePosturesEmptyWithoutJoints) {
   EXPECT_TRUE(grasp.at("grasp_posture").at("points").empty());
 }
 
+TEST_F(MoveItTest, HoldsTheTrajectoryAsRobotTrajectory) {
+  EXPECT_FALSE(Json::parse(format_moveit_json(scene())).contains("robot_trajectory"));
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+  const JointTrajectory trajectory{{"joint"}, {{0.0, one, 0.0 * one, one}, {0.5, one, one, one}}};
+  MoveItScene moving = scene();
+  moving.trajectory = &trajectory;
+  const Json json = Json::parse(format_moveit_json(moving)).at("robot_trajectory");
+  EXPECT_EQ(robot_trajectory(json), "");
+  EXPECT_EQ(json.at("joint_trajectory").at("joint_names"), Json::array({"joint"}));
+  EXPECT_EQ(json.at("joint_trajectory").at("points")[1].at("time_from_start").at("nanosec"),
+            500'000'000);
+}
+
+TEST_F(MoveItTest, GroupsGraspsByObjectAsGraspingMsgs) {
+  const std::vector<std::string> classes{"", "box"};
+  const Json json = Json::parse(format_graspable_objects_json(scene(), classes));
+  EXPECT_EQ(graspable_objects(json), "");
+  ASSERT_EQ(json.at("objects").size(), 2U);
+  EXPECT_TRUE(json.at("objects")[0].at("grasps").empty());
+  const Json& graspable = json.at("objects")[1];
+  EXPECT_EQ(graspable.at("grasps"), Json::parse(format_moveit_json(scene())).at("grasps"));
+  EXPECT_EQ(graspable.at("object").at("properties")[0].at("value"), "box");
+  EXPECT_EQ(graspable.at("object").at("support_surface"),
+            json.at("support_surfaces")[0].at("name"));
+}
+
+/// z = 0 of the world is 0.1 m above the frame's origin.
+TEST_F(MoveItTest, GivesTheTablesPlaneInTheFrame) {
+  const Json json = Json::parse(format_graspable_objects_json(scene()));
+  const Json& coef = json.at("support_surfaces")[0].at("surface").at("coef");
+  const std::vector<double> expected{0.0, 0.0, 1.0, -0.1};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(coef[k].get<double>(), expected[k], 1e-12);
+}
+
 TEST_F(MoveItTest, NamesTimesAsRos1Does) {
   const Json json = Json::parse(format_moveit_json(scene(), RosVersion::ros1));
   EXPECT_EQ(json.at("grasps")[0].at("grasp_pose").at("header").at("stamp"),
@@ -180,6 +257,8 @@ TEST_F(MoveItTest, SaysTheSameAsYaml) {
   grasps[0].quality = 1e-5;
   EXPECT_EQ(parse_yaml(format_moveit_yaml(scene()), "yaml"),
             Json::parse(format_moveit_json(scene())));
+  EXPECT_EQ(parse_yaml(format_graspable_objects_yaml(scene()), "yaml"),
+            Json::parse(format_graspable_objects_json(scene())));
 }
 
 }  // namespace

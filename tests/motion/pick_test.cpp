@@ -1,4 +1,4 @@
-#include "symscene/motion/pick.hpp"
+#include "symscene/motion/pick_survey.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,6 +89,35 @@ TEST_F(PickTest, SaysWhyGraspsWereNotTaken) {
   EXPECT_EQ(result.rejected[1].reason, PickRejection::collision);
   EXPECT_NE(result.rejected[1].detail.find("object 1"), std::string::npos)
       << result.rejected[1].detail;
+}
+
+TEST_F(PickTest, ASurveyJudgesEachGraspAsItIsJudgedAlone) {
+  scene.objects.push_back(box_of_points({0.2, 0.2, 0.3}, {0.45, -0.3, 0.15}));
+  const std::vector<Grasp> grasps{from_above(3.0, 0.0, 0.1), from_above(0.45, 0.1, 0.12),
+                                  from_above(0.45, -0.3, 0.2), from_above(0.44, 0.1, 0.12)};
+  PickOptions one;
+  one.max_grasps = 1;  // does not apply
+  const PickSurvey survey =
+      survey_picks(robot, robot.arms[0], gripper, robot.home, scene, grasps, one);
+  std::size_t reached = 0, rejected = 0;
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    const PickResult alone = plan({grasps[i]}, robot.home);
+    if (alone.motion) {
+      ASSERT_LT(reached, survey.reached.size());
+      EXPECT_EQ(survey.reached[reached++], i);
+    } else {
+      ASSERT_LT(rejected, survey.rejected.size());
+      EXPECT_EQ(survey.rejected[rejected].grasp, i);
+      EXPECT_EQ(survey.rejected[rejected++].reason, alone.rejected[0].reason);
+    }
+  }
+  EXPECT_EQ(reached, survey.reached.size());
+  EXPECT_EQ(rejected, survey.rejected.size());
+  ASSERT_TRUE(survey.motion);
+  const PickResult first = plan(grasps, robot.home);
+  ASSERT_TRUE(first.motion);
+  EXPECT_EQ(survey.motion->grasp, first.motion->grasp);
+  EXPECT_EQ(survey.motion->approach.duration(), first.motion->approach.duration());
 }
 
 /// A camera at the robot saw one side of the box, and neither what is behind it nor above 0.14 m.

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "recorded_run.hpp"
+#include "planned_run.hpp"
 #include "symscene/viewer/page.hpp"
 
 namespace {
@@ -94,7 +94,7 @@ symscene::PageGrasps grasps_of(const symscene::SegmentationResult& cans) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
+  if (argc != 4) return 2;
   symscene::SegmentationResult result;
   for (const float x : {-0.12F, 0.0F, 0.12F}) add_can(result, x);
   result.timings.push_back({"rotational", 0.02});
@@ -105,4 +105,6 @@ int main(int argc, char** argv) {
                                         .trajectory = path_before(0.7F),
                                         .grasps = grasps_of(result)});
   symscene::write_run_page(argv[2], symscene::carried_box(), "One box");
+  std::ofstream(argv[3], std::ios::binary)
+      << symscene::render_plan_page(symscene::planned_box(), "A plan");
 }

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { creasedCorners } from '../../viewer/src/gl/creases.js';
 import { framedPoints } from '../../viewer/src/run/frame.js';
+import { handLines, planSummary, shareColor } from '../../viewer/src/run/plan.js';
 import { counterpartOf, decodeRecording, placed } from '../../viewer/src/run/recording.js';
 import { createPlayerState } from '../../viewer/src/run/state.js';
 import { lastNotAfter, poseAt, slerp } from '../../viewer/src/run/track.js';
@@ -128,4 +129,23 @@ test('picked are all objects but those that were left, and no more than there ar
 
 test('clocks count minutes and tenths', () => {
   assert.deepEqual([0, 9.96, 59.96, 83.41, 600, -1.25].map(clock), ['0:00.0', '0:10.0', '1:00.0', '1:23.4', '10:00.0', '−0:01.3']);
+});
+
+test('colours of shares get darker, and shares outside 0 to 1 have those of the ends', () => {
+  const lightness = Array.from({ length: 101 }, (_, i) => shareColor(i / 100).reduce((sum, value) => sum + value, 0));
+  lightness.slice(1).forEach((value, i) => assert.ok(value <= lightness[i], `${i} %`));
+  assert.deepEqual([shareColor(-1), shareColor(2)], [shareColor(0), shareColor(1)]);
+});
+
+test('the drawn fingers are as far apart as the grasp is open, and end at the tips', () => {
+  const lines = handLines({ position: [1, 2, 3], closing: [0, 1, 0], approach: [0, 0, -1], opening: 0.06 }, 0.05);
+  assert.equal(lines.length % 2, 0);
+  close(lines[1], [1, 2.03, 2.95], 1e-12);
+  close(lines[3], [1, 1.97, 2.95], 1e-12);
+});
+
+test('the summary of a plan counts each grasp once', () => {
+  const grasps = ['not_reached', 'chosen', 'not_tried', 'reached', 'not_reached'].map((state) => ({ state }));
+  assert.equal(planSummary({ grasps }), '2 of 5 grasps reached · 2 not reached · 1 not tried');
+  assert.equal(planSummary({ grasps: [] }), '0 of 0 grasps reached');
 });

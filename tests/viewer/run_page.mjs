@@ -1,4 +1,4 @@
-// The page of a run in a browser. SYMSCENE_RUN_PAGE is a page made by C++ (make_page) to test too.
+// The page of a run in a browser. SYMSCENE_RUN_PAGE and SYMSCENE_PLAN_PAGE are pages made by C++ (make_page) to test too.
 import assert from 'node:assert/strict';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -282,4 +282,24 @@ describe('the page of a run', () => {
     assert.equal(new Set(hashes).size, 3, 'the arm moves');
     assert.ok((await hook(page, 'tags')).includes('box 0.93'));
   }, { path: () => process.env.SYMSCENE_RUN_PAGE, skip: !process.env.SYMSCENE_RUN_PAGE });
+
+  runTest('of a plan lists why grasps are not reached, and draws maps, motion and the chosen hand', WINDOW, async (page) => {
+    assert.equal(await page.textContent('.stats'), '2 of 4 grasps reached · 1 not reached · 1 not tried');
+    assert.match(await page.textContent('.planned.is-not_reached'), /Grasp 3 of object 0.*not reached.*a joint would leave its limits/);
+    assert.equal(await page.locator('.left, .choice').count(), 0, 'there are no beliefs');
+    assert.equal(await hook(page, 'views'), 'true');
+    const drawn = async () => (await hook(page, 'pixels()'))[0].hash;
+    const hashes = [await drawn()];
+    for (const map of ['side', 'off']) {
+      await page.click(`[data-map=${map}]`);
+      hashes.push(await drawn());
+    }
+    await page.click('[data-grasp="1"]');
+    assert.equal(await hook(page, 'grasp'), 1);
+    hashes.push(await drawn());
+    await hook(page, 'seek(2)');
+    hashes.push(await drawn());
+    assert.equal(new Set(hashes).size, 5);
+    assert.deepEqual(await layoutProblems(page), []);
+  }, { path: () => process.env.SYMSCENE_PLAN_PAGE, skip: !process.env.SYMSCENE_PLAN_PAGE });
 });

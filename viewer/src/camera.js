@@ -12,6 +12,9 @@ const VIEWS = {
 const FLIGHT = 380; // ms
 const MARGIN = 1.1;
 
+/** The key of each view. */
+export const VIEW_KEYS = { h: 'home', f: 'front', s: 'side', t: 'top' };
+
 export const isView = (name) => Object.hasOwn(VIEWS, name);
 
 function directionOf({ azimuth, elevation }) {

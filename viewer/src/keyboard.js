@@ -1,6 +1,6 @@
 // Keys: arrows orbit while the canvas has focus; letters work everywhere.
+import { VIEW_KEYS } from './camera.js';
 
-const VIEW_KEYS = { h: 'home', f: 'front', s: 'side', t: 'top' };
 const TOGGLE_KEYS = { p: 'planes', a: 'axes', l: 'labels', o: 'rest', m: 'mesh', v: 'path', g: 'grasps' };
 const MODE_KEYS = { 1: 'scan', 2: 'blend', 3: 'objects' };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };

@@ -7,8 +7,8 @@
 #include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
 #include "io/gif_writer.hpp"
+#include "robot_choice.hpp"
 #include "session.hpp"
-#include "symscene/io/robot.hpp"
 #include "symscene/physics/physics_world.hpp"
 #include "symscene/picking/run_video.hpp"
 #include "symscene/picking/simulated_picks.hpp"
@@ -143,7 +143,7 @@ struct PickCommand {
   void run() {
     const OptionFields fields = configure();
     check();
-    const Robot described = read_robot(robot);
+    const Robot described = named_robot(robot);
     const Gripper gripper = GripperChoice{*described.grasping_arm().gripper}.gripper();
     Session session("pick", shared);
     session.warn(described.warnings);

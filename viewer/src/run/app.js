@@ -61,7 +61,7 @@ export function createApp(recording) {
   const stage = h('main', { class: 'views-area' }, view.element, createCaptions(recording, player.store));
   document.body.append(stage, createPlayer(recording, player, recorder), createPanel(recording, player));
   view.attach();
-  stage.append(...createViewControls(view.viewpoint, player));
+  stage.append(...createViewControls(view.viewpoint, recording, player));
   const app = { ...player, view, viewpoint: view.viewpoint, recorder, isNarrow };
   drawOnChange(view, player.store);
   playOnFrames(player);

@@ -32,6 +32,8 @@ export function createHook(recording, { view, store, actions, currentEvent, reco
     get event() { return currentEvent(store.get().time); },
     get belief() { return recording.beliefAt(store.get().time); },
     get recording() { return recorder.media !== null; },
+    get grasp() { return store.get().grasp; },
+    get map() { return store.get().map; },
     get frames() { return view.frames; },
     get tags() { return view.tags.shown.map(({ text }) => text); },
     seek: (time) => actions.seek(time),

@@ -1,18 +1,20 @@
 // Keys of the player.
-import { VIEWS } from './state.js';
+import { VIEW_KEYS } from '../camera.js';
+import { viewsOf } from './state.js';
 
-const VIEW_KEYS = { h: 'home', f: 'front', s: 'side', t: 'top' };
 const SECOND = 1; // that Shift and an arrow move by [s]
 
-export const KEY_HELP = [
+const KEY_HELP = [
   ['Space', 'play, pause'], ['←  →', 'previous, next event'], ['Shift ←  →', 'one second'], ['Home  End', 'begin, end'], ['[  ]', 'slower, faster'],
   ['B', 'both, true, believed'], ['L', 'names'], ['R', 'record a video'], ['H F S T', 'home, front, side, top'], ['+  −', 'zoom'],
 ];
 
+export const keyHelp = (recording) => KEY_HELP.filter(([key]) => key !== 'B' || viewsOf(recording).length > 1);
+
 function actionsOf({ store, actions, viewpoint, recorder, isNarrow }, recording) {
   const move = (step) => () => actions.seek(store.get().time + step);
   const switchViews = () => {
-    const choices = VIEWS.filter((views) => views !== 'both' || !isNarrow());
+    const choices = viewsOf(recording).filter((views) => views !== 'both' || !isNarrow());
     actions.setViews(choices[(choices.indexOf(store.get().views) + 1) % choices.length]);
   };
   return {

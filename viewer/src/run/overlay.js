@@ -2,6 +2,7 @@
 import { h, setPressed } from '../dom.js';
 import { icon } from '../icons.js';
 import { createViews } from '../toolbar.js';
+import { viewsOf } from './state.js';
 import { clock, progress } from './words.js';
 
 const CHOICES = [['both', 'Both'], ['true', 'True'], ['believed', 'Believed']];
@@ -16,7 +17,7 @@ export function beliefText({ beliefTimes, beliefAt, believed }, time) {
 export function createCaptions(recording, store) {
   const details = { true: h('small'), believed: h('small') };
   const captions = {
-    true: h('h2', { class: 'caption' }, 'True scene', details.true),
+    true: h('h2', { class: 'caption' }, recording.plan ? 'Planned motion' : 'True scene', details.true),
     believed: h('h2', { class: 'caption' }, 'What the robot believes', details.believed),
   };
   const write = (side, text) => { if (details[side].textContent !== text) details[side].textContent = text; };
@@ -28,7 +29,7 @@ export function createCaptions(recording, store) {
   return h('div', { class: 'captions' }, captions.true, captions.believed);
 }
 
-function createChoice({ store, actions }) {
+function createChoice(recording, { store, actions }) {
   const buttons = CHOICES.map(([views, text]) => h('button', {
     type: 'button', 'data-views': views, title: `${text === 'Both' ? 'Both views' : `${text} scene`} (B)`, onclick: () => actions.setViews(views),
   }, text));
@@ -38,11 +39,11 @@ function createChoice({ store, actions }) {
     setPressed(labels, state.labels);
   });
   return [
-    h('div', { class: 'group modes choice', role: 'group', 'aria-label': 'Shown scene' }, buttons),
+    viewsOf(recording).length > 1 && h('div', { class: 'group modes choice', role: 'group', 'aria-label': 'Shown scene' }, buttons),
     h('div', { class: 'group labels-group' }, labels),
-  ];
+  ].filter(Boolean);
 }
 
-export function createViewControls(viewpoint, player) {
-  return [createViews(viewpoint), ...createChoice(player)];
+export function createViewControls(viewpoint, recording, player) {
+  return [createViews(viewpoint), ...createChoice(recording, player)];
 }

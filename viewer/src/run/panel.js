@@ -1,6 +1,7 @@
 // The panel beside the views: summary, events, what was left, help.
 import { h } from '../dom.js';
-import { KEY_HELP } from './keyboard.js';
+import { keyHelp } from './keyboard.js';
+import { createPlanSections } from './plan_panel.js';
 import { OUTCOMES, clock, outcomeMark, summary } from './words.js';
 
 function createEvent(event, index, actions) {
@@ -11,7 +12,7 @@ function createEvent(event, index, actions) {
 }
 
 function createEvents({ events }, { store, actions, currentEvent }) {
-  if (events.length === 0) return h('p', { class: 'more' }, 'The run has no events.');
+  if (events.length === 0) return h('p', { class: 'more' }, 'There are none.');
   const rows = events.map((event, index) => createEvent(event, index, actions));
   const list = h('ol', { class: 'events' }, rows);
   let shown = null;
@@ -33,19 +34,19 @@ function createLeft({ left }) {
     left.length > 0 ? h('ul', {}, left.map((reason) => h('li', {}, reason))) : h('p', { class: 'more' }, 'Nothing was left.'));
 }
 
-function createHelp() {
-  const rows = [['Drag', 'orbit'], ['Right drag, two fingers', 'pan'], ['Wheel, pinch', 'zoom'], ...KEY_HELP];
+function createHelp(recording) {
+  const rows = [['Drag', 'orbit'], ['Right drag, two fingers', 'pan'], ['Wheel, pinch', 'zoom'], ...keyHelp(recording)];
   return h('details', { class: 'controls' }, h('summary', {}, 'Controls'),
     h('dl', {}, rows.flatMap(([key, use]) => [h('dt', {}, key), h('dd', {}, use)])),
-    h('p', { class: 'more' }, 'A believed object has the colour of the true object whose middle is nearest, within half of its size; without one it is grey. ' +
+    !recording.plan && h('p', { class: 'more' }, 'A believed object has the colour of the true object whose middle is nearest, within half of its size; without one it is grey. ' +
       'Ticks on the slider are looks.'));
 }
 
 export function createPanel(recording, player) {
-  return h('aside', { class: 'panel', 'aria-label': 'The run' },
+  return h('aside', { class: 'panel', 'aria-label': recording.plan ? 'The plan' : 'The run' },
     h('header', {}, h('h1', {}, recording.title || 'Run'), h('p', { class: 'stats' }, summary(recording))),
     h('div', { class: 'scroll', tabindex: '-1' },
-      createLeft(recording),
+      recording.plan ? createPlanSections(recording.plan, player) : createLeft(recording),
       h('div', { class: 'section-head' }, h('h2', {}, 'Events'), h('span', { class: 'aside' }, String(recording.events.length))),
-      createEvents(recording, player), createHelp()));
+      createEvents(recording, player), createHelp(recording)));
 }

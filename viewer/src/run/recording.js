@@ -1,5 +1,6 @@
 // Decodes the payload of a run. Frame of the table: z up, metres and seconds.
 import { decodeAs, decodeSurface } from '../payload.js';
+import { decodePlan } from './plan.js';
 import { decodeTrack, lastNotAfter, poseAt } from './track.js';
 
 /** Middle and diagonal of the box around a surface; null without one. */
@@ -64,6 +65,7 @@ export function decodeRecording(payload) {
     objects,
     events: payload.events,
     left: payload.left,
+    plan: decodePlan(payload.plan),
     beliefTimes,
     /** The index of the belief at a time; −1 before the first. */
     beliefAt: (time) => lastNotAfter(beliefTimes, time),

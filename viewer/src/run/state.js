@@ -3,10 +3,17 @@ import { createStore } from '../store.js';
 import { lastNotAfter } from './track.js';
 
 export const SPEEDS = [0.5, 1, 2, 4, 8];
-export const VIEWS = ['both', 'true', 'believed'];
+const VIEWS = ['both', 'true', 'believed'];
 const STEP_BACK = 0.5; // while it plays, "previous" goes past events that were this short ago [s]
 
-export const initialState = ({ begin }) => ({ time: begin, playing: false, speed: 1, views: 'both', labels: true });
+/** The views that a recording has: of a planned motion there is only one. */
+export const viewsOf = ({ plan }) => (plan ? ['true'] : VIEWS);
+
+export const initialState = (recording) => ({
+  time: recording.begin, playing: false, speed: 1, views: viewsOf(recording)[0], labels: true,
+  map: 'above', // of reach
+  grasp: null, // the index of the chosen one of a plan
+});
 
 export function createPlayerState(recording) {
   const { begin, end, events } = recording;
@@ -43,7 +50,9 @@ export function createPlayerState(recording) {
       const earlier = eventTimes.filter((each) => each < limit);
       actions.seek(earlier.length > 0 ? earlier[earlier.length - 1] : begin);
     },
-    setViews: (views) => { if (VIEWS.includes(views)) store.set({ views }); },
+    setViews: (views) => { if (viewsOf(recording).includes(views)) store.set({ views }); },
+    setMap: (map) => store.set({ map }),
+    toggleGrasp: (index) => store.set({ grasp: store.get().grasp === index ? null : index }),
     toggleLabels: () => store.set({ labels: !store.get().labels }),
   };
   return { store, actions, currentEvent: (time) => lastNotAfter(eventTimes, time) };

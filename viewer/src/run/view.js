@@ -118,6 +118,7 @@ export class RunView {
   draw() {
     const { time, labels } = this.store.get();
     this.world.setTime(time);
+    this.world.marks?.show(this.store.get());
     this.renderer.setScissor(0, 0, this.width, this.height);
     this.renderer.clear();
     this.tags.begin();

@@ -2,6 +2,7 @@
 import * as THREE from 'three';
 import { Bodies } from './bodies.js';
 import { frameOf } from './frame.js';
+import { PlanMarks } from './plan_marks.js';
 import { poseAt } from './track.js';
 
 function createLamp({ center, radius }) {
@@ -36,6 +37,8 @@ export class World {
     this.belief = new THREE.Group();
     this.shownBelief = -1;
     const root = new THREE.Group().add(this.shared, this.truth, this.belief);
+    this.marks = recording.plan && new PlanMarks(recording.plan);
+    if (this.marks) root.add(this.marks);
     root.applyMatrix4(this.frame.matrix);
     this.scene = new THREE.Scene().add(root, new THREE.HemisphereLight(0xffffff, 0x8f95a3, 1.5), ...createLamp(this.frame), createFloor(this.frame));
     this.moving = recording.solids.filter(({ surface }) => surface).map((solid) => this.#createSolid(solid));

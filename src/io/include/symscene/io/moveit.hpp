@@ -8,8 +8,10 @@
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/grasp.hpp"
 #include "symscene/core/gripper.hpp"
+#include "symscene/core/joint_trajectory.hpp"
 #include "symscene/core/triangle_mesh.hpp"
 #include "symscene/io/ros_version.hpp"
+#include "symscene/robots/robot.hpp"
 
 namespace symscene {
 
@@ -21,16 +23,17 @@ struct MoveItScene {
   const Gripper& gripper;
   /// Pose in the tool frame of the link whose pose a grasp is: the parent link of the end effector.
   Eigen::Isometry3d T_tool_link = Eigen::Isometry3d::Identity();
-  std::span<const TriangleMesh> surfaces;  ///< closed, per object; world frame [m]
-  std::optional<Plane> table;              ///< world frame
-  /// Joints of the fingers. Each opens by an equal share of the opening. [m]
-  std::vector<std::string> finger_joints = {};
+  std::span<const TriangleMesh> surfaces;       ///< closed, per object; world frame [m]
+  std::optional<Plane> table;                   ///< world frame
+  std::vector<FingerJoint> finger_joints = {};  ///< of the postures, which are else empty
+  const JointTrajectory* trajectory = nullptr;  ///< of the arm; none if nothing is planned
 };
 
-/// {"grasps": [moveit_msgs/Grasp], "collision_objects": [moveit_msgs/CollisionObject]} by the names
-/// of their fields, with the grasps in their order. Objects are meshes "object_N"; those without a
-/// surface are left out. The table is a box below the objects. Throws InputError if a number is
-/// not finite.
+/// {"grasps": [moveit_msgs/Grasp], "collision_objects": [moveit_msgs/CollisionObject],
+/// "robot_trajectory": moveit_msgs/RobotTrajectory} by the names of their fields, with the grasps
+/// in their order, and the trajectory if there is one. Vertices are rounded to 10 micrometres.
+/// Objects are meshes "object_N"; those without a surface are left out. The table is a box below
+/// the objects. Throws InputError if a number is not finite.
 std::string format_moveit_json(const MoveItScene& scene, RosVersion version = RosVersion::ros2);
 
 /// The same as YAML.

@@ -10,6 +10,12 @@
 
 namespace symscene {
 
+/// A joint of a finger: it stands at `share` of the opening between the fingers. [m per m, or rad]
+struct FingerJoint {
+  std::string name;
+  double share = 0.5;
+};
+
 /// An arm with what is mounted on its tip link.
 struct RobotArm {
   Arm arm;
@@ -17,6 +23,8 @@ struct RobotArm {
   std::optional<std::string> gripper;
   /// Pose of the gripper's wrist in the tip link.
   Eigen::Isometry3d T_tip_wrist = Eigen::Isometry3d::Identity();
+  /// What drives the gripper on the real robot; for messages only.
+  std::vector<FingerJoint> finger_joints = {};
 
   Eigen::Isometry3d T_tip_tool(const Gripper& gripper) const {
     return T_tip_wrist * gripper.T_wrist_tool;

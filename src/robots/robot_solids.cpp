@@ -1,7 +1,7 @@
-#include "robot_solids.hpp"
+#include "robots/robot_solids.hpp"
 
-#include "clutter/joined_meshes.hpp"
-#include "solid_mesh.hpp"
+#include "core/joined_meshes.hpp"
+#include "robots/solid_mesh.hpp"
 
 namespace symscene {
 namespace {
@@ -31,11 +31,11 @@ RobotSolids::RobotSolids(const Robot& robot, const RobotArm& arm, const Gripper&
     std::vector<TriangleMesh> parts;
     for (const Capsule& capsule : link.capsules) parts.push_back(capsule_mesh(capsule));
     links_.push_back(i);
-    solids_.push_back({link.name, joined(parts), RecordedKind::robot});
+    solids_.push_back({link.name, joined(parts), false});
   }
-  solids_.push_back({"palm", palm_mesh(gripper), RecordedKind::hand});
-  solids_.push_back({"left finger", finger_mesh(gripper, 1.0), RecordedKind::hand});
-  solids_.push_back({"right finger", finger_mesh(gripper, -1.0), RecordedKind::hand});
+  solids_.push_back({"palm", palm_mesh(gripper), true});
+  solids_.push_back({"left finger", finger_mesh(gripper, 1.0), true});
+  solids_.push_back({"right finger", finger_mesh(gripper, -1.0), true});
 }
 
 std::vector<Eigen::Isometry3d> RobotSolids::poses(const RobotState& state) const {
@@ -47,6 +47,10 @@ std::vector<Eigen::Isometry3d> RobotSolids::poses(const RobotState& state) const
   for (const double side : {0.5, -0.5})
     poses.push_back(T_world_tool * Eigen::Translation3d(0.0, side * state.opening, 0.0));
   return poses;
+}
+
+Eigen::Isometry3d RobotSolids::tool(const RobotState& state) const {
+  return robot_.T_world_base * link_poses(robot_.model, state.positions)[tip_link_] * T_tip_tool_;
 }
 
 }  // namespace symscene

@@ -1,4 +1,4 @@
-#include "clutter/joined_meshes.hpp"
+#include "core/joined_meshes.hpp"
 
 namespace symscene {
 

@@ -10,7 +10,7 @@ namespace symscene {
 /// The surface of an axis-aligned box. [m]
 TriangleMesh box_mesh(const Eigen::AlignedBox3d& box);
 
-/// The surface of a capsule. [m]
+/// The surface of a capsule, a sphere if both of its ends are one point. [m]
 TriangleMesh capsule_mesh(const Capsule& capsule);
 
 }  // namespace symscene
