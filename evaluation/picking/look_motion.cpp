@@ -136,8 +136,8 @@ class LookPlanner {
   std::string blocked_home(const RobotContact& met) const {
     if (met.other.kind != ObstacleKind::surface) return "at its home positions " + describe(met);
     return fmt::format(
-        "at its home positions {} is in the space kept free for objects, within {:g} m of the "
-        "table's middle and {:g} m above it (keep_out_radius, keep_out_height)",
+        "at its home positions {} is at the bin or in the space kept free for objects, within {:g} "
+        "m of the table's middle and {:g} m above it (keep_out_radius, keep_out_height)",
         met.part, options_.keep_out_radius, options_.keep_out_height);
   }
 

@@ -81,9 +81,9 @@ TEST_F(GraspCommand, WarnsThatASceneDoesNotTellWhatWasNeverSeen) {
 }
 
 TEST_F(GraspCommand, TellsOnceWhatMissingOccupancyMeansForObjectsAndForTheGripper) {
-  copy("scene", "unmapped");
-  fs::remove(file("unmapped") / "occupancy.bt");
-  const Outcome outcome = run("grasp unmapped -o grasps.json");
+  copy("scene", "unseen");
+  fs::remove(file("unseen") / "occupancy.bt");
+  const Outcome outcome = run("grasp unseen -o grasps.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::size_t warning = outcome.err.find("no occupancy");
   EXPECT_NE(outcome.err.find("as free for the gripper"), std::string::npos) << outcome.err;

@@ -50,6 +50,14 @@ TEST_F(LookAtATable, AvoidsABinThatStandsInItsWay) {
   EXPECT_FALSE(meets(*around.motion, robot_, gripper_, in_the_way));
 }
 
+TEST_F(LookAtATable, SaysThatTheArmsHomeIsInTheSpaceForObjects) {
+  look_.keep_out_radius = 0.35;
+  look_.keep_out_height = 0.9;
+  const PlannedLook look = plan({{5.0, 5.0}, 0.26, 0.12});
+  EXPECT_FALSE(look.motion);
+  EXPECT_NE(look.obstacle.find("keep_out_radius"), std::string::npos) << look.obstacle;
+}
+
 TEST_F(LookAtATable, ABinIsPlacedWhereTheArmReachesItAndDoesNotStandAtHome) {
   const TableOptions table{0.8, 0.8, 0.75, 0.0};
   const auto bin = reachable_bin(robot_, robot_.grasping_arm(), gripper_, table, {});

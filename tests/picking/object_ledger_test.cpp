@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "picking/solid_mesh.hpp"
+#include "robots/solid_mesh.hpp"
 #include "symscene/grasping/gripper.hpp"
 
 namespace symscene {
