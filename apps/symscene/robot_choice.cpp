@@ -96,12 +96,12 @@ std::optional<std::string> RobotChoice::check_stand(const Robot& robot,
   const double angle = angle_between(table->normal, robot.T_world_base.linear().col(2));
   if (angle <= most) return std::nullopt;
   if (comma_separated(base).size() != 7)
-    throw InputError("--base",
-                     "the robot's pose in the frame of the scene as x,y,z,qx,qy,qz,qw, as the table "
-                     "of the scene is tilted",
-                     fmt::format("{}, at which the robot leans {:.0f} degrees against the table",
-                                 base.empty() ? "base_pose of its description" : base,
-                                 degrees(angle)));
+    throw InputError(
+        "--base",
+        "the robot's pose in the frame of the scene as x,y,z,qx,qy,qz,qw, as the table "
+        "of the scene is tilted",
+        fmt::format("{}, at which the robot leans {:.0f} degrees against the table",
+                    base.empty() ? "base_pose of its description" : base, degrees(angle)));
   return fmt::format("the robot leans {:.0f} degrees against the table, as --base says",
                      degrees(angle));
 }

@@ -18,9 +18,9 @@ struct RobotChoice {
   /// The robot with T_world_base of --base. Throws InputError if it cannot be read or --base is no
   /// pose.
   Robot robot() const;
-  /// A robot that leans more than 20 degrees against the table is mounted on a wall or a ceiling, or
-  /// the scene is in another frame than its base_pose. Only a --base with a whole orientation says
-  /// the former: a sentence then. Throws InputError otherwise.
+  /// A robot that leans more than 20 degrees against the table is mounted on a wall or a ceiling,
+  /// or the scene is in another frame than its base_pose. Only a --base with a whole orientation
+  /// says the former: a sentence then. Throws InputError otherwise.
   std::optional<std::string> check_stand(const Robot& robot,
                                          const std::optional<Plane>& table) const;
   /// The arm of --arm; else the first with a gripper. Throws InputError if there is none.

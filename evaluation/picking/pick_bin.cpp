@@ -6,8 +6,8 @@
 
 #include "core/joined_meshes.hpp"
 #include "core/rigid_motion.hpp"
-#include "simulation/shapes.hpp"
 #include "robots/solid_mesh.hpp"
+#include "simulation/shapes.hpp"
 #include "symscene/motion/arm_collision.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
 
