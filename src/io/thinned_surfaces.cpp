@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -33,6 +34,17 @@ std::vector<std::vector<Eigen::Index>> triangles_at_vertices(const TriangleMesh&
   return at;
 }
 
+double area_of(const TriangleMesh& mesh) {
+  double doubled = 0.0;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    const auto corner = [&](Eigen::Index k) -> Eigen::Vector3d {
+      return mesh.vertices.row(mesh.triangles(t, k)).transpose().cast<double>();
+    };
+    doubled += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+  }
+  return 0.5 * doubled;
+}
+
 /// The vertices that triangles use: thinning leaves others behind.
 PointIndices used_vertices(const std::vector<std::vector<Eigen::Index>>& triangles) {
   PointIndices used;
@@ -41,28 +53,68 @@ PointIndices used_vertices(const std::vector<std::vector<Eigen::Index>>& triangl
   return used;
 }
 
-/// A bound on the distance of the vertices of `surface` from `thinned`: that to the triangles at
-/// the thinned surface's nearest vertex.
-double distance_bound(const TriangleMesh& surface, const TriangleMesh& thinned) {
-  const auto around = triangles_at_vertices(thinned);
-  const PointIndices used = used_vertices(around);
-  if (used.empty()) return std::numeric_limits<double>::infinity();
-  const float diagonal = bounding_box(surface.vertices).extent().norm();
-  const CellList vertices(select({thinned.vertices, {}, {}}, used).positions, 0.05F * diagonal);
-  const auto corner = [&](Eigen::Index t, Eigen::Index k) -> Eigen::Vector3d {
-    return thinned.vertices.row(thinned.triangles(t, k)).transpose().cast<double>();
-  };
-  double greatest = 0.0;
-  for (Eigen::Index i = 0; i < surface.vertices.rows(); ++i) {
-    const Eigen::Vector3f vertex = surface.vertices.row(i).transpose();
-    const Index nearest = used[vertices.nearest(vertex, 2.0F * diagonal).first];
+/// Distances of points from the triangles of a mesh.
+class MeshDistance {
+ public:
+  /// `mesh` is kept. Its box has about the diagonal `size` [m].
+  MeshDistance(const TriangleMesh& mesh, float size)
+      : mesh_(mesh),
+        at_(triangles_at_vertices(mesh)),
+        used_(used_vertices(at_)),
+        vertices_(select({mesh.vertices, {}, {}}, used_).positions, 0.05F * size),
+        size_(size) {}
+
+  /// That from the triangles at the nearest vertex: not less than the true distance.
+  double bound(const Eigen::Vector3f& point) const {
+    const Index nearest = vertices_.nearest(point, 2.0F * size_).first;
     double least = std::numeric_limits<double>::infinity();
-    for (const Eigen::Index t : around[nearest])
-      least = std::min(least, distance_to_triangle(vertex.cast<double>(), corner(t, 0),
-                                                   corner(t, 1), corner(t, 2)));
-    greatest = std::max(greatest, least);
+    for (const Eigen::Index t : at_[used_[nearest]]) least = std::min(least, distance(point, t));
+    return least;
   }
-  return greatest;
+  double exact(const Eigen::Vector3f& point) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index t = 0; t < mesh_.triangles.rows(); ++t)
+      least = std::min(least, distance(point, t));
+    return least;
+  }
+
+ private:
+  double distance(const Eigen::Vector3f& point, Eigen::Index t) const {
+    const auto corner = [&](Eigen::Index k) -> Eigen::Vector3d {
+      return mesh_.vertices.row(mesh_.triangles(t, k)).transpose().cast<double>();
+    };
+    return distance_to_triangle(point.cast<double>(), corner(0), corner(1), corner(2));
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<std::vector<Eigen::Index>> at_;
+  PointIndices used_;
+  CellList vertices_;
+  float size_;
+};
+
+struct ThinningError {
+  double usual = 0.0;  ///< bound that 99 % of the vertices keep [m]
+  double greatest = 0.0;
+};
+
+/// Distances of the vertices of `surface` from `thinned`. Those with the greatest bounds are
+/// measured first, so that few are.
+ThinningError thinning_error(const TriangleMesh& surface, const TriangleMesh& thinned) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (thinned.triangles.rows() == 0) return {none, none};
+  const MeshDistance distance(thinned, bounding_box(surface.vertices).extent().norm());
+  std::vector<std::pair<double, Eigen::Index>> bounds;
+  for (Eigen::Index i = 0; i < surface.vertices.rows(); ++i)
+    bounds.emplace_back(distance.bound(surface.vertices.row(i).transpose()), i);
+  std::sort(bounds.rbegin(), bounds.rend());
+  ThinningError error{bounds[bounds.size() / 100].first, 0.0};
+  for (const auto& [bound, vertex] : bounds) {
+    if (bound <= error.greatest) break;
+    error.greatest =
+        std::max(error.greatest, distance.exact(surface.vertices.row(vertex).transpose()));
+  }
+  return error;
 }
 
 }  // namespace
@@ -80,22 +132,25 @@ double distance_to_triangle(const Eigen::Vector3d& point, const Eigen::Vector3d&
 }
 
 ThinnedSurfaces thinned_surfaces(std::span<const TriangleMesh> surfaces, Index max_triangles) {
-  const auto count = static_cast<Index>(std::max<std::size_t>(surfaces.size(), 1));
-  const Index share = std::max(fewest_triangles, max_triangles / count);
+  double area = 0.0;
+  for (const TriangleMesh& surface : surfaces) area += area_of(surface);
   ThinnedSurfaces thinned;
   thinned.meshes.resize(surfaces.size());
-  std::vector<double> errors(surfaces.size());
+  std::vector<ThinningError> errors(surfaces.size());
   parallel_for_each(surfaces.size(), [&](std::size_t i) {
     const TriangleMesh& surface = surfaces[i];
     thinned.meshes[i] = surface;
+    const double part = area > 0.0 ? area_of(surface) / area : 0.0;
+    const Index share = std::max(fewest_triangles, static_cast<Index>(part * max_triangles));
     if (surface.triangles.rows() <= share) return;
     const float diagonal = bounding_box(surface.vertices).extent().norm();
     thinned.meshes[i] = thin(surface, share, cell_of_diagonal * diagonal);
-    errors[i] = distance_bound(surface, thinned.meshes[i]);
+    errors[i] = thinning_error(surface, thinned.meshes[i]);
   });
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     thinned.triangles += static_cast<std::size_t>(thinned.meshes[i].triangles.rows());
-    thinned.error = std::max(thinned.error, errors[i]);
+    thinned.error = std::max(thinned.error, errors[i].greatest);
+    thinned.usual_error = std::max(thinned.usual_error, errors[i].usual);
   }
   return thinned;
 }

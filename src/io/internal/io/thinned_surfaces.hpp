@@ -11,10 +11,11 @@ namespace symscene {
 struct ThinnedSurfaces {
   std::vector<TriangleMesh> meshes;
   std::size_t triangles = 0;  ///< of all
-  double error = 0.0;         ///< no vertex of a surface is farther from the thinned one [m]
+  double usual_error = 0.0;   ///< bound that 99 % of the vertices of each surface keep [m]
+  double error = 0.0;         ///< greatest distance of a vertex from the thinned surface [m]
 };
 
-/// Surfaces with at most `max_triangles` together, each with an equal share of them; of 60 at
+/// Surfaces with at most `max_triangles` together, each with a share as of its area; of 60 at
 /// least, so that many surfaces may exceed it. Vertices must be finite.
 ThinnedSurfaces thinned_surfaces(std::span<const TriangleMesh> surfaces, Index max_triangles);
 
