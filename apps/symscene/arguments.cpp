@@ -11,6 +11,7 @@
 
 #include "print.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/io/camera_file.hpp"
 #include "symscene/io/intrinsics.hpp"
 
 namespace symscene::app {
@@ -40,6 +41,10 @@ std::optional<CameraIntrinsics> parse_intrinsics_option(const std::string& text)
   return CameraIntrinsics{0, 0, numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+bool names_camera_file(const std::string& text) {
+  return is_camera_file(text) && fs::is_regular_file(text);
+}
+
 std::string check_positive(const std::string& text) {
   double number = 0.0;
   const char* const end = text.data() + text.size();
@@ -50,11 +55,13 @@ std::string check_positive(const std::string& text) {
 
 std::string check_intrinsics(const std::string& text) {
   try {
+    if (names_camera_file(text)) return read_camera_model(text), "";
     if (parse_intrinsics_option(text)) return "";
   } catch (const InputError& error) {
     return error.what();
   }
-  return "expected fx,fy,cx,cy in pixels or a file like intrinsics.txt, found " + text;
+  return "expected fx,fy,cx,cy in pixels or a file like intrinsics.txt or camera.yaml, found " +
+         text;
 }
 
 }  // namespace
@@ -114,10 +121,14 @@ void Arguments::sequence_options(SequenceOptions& options) {
       .add_option_function<std::string>(
           "--intrinsics",
           [&options](const std::string& text) {
-            options.intrinsics = parse_intrinsics_option(text);
+            if (names_camera_file(text))
+              options.camera = read_camera_model(text);
+            else
+              options.intrinsics = parse_intrinsics_option(text);
           },
-          "focal lengths and principal point of the camera [px], or a file like intrinsics.txt; "
-          "replaces that of the sequence")
+          "focal lengths and principal point of the camera [px], a file like intrinsics.txt, or a "
+          "calibrated camera (camera.yaml of symscene calibrate, camera_info of ROS), by which "
+          "frames are undistorted and corrected; replaces that of the sequence")
       ->type_name("FX,FY,CX,CY|FILE")
       ->check(check_intrinsics);
   command_

@@ -3,6 +3,7 @@
 // The subcommands in the order of --help. A new subcommand needs a file that defines add_NAME() and
 // a line here.
 #define SYMSCENE_SUBCOMMANDS(SUBCOMMAND) \
+  SUBCOMMAND(calibrate)                  \
   SUBCOMMAND(reconstruct)                \
   SUBCOMMAND(stitch)                     \
   SUBCOMMAND(segment)                    \

@@ -16,10 +16,14 @@ using symscene::InputError;
 
 enum ExitCode { ok = 0, bad_input = 1, bad_usage = 2, internal_error = 3 };
 
-/// "symscene" and the name of the subcommand.
+/// "symscene" and the names of the subcommands.
 std::string name_of(const CLI::App& app) {
-  const auto commands = app.get_subcommands();
-  return commands.empty() ? "symscene" : "symscene " + commands.front()->get_name();
+  std::string name = "symscene";
+  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    name += " " + at->get_name();
+  }
+  return name;
 }
 
 /// Prints one line on standard error, whatever characters the sentence has.

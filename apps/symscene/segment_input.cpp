@@ -53,7 +53,7 @@ SegmentationResult nothing_found(const Scene& scene) {
 
 void SegmentSource::require_no_camera(const char* kind) const {
   const std::array<std::pair<const char*, bool>, 3> given{
-      {{"--intrinsics", this->sequence.intrinsics.has_value()},
+      {{"--intrinsics", this->sequence.intrinsics.has_value() || this->sequence.camera.has_value()},
        {"--depth-scale", this->sequence.depth_scale.has_value()},
        {"--sensor", sensor.is_named()}}};
   for (const auto& [flag, is_given] : given) {

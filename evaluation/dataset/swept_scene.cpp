@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "symscene/core/error.hpp"
+#include "symscene/core/frame_rectifier.hpp"
 
 namespace symscene {
 namespace {
@@ -22,8 +23,29 @@ struct FusedFrames {
   LabelledSweep labelled;
 };
 
+/// Frames as a calibrated camera gives them.
+class Rectification {
+ public:
+  explicit Rectification(const CameraModel* calibration) {
+    if (calibration != nullptr) rectifier_.emplace(*calibration);
+  }
+
+  SensorFrame operator()(SensorFrame&& seen) const {
+    if (!rectifier_) return std::move(seen);
+    DepthFrame frame = rectifier_->rectified({0.0, std::move(seen.depth), std::move(seen.colors)});
+    seen.depth = std::move(frame.depth);
+    seen.colors = std::move(frame.colors);
+    seen.objects = rectifier_->rectified_labels(seen.objects, SensorFrame::nothing);
+    return std::move(seen);
+  }
+
+ private:
+  std::optional<FrameRectifier> rectifier_;
+};
+
 FusedFrames add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool exact,
-                       Reconstruction& reconstruction, SweptScene& result, StageTimer& timer) {
+                       const Rectification& rectified, Reconstruction& reconstruction,
+                       SweptScene& result, StageTimer& timer) {
   using Clock = std::chrono::steady_clock;
   FusedFrames fused;
   fused.labelled.camera = sweep.camera.intrinsics();
@@ -31,8 +53,9 @@ FusedFrames add_frames(const Tabletop& tabletop, const SweepOptions& sweep, bool
   std::optional<Eigen::Isometry3d> T_world_first;
   std::chrono::duration<double> tracking{0.0};
   const Clock::time_point start = Clock::now();
-  capture_sensor_frames(tabletop, sweep, [&](double time, SensorFrame&& seen) {
+  capture_sensor_frames(tabletop, sweep, [&](double time, SensorFrame&& measured) {
     const Clock::time_point begin = Clock::now();
+    SensorFrame seen = rectified(std::move(measured));
     DepthFrame frame{time, std::move(seen.depth), std::move(seen.colors)};
     const std::size_t number = result.frames++;
     if (!T_world_first) T_world_first = seen.T_world_camera;
@@ -63,10 +86,11 @@ BuiltScene scene_of(const TriangleMesh& surface, const Reconstruction& reconstru
 
 /// Tracks and fuses the frames.
 void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
-                    const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
+                    const SweptSceneOptions& options, const Rectification& rectified,
+                    SweptScene& result, StageTimer& timer) {
   Reconstruction reconstruction(sweep.camera.intrinsics(), options.reconstruction);
-  const FusedFrames fused =
-      add_frames(tabletop, sweep, options.poses == exact_poses, reconstruction, result, timer);
+  const FusedFrames fused = add_frames(tabletop, sweep, options.poses == exact_poses, rectified,
+                                       reconstruction, result, timer);
   result.fused = fused.estimated.size();
   result.trajectory = trajectory_error(fused.estimated, fused.truth);
   result.T_scene_world = align_poses(fused.estimated, fused.truth);
@@ -85,11 +109,12 @@ void make_of_frames(const Tabletop& tabletop, const SweepOptions& sweep,
 
 /// Makes the scene of the only frame, in the frame of its camera.
 void make_of_view(const Tabletop& tabletop, const SweepOptions& sweep,
-                  const SweptSceneOptions& options, SweptScene& result, StageTimer& timer) {
+                  const SweptSceneOptions& options, const Rectification& rectified,
+                  SweptScene& result, StageTimer& timer) {
   SensorFrame seen;
   timer.time("render", [&] {
     capture_sensor_frames(tabletop, sweep,
-                          [&](double, SensorFrame&& only) { seen = std::move(only); });
+                          [&](double, SensorFrame&& only) { seen = rectified(std::move(only)); });
   });
   result.T_scene_world = seen.T_world_camera.inverse();
   result.frames = result.fused = 1;
@@ -114,12 +139,12 @@ void SweptSceneOptions::validate() const {
 }
 
 SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
-                             const SweptSceneOptions& options) {
+                             const SweptSceneOptions& options, const CameraModel* calibration) {
   options.validate();
   SweptScene result;
   StageTimer timer;
   const auto make = sweep.camera.frames == 1 ? make_of_view : make_of_frames;
-  make(tabletop, sweep, options, result, timer);
+  make(tabletop, sweep, options, Rectification(calibration), result, timer);
   result.stages = timer.stages();
   return result;
 }

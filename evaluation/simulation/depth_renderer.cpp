@@ -56,6 +56,12 @@ DepthRenderer& DepthRenderer::operator=(DepthRenderer&&) noexcept = default;
 
 SensorFrame DepthRenderer::render(const CameraIntrinsics& camera,
                                   const Eigen::Isometry3d& T_world_camera) const {
+  return render(camera, T_world_camera, {});
+}
+
+SensorFrame DepthRenderer::render(const CameraIntrinsics& camera,
+                                  const Eigen::Isometry3d& T_world_camera,
+                                  std::span<const Eigen::Vector2d> rays) const {
   SensorFrame frame;
   frame.T_world_camera = T_world_camera;
   frame.depth.assign(camera.pixels(), 0.0F);
@@ -65,7 +71,11 @@ SensorFrame DepthRenderer::render(const CameraIntrinsics& camera,
   const Eigen::Vector3d origin = T_world_camera.translation();
   for (Index v = 0; v < camera.height; ++v) {
     for (Index u = 0; u < camera.width; ++u) {
-      const Eigen::Vector3d ray = T_world_camera.linear() * camera.ray(u, v);
+      const std::size_t pixel = std::size_t{v} * camera.width + u;
+      const Eigen::Vector3d ray_camera =
+          rays.empty() ? camera.ray(u, v) : Eigen::Vector3d(rays[pixel].homogeneous());
+      if (!ray_camera.allFinite()) continue;
+      const Eigen::Vector3d ray = T_world_camera.linear() * ray_camera;
       const RTCHit hit = implementation_->cast(origin, ray);
       if (hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
       const TriangleMesh& mesh = implementation_->mesh(hit.geomID);
@@ -77,7 +87,6 @@ SensorFrame DepthRenderer::render(const CameraIntrinsics& camera,
       if (along == 0.0) continue;
       const double cosine = std::abs(along) / ray.norm();
       const Eigen::Vector3d color = interpolated_color(mesh, hit) * (0.6 + 0.4 * cosine);
-      const std::size_t pixel = std::size_t{v} * camera.width + u;
       frame.depth[pixel] = static_cast<float>(normal.dot(a - origin) / along);
       frame.objects[pixel] = hit.geomID;
       frame.cosines[pixel] = static_cast<float>(cosine);

@@ -11,6 +11,7 @@
 #include "core/random.hpp"
 #include "hand_shake.hpp"
 #include "simulation/depth_renderer.hpp"
+#include "simulation/erring_camera.hpp"
 #include "simulation/tabletop_meshes.hpp"
 #include "symscene/core/error.hpp"
 #include "tabletop_parts.hpp"
@@ -56,11 +57,13 @@ void capture_sensor_frames(const Tabletop& tabletop, const SweepOptions& options
   const std::vector<Eigen::Isometry3d> poses =
       shaken(camera_arc(options.camera), options.frame_rate, options.shake, options.tabletop.seed);
   const DepthRenderer renderer(tabletop_meshes(tabletop));
+  const ErringCamera erring(camera, options.errors);
   const auto capture = [&](std::size_t i) {
     // Streams 0 and 1 of the seed arrange the tabletop.
     SensorFrame seen =
-        add_sensor_noise(renderer.render(camera, tabletop.T_world_table * poses[i]), camera,
+        add_sensor_noise(erring.render(renderer, tabletop.T_world_table * poses[i]), camera,
                          options.sensor, Random(options.tabletop.seed, i + 2));
+    seen.colors = erring.colors(renderer, seen);
     return std::pair(static_cast<double>(i) / options.frame_rate, std::move(seen));
   };
   make_in_parallel_use_in_order(poses.size(), capture,

@@ -51,13 +51,13 @@ class ImageSequence final : public DepthSequence {
   DepthFrame read(std::size_t i) const override {
     const ImageFrame& files = content_.frames.at(i);
     const DepthImage image = read_depth_png(files.depth);
-    require_camera_size(image.size, files.depth);
+    require_size(image.size, camera_size(), files.depth);
     DepthFrame frame;
     frame.time = files.time;
     frame.depth = to_metres(image.values, *content_.calibration.depth_scale, content_.invalid);
     if (files.color.empty()) return frame;
     ColorImage color = read_color_image(files.color);
-    require_camera_size(color.size, files.color);
+    require_size(color.size, color_size(), files.color);
     frame.colors = std::move(color.pixels);
     return frame;
   }
@@ -65,9 +65,11 @@ class ImageSequence final : public DepthSequence {
  private:
   ImageSize camera_size() const { return {camera_.width, camera_.height}; }
 
-  void require_camera_size(ImageSize size, const fs::path& file) const {
-    if (size == camera_size()) return;
-    throw InputError(file.string(), "an image of the camera's size, " + size_text(camera_size()),
+  ImageSize color_size() const { return content_.calibration.color_size.value_or(camera_size()); }
+
+  static void require_size(ImageSize size, ImageSize expected, const fs::path& file) {
+    if (size == expected) return;
+    throw InputError(file.string(), "an image of the camera's size, " + size_text(expected),
                      size_text(size));
   }
 
@@ -82,11 +84,14 @@ class ImageSequence final : public DepthSequence {
     const ImageFrame* colored = first_color();
     if (colored == nullptr) return;
     const ImageSize size = read_image_size(colored->color);
-    if (size == camera_size()) return;
-    content_.warnings.push_back(
-        fmt::format("{}: colour images of {} are not registered to depth images of {}: read "
-                    "without colour",
-                    content_.path.string(), size_text(size), size_text(camera_size())));
+    if (size == color_size()) return;
+    const char* reason = content_.calibration.color_size
+                             ? "{}: colour images of {} are not those of the colour camera, {}: "
+                               "read without colour"
+                             : "{}: colour images of {} are not registered to depth images of {}: "
+                               "read without colour";
+    content_.warnings.push_back(fmt::format(fmt::runtime(reason), content_.path.string(),
+                                            size_text(size), size_text(color_size())));
     for (ImageFrame& frame : content_.frames) frame.color.clear();
   }
 
@@ -96,12 +101,19 @@ class ImageSequence final : public DepthSequence {
 
 }  // namespace
 
+std::optional<ImageSize> own_color_size(const SequenceOptions& options) {
+  if (!options.camera || !options.camera->color) return std::nullopt;
+  const CameraIntrinsics& color = options.camera->color->intrinsics;
+  return ImageSize{color.width, color.height};
+}
+
 Calibration resolve_calibration(const fs::path& path, const std::string& layout,
                                 const Calibration& known, const SequenceOptions& given) {
   const Calibration used{given.intrinsics ? given.intrinsics : known.intrinsics,
-                         given.depth_scale ? given.depth_scale : known.depth_scale};
+                         given.depth_scale ? given.depth_scale : known.depth_scale,
+                         own_color_size(given)};
   std::string missing;
-  if (!used.intrinsics) missing += " --intrinsics fx,fy,cx,cy";
+  if (!used.intrinsics) missing += " --intrinsics fx,fy,cx,cy (or a camera.yaml)";
   if (!used.depth_scale) missing += " --depth-scale 1000";
   if (!missing.empty()) {
     throw InputError(path.string(),

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "symscene/io/image.hpp"
 #include "symscene/io/sequence.hpp"
 
 namespace symscene {
@@ -15,7 +16,11 @@ namespace symscene {
 struct Calibration {
   std::optional<CameraIntrinsics> intrinsics;  ///< size 0×0: the size of the images
   std::optional<double> depth_scale;           ///< value of the depth images that is 1 m [1/m]
+  std::optional<ImageSize> color_size = {};    ///< none: that of the depth images
 };
+
+/// The size of the images of a colour camera of its own; none if colours belong to the depth.
+std::optional<ImageSize> own_color_size(const SequenceOptions& options);
 
 /// Combines the given values with the known ones; given values take precedence. Throws InputError,
 /// which names the missing options, if one is neither, or if one is not valid.
@@ -40,8 +45,8 @@ struct ImageFrames {
   std::vector<std::string> warnings = {};
 };
 
-/// Makes a sequence of these frames. Colour images whose size differs from that of the depth images
-/// are left out with a warning. Throws InputError if there is no frame.
+/// Makes a sequence of these frames. Colour images of another size than expected are left out with
+/// a warning. Throws InputError if there is no frame.
 std::unique_ptr<DepthSequence> make_image_sequence(ImageFrames content);
 
 }  // namespace symscene

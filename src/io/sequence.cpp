@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rectified_sequence.hpp"
 #include "sequence_layouts.hpp"
 #include "symscene/core/error.hpp"
 
@@ -63,9 +64,12 @@ SequencePointer open_sequence(const fs::path& path, const SequenceOptions& optio
     throw InputError(path.string(), a_sequence,
                      fs::is_directory(path) ? "another folder" : "another file");
   }
-  SequencePointer sequence = layout->open(path, options);
+  SequenceOptions used = options;
+  if (options.camera) used.intrinsics = options.camera->intrinsics;
+  SequencePointer sequence = layout->open(path, used);
   require_center_in_image(sequence->camera(), path);
-  return sequence;
+  return options.camera ? rectified_sequence(std::move(sequence), *options.camera)
+                        : std::move(sequence);
 }
 
 }  // namespace symscene

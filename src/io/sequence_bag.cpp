@@ -157,15 +157,21 @@ ImageTopic choose_depth(const std::vector<ImageTopic>& topics, const std::string
   return std::move(candidates.front());
 }
 
-/// A topic of colour images of the same camera and size, if there is one.
+/// A topic of colour images of the same camera and size, or of the size of a colour camera of its
+/// own, if there is one.
 std::optional<ImageTopic> choose_color(const std::vector<ImageTopic>& topics,
-                                       const ImageTopic& depth, const std::string& name,
+                                       const ImageTopic& depth, std::optional<ImageSize> own_size,
+                                       const std::string& name,
                                        std::vector<std::string>& warnings) {
+  const auto belongs = [&](const RosImage& color) {
+    if (own_size) return color.size == *own_size;
+    return color.size == depth.first.size && color.frame_id == depth.first.frame_id;
+  };
   const ImageTopic* chosen = nullptr;
   bool unregistered = false;
   for (const ImageTopic& images : topics) {
     if (!is_color_encoding(images.first.encoding)) continue;
-    if (images.first.size != depth.first.size || images.first.frame_id != depth.first.frame_id) {
+    if (!belongs(images.first)) {
       unregistered = true;
     } else if (chosen == nullptr || images.messages.size() > chosen->messages.size()) {
       chosen = &images;
@@ -215,7 +221,8 @@ class BagSequence final : public DepthSequence {
       camera_.width = depth.first.size.width, camera_.height = depth.first.size.height;
     }
     encoding_ = depth.first.encoding;
-    if (auto color = choose_color(topics, depth, bag_->name(), warnings_))
+    color_size_ = own_color_size(options).value_or(depth.first.size);
+    if (auto color = choose_color(topics, depth, own_color_size(options), bag_->name(), warnings_))
       colors_ = std::move(color->messages);
     depths_ = std::move(depth.messages);
     pair_colors();
@@ -243,7 +250,7 @@ class BagSequence final : public DepthSequence {
     if (color_of_[i] < 0) return frame;
     const std::string color_bytes = bytes_of(colors_[static_cast<std::size_t>(color_of_[i])]);
     const RosImage color = parse_ros_image(color_bytes, name);
-    if (is_color_encoding(color.encoding) && color.size == image.size) {
+    if (is_color_encoding(color.encoding) && color.size == color_size_) {
       frame.colors = colors_of(color, name);
     }
     return frame;
@@ -282,6 +289,7 @@ class BagSequence final : public DepthSequence {
   CameraIntrinsics camera_;
   double depth_scale_ = 1.0;
   std::string encoding_;
+  ImageSize color_size_;
   Messages depths_;
   Messages colors_;
   std::vector<int> color_of_;  ///< −1 where there is none

@@ -19,6 +19,10 @@ class DepthRenderer {
 
   /// The image without noise: depth at pixel centres, colours shaded by a light at the camera.
   SensorFrame render(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera) const;
+  /// The same with other rays: x and y of one with z = 1 per pixel, not finite where there is none.
+  /// Empty: those of the camera.
+  SensorFrame render(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera,
+                     std::span<const Eigen::Vector2d> rays) const;
 
  private:
   struct Implementation;

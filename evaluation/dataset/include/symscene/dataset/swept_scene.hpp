@@ -47,9 +47,10 @@ struct SweptScene {
 /// Renders a sweep over a tabletop, reconstructs it with tracked or exact poses, finds the table
 /// and transfers the ground truth to the reconstruction. The scene of a sweep of one frame is that
 /// of view_scene(). If no frame is fused or no table is found, the scene and its ground truth are
-/// empty. The result is the same for any number of threads.
-/// Throws InputError if an option is out of its range.
+/// empty. The result is the same for any number of threads. With a calibration, frames are
+/// rectified by it first. Throws InputError if an option is out of its range.
 SweptScene reconstruct_sweep(const Tabletop& tabletop, const SweepOptions& sweep,
-                             const SweptSceneOptions& options = {});
+                             const SweptSceneOptions& options = {},
+                             const CameraModel* calibration = nullptr);
 
 }  // namespace symscene

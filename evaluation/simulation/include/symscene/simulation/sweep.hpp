@@ -4,6 +4,7 @@
 #include <string>
 
 #include "symscene/core/depth_frame.hpp"
+#include "symscene/simulation/camera_errors.hpp"
 #include "symscene/simulation/camera_path.hpp"
 #include "symscene/simulation/sensor_frame.hpp"
 #include "symscene/simulation/sensor_noise.hpp"
@@ -18,6 +19,7 @@ struct SweepOptions {
   CameraArcOptions camera = {.frames = 200, .radius = 0.8};
   HandShakeOptions shake;
   SensorNoiseOptions sensor;
+  CameraErrorOptions errors;
   double frame_rate = 30.0;
 
   template <class Self, class Visit>
@@ -27,6 +29,7 @@ struct SweepOptions {
     visit("camera", self.camera);
     visit("shake", self.shake);
     visit("sensor", self.sensor);
+    visit("errors", self.errors);
     visit("frame_rate", self.frame_rate, "1/s", above(0.0), "frames per second");
   }
   /// Throws InputError if a value is out of its range.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "symscene/core/camera_model.hpp"
 #include "symscene/core/depth_frame.hpp"
 
 namespace symscene {
@@ -15,6 +16,8 @@ namespace symscene {
 struct SequenceOptions {
   std::optional<CameraIntrinsics> intrinsics;  ///< size 0×0: the size of the images
   std::optional<double> depth_scale;           ///< value of the depth images that is 1 m [1/m]
+  /// A calibrated camera, in place of `intrinsics`: frames are read rectified.
+  std::optional<CameraModel> camera = {};
 };
 
 /// A sequence of depth images on disk. Frames are read on demand and not kept. Reading is const and
@@ -23,8 +26,8 @@ class DepthSequence {
  public:
   virtual ~DepthSequence() = default;
 
-  virtual std::string layout() const = 0;  ///< "sequence", "TUM RGB-D", "7-Scenes", ...
-  virtual const CameraIntrinsics& camera() const = 0;
+  virtual std::string layout() const = 0;              ///< "sequence", "TUM RGB-D", "7-Scenes", ...
+  virtual const CameraIntrinsics& camera() const = 0;  ///< of the frames as they are read
   virtual std::size_t size() const = 0;
   virtual double time(std::size_t i) const = 0;     ///< [s]
   virtual bool has_color() const = 0;               ///< whether any frame has colour
@@ -46,8 +49,8 @@ bool is_sequence(const std::filesystem::path& path);
 /// Opens a sequence in the layout that its path shows: SymScene's own, TUM RGB-D, ICL-NUIM,
 /// 7-Scenes or Redwood folders, a ROS 1 bag where the build has a reader of them, one depth image
 /// or a folder of them. Throws InputError if it is none of these, has no frame, intrinsics or depth
-/// scale are neither in the files nor in `options` (the message names the missing options), or the
-/// principal point is outside the image.
+/// scale are neither in the files nor in `options` (the message names the missing options), the
+/// principal point is outside the image, or a calibrated camera is not valid.
 std::unique_ptr<DepthSequence> open_sequence(const std::filesystem::path& path,
                                              const SequenceOptions& options = {});
 
