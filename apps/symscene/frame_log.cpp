@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "counted.hpp"
+
 namespace symscene::app {
 
 void FrameLog::add(std::size_t frame, const FrameReport& report) {
@@ -57,9 +59,10 @@ std::string FrameLog::first_run() const { return runs_.empty() ? "none" : descri
 
 std::vector<std::string> FrameLog::lines() const {
   constexpr std::size_t most = 12;
-  std::vector<std::string> lines{fmt::format(
-      "{} frames: {} fused, {} of them degenerate; {} lost, {} unreadable; found again {} times",
-      frames_, fused_, count("degenerate"), count("lost"), count("unreadable"), relocalized_)};
+  std::vector<std::string> lines{
+      fmt::format("{}: {} fused, {} of them degenerate; {} lost, {} unreadable; found again {}",
+                  counted(frames_, "frame"), fused_, count("degenerate"), count("lost"),
+                  count("unreadable"), counted(relocalized_, "time"))};
   for (const Run& run : runs_) {
     if (run.status == "converged" || run.status == "stitched") continue;
     if (lines.size() > most) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -5,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "counted.hpp"
 #include "mask_images.hpp"
 #include "session.hpp"
 #include "symscene/io/result.hpp"
@@ -18,6 +20,36 @@ std::optional<Eigen::Isometry3d> pose_at(const Trajectory& trajectory, double ti
     if (std::abs(pose.time - time) < 1e-3) return pose.T_world_camera;
   }
   return std::nullopt;
+}
+
+/// Object points in the images, and those of them that the depth contradicts.
+struct SeenThrough {
+  std::size_t points = 0;
+  std::size_t contradicted = 0;  ///< the camera measured something far behind them
+};
+
+/// Counts the points of a result's objects in a frame. Depth that lies far behind a point shows
+/// that the point is not there; depth before it is an occluder.
+void count_seen_through(const SegmentationResult& result, const CameraIntrinsics& camera,
+                        const DepthFrame& frame, const Eigen::Isometry3d& T_scene_camera,
+                        SeenThrough& counts) {
+  constexpr double least = 0.02, share_of_depth = 0.05;  // [m]
+  const Eigen::Isometry3d T_camera_scene = T_scene_camera.inverse();
+  for (const SceneObject& object : result.objects) {
+    for (const Index i : object.points) {
+      const Eigen::Vector3d p = T_camera_scene * result.cloud.position(i).cast<double>();
+      if (p.z() <= 0.0) continue;
+      const double u = std::round(camera.fx * p.x() / p.z() + camera.cx);
+      const double v = std::round(camera.fy * p.y() / p.z() + camera.cy);
+      if (u < 0.0 || v < 0.0 || u >= camera.width || v >= camera.height) continue;
+      const double measured =
+          frame.depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +
+                      static_cast<std::size_t>(u)];
+      if (!(measured > 0.0)) continue;
+      ++counts.points;
+      counts.contradicted += measured > p.z() + least + share_of_depth * p.z() ? 1 : 0;
+    }
+  }
 }
 
 struct Masks {
@@ -40,6 +72,16 @@ struct Masks {
     return std::nullopt;
   }
 
+  /// Frames of another scene see through most of the objects.
+  void require_own_frames(const SeenThrough& counts) const {
+    constexpr double most = 0.5;
+    const double share = static_cast<double>(counts.contradicted) /
+                         std::max(1.0, static_cast<double>(counts.points));
+    if (share <= most) return;
+    throw InputError(frames.string(), fmt::format("the frames of {}", result.string()),
+                     fmt::format("depth behind {:.0f} % of its objects' points", 100.0 * share));
+  }
+
   void run() {
     configure();
     require_not_input(shared.output, result);
@@ -53,6 +95,7 @@ struct Masks {
     MaskImageWriter writer(absolute(shared.output), objects, options);
     const auto step = static_cast<std::size_t>(every.value_or(1));
     std::size_t unplaced = 0;
+    SeenThrough seen_through;
     timer.time("label", [&] {
       for (std::size_t i = 0; i < sequence->size(); i += step) {
         const auto pose = pose_of(trajectory, *sequence, i);
@@ -61,19 +104,23 @@ struct Masks {
           continue;
         }
         session.on_begin()(fmt::format("frame {} of {}", i + 1, sequence->size()));
-        writer.add(i, sequence->camera(), sequence->read(i), *pose);
+        const DepthFrame frame = sequence->read(i);
+        count_seen_through(objects, sequence->camera(), frame, *pose, seen_through);
+        writer.add(i, sequence->camera(), frame, *pose);
       }
     });
     if (writer.frames() == 0)
       throw InputError(frames.string(), fmt::format("a frame with a pose in {}", result.string()),
                        "none");
+    require_own_frames(seen_through);
     if (unplaced > 0)
-      session.warn(
-          fmt::format("{}: {} frames have no pose and are left out", frames.string(), unplaced));
+      session.warn(fmt::format("{}: {} without a pose left out", frames.string(),
+                               counted(unplaced, "frame")));
     const std::size_t count = writer.frames();
     timer.time("write", [&] { writer.finish(); });
-    session.print_line(fmt::format("{}: {} objects in {} frames", shared.output.string(),
-                                   objects.objects.size(), count));
+    session.print_line(fmt::format("{}: {} in {}", shared.output.string(),
+                                   counted(objects.objects.size(), "object"),
+                                   counted(count, "frame")));
     session.finish(
         {{"output", shared.output}, {"objects", objects.objects.size()}, {"frames", count}},
         timer.stages());

@@ -20,6 +20,15 @@ TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResul
   }
 }
 
+std::optional<Eigen::Vector3d> camera_up(const PointCloud& cloud) {
+  constexpr float most_aslant = 1.4F;  // tangent of rays' angles with the optical axis
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3f p = cloud.position(i);
+    if (p.head<2>().norm() > most_aslant * p.z()) return std::nullopt;
+  }
+  return -Eigen::Vector3d::UnitY();
+}
+
 void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,
                        const SegmentationResult& result, Surroundings around,
                        std::optional<PageGrasps> grasps, const std::string& noun) {
@@ -27,6 +36,7 @@ void write_result_page(const std::filesystem::path& page, const std::filesystem:
   options.noun = noun;
   options.title = folder_name(source);
   options.table = result.table;
+  if (!result.table) options.up = camera_up(result.cloud);
   options.surface = std::move(around.surface);
   options.trajectory = std::move(around.trajectory);
   options.grasps = std::move(grasps);

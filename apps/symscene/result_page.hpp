@@ -13,6 +13,10 @@ namespace symscene::app {
 TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResult& result,
                             const std::filesystem::path& source, Session& session);
 
+/// The direction that a page without a table shows upwards: −y for a cloud that lies before a
+/// camera at the origin that looks along +z; none for others.
+std::optional<Eigen::Vector3d> camera_up(const PointCloud& cloud);
+
 /// Writes the page of a result that was made of `source`, which gives its title. `noun`: what the
 /// page calls an object.
 void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,

@@ -65,8 +65,8 @@ struct Segment {
     if (!page.empty()) write_result_page(page, source.path, result, std::move(around));
   }
 
-  void require_frame(const SegmentInput& input) const {
-    if (masks.empty() || input.frame) return;
+  void require_frame() const {
+    if (masks.empty() || !source.is_cloud()) return;
     throw InputError(source.path.string(),
                      "a depth image, as --masks needs (symscene masks labels sequences)",
                      "a scene or a cloud");
@@ -90,10 +90,10 @@ struct Segment {
     configure();
     source.table.table();  // before the work
     check_outputs();
+    require_frame();
     Session session("segment", shared);
     session.on_begin()("read");
     SegmentInput input = source.read(options, session);
-    require_frame(input);
     SegmentationResult result = objects_of(input.scene, session);
     session.warn(std::span(result.warnings).subspan(input.scene.warnings.size()));
     result.timings.insert(result.timings.begin(), input.stages.begin(), input.stages.end());

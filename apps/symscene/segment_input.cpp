@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "io/atomic_file.hpp"
 #include "models.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
+#include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/trajectory.hpp"
 
@@ -33,6 +35,12 @@ Value read_if_there(const fs::path& file, Session& session, const Read& read) {
 
 bool is_scene_folder(const fs::path& path) {
   return fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd");
+}
+
+/// Whether the name is that of a cloud. The vertices of a mesh are one too.
+bool has_points(const fs::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".ply" || extension == ".pcd";
 }
 
 /// Depth images alone do not tell their unit. Nearly all cameras write millimetres.
@@ -64,7 +72,12 @@ void SegmentSource::require_no_camera(const char* kind) const {
 
 /// Whether the cloud of a scene folder may hold its table still: one that symscene wrote does not.
 bool SegmentSource::may_hold_table() const {
-  return !table.none && !fs::exists(path / "table_plane.txt") && !fs::exists(path / "scene.json");
+  return !table.none && !fs::exists(path / "table_plane.txt") && !fs::exists(path / "scene.json") &&
+         !fs::exists(path / "objects.json");
+}
+
+bool SegmentSource::is_cloud() const {
+  return is_scene_folder(path) || (fs::is_regular_file(path) && has_points(path));
 }
 
 /// Takes the table, if one with objects on it is found, from the cloud of a scene folder. The
@@ -94,7 +107,12 @@ void SegmentSource::crop_table(Scene& scene, const SegmentOptions& options,
 SegmentInput SegmentSource::read_folder(const SegmentOptions& options, Session& session) const {
   SegmentInput input;
   const bool is_searched = may_hold_table();
-  input.scene = read_scene(path, {.expects_table = !is_searched && !table.is_told()});
+  const fs::path result = path / "objects.json";
+  const bool is_result = fs::exists(result);
+  input.scene = read_scene(path, {.expects_table = !is_searched && !is_result && !table.is_told()});
+  if (is_result)
+    input.scene.table =
+        parse_objects_json(read_file(result), result.string(), input.scene.cloud.size()).table;
   require_no_camera("a scene");
   if (table.any_up && input.scene.table)
     throw InputError("--any-up", "a table to search", "a scene with table_plane.txt");
@@ -106,7 +124,8 @@ SegmentInput SegmentSource::read_folder(const SegmentOptions& options, Session& 
   if (table.none) input.scene.table.reset();
   // Those of the reader first: they explain why segmentation may fail. The result repeats them.
   session.warn(input.scene.warnings);
-  input.surface = read_if_there<TriangleMesh>(path / "mesh.ply", session, read_mesh);
+  input.surface = read_if_there<TriangleMesh>(path / (is_result ? "surface.ply" : "mesh.ply"),
+                                              session, read_mesh);
   input.trajectory = read_if_there<Trajectory>(path / "poses.txt", session, read_trajectory);
   return input;
 }
@@ -161,7 +180,7 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
 
 SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session) const {
   if (is_scene_folder(path)) return read_folder(options, session);
-  if (fs::is_regular_file(path) && is_cloud_file(path)) return read_cloud_file(options, session);
+  if (fs::is_regular_file(path) && has_points(path)) return read_cloud_file(options, session);
   if (is_sequence(path)) return read_view(options, session);
   if (!fs::exists(path)) throw InputError(path.string(), an_input, "nothing of that name");
   return read_folder(options, session);

@@ -32,6 +32,9 @@ struct SegmentSource {
   /// it.
   SegmentInput read(const SegmentOptions& options, Session& session) const;
 
+  /// Whether the path is a scene folder or a cloud, which have no depth image.
+  bool is_cloud() const;
+
  private:
   /// Throws InputError if an option is given that only depth images have a use for.
   void require_no_camera(const char* kind) const;

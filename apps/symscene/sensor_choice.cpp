@@ -81,8 +81,10 @@ DepthFrame SensorChoice::prepared(DepthFrame frame, const CameraIntrinsics& came
 void SensorArguments::add_to(Arguments& arguments) {
   arguments.choice(
       "--sensor", name, {"auto", "structured-light", "stereo", "tof"},
-      "depth sensor. A named one sets the noise of all stages; auto, the default, says "
-      "what the frames show and keeps the noise of the options");
+      "depth sensor. A named one sets the noise of all stages: that of stereo follows from the "
+      "camera; tof has at least that of structured-light and loses its flying pixels. auto, the "
+      "default, says what the frames show and keeps the noise of the options, but where the frames "
+      "of a sequence show noisy stereo it tracks with that noise");
 }
 
 SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames, bool tracked,

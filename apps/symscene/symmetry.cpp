@@ -95,6 +95,10 @@ struct Symmetry {
 
  private:
   void refuse_contradictions() const {
+    if (format == "bop" && !review.empty() && shared.output.empty())
+      throw InputError("--format bop",
+                       "-o FILE beside --review (or the choices of the page, with --reviewed)",
+                       "no output");
     if (is_partial && format == "bop")
       throw InputError("--format bop", "whole models", "--partial");
     if (is_partial && !(review.empty() && reviewed.empty()))
@@ -156,6 +160,16 @@ struct Symmetry {
     return models;
   }
 
+  /// The benchmark's models are of 5 mm to 5 m: others have another unit.
+  void warn_of_unit(const ModelSymmetries& model, Session& session) const {
+    constexpr double least = 5.0, most = 5000.0;  // [mm]
+    const double diameter = model.diameter * model.millimetres;
+    if (diameter >= least && diameter <= most) return;
+    session.warn(fmt::format(
+        "{} has a diameter of {:.3g} mm if its unit is {}: --units names the unit of the models",
+        model.name, diameter, units));
+  }
+
   ModelSymmetries symmetries_of(const Model& model) const {
     const Points& vertices = model.mesh.vertices;
     return {model.name, units == "mm" ? 1.0 : 1000.0, bounding_box(vertices),
@@ -163,7 +177,7 @@ struct Symmetry {
   }
 
   /// models_info.json: entries by the numbers of obj_NNNNNN, or in order.
-  static Json models_info(const std::vector<ModelSymmetries>& models, Session& session) {
+  Json models_info(const std::vector<ModelSymmetries>& models, Session& session) const {
     std::set<int> numbers;
     for (const ModelSymmetries& model : models) numbers.insert(bop_number(model.name));
     const bool are_numbered = numbers.size() == models.size() && !numbers.contains(0);
@@ -173,6 +187,7 @@ struct Symmetry {
       if (!are_numbered)
         session.warn(fmt::format("{} is model {}, as not all names are like obj_000001",
                                  models[k].name, number));
+      warn_of_unit(models[k], session);
       json[std::to_string(number)] = bop_json(models[k]);
     }
     return json;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "counted.hpp"
 #include "io/atomic_file.hpp"
+#include "result_page.hpp"
 #include "session.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/viewer/page.hpp"
@@ -20,6 +22,7 @@ struct View {
     PageOptions options;
     options.title = title.empty() ? folder_name(result) : title;
     options.table = input.table;
+    if (!input.table) options.up = camera_up(input.cloud);
     Surroundings around = read_result_surroundings(result);
     options.surface = std::move(around.surface);
     options.trajectory = std::move(around.trajectory);
@@ -36,8 +39,9 @@ struct View {
       return naming(result, [&] { return render_page(input, options); });
     });
     timer.time("write", [&] { write_file_atomically(shared.output, page); });
-    session.print_line(fmt::format("{}: {} objects, {:.1f} MB", shared.output.string(),
-                                   input.objects.size(), 1e-6 * static_cast<double>(page.size())));
+    session.print_line(fmt::format("{}: {}, {:.1f} MB", shared.output.string(),
+                                   counted(input.objects.size(), "object"),
+                                   1e-6 * static_cast<double>(page.size())));
     session.finish(
         {{"output", shared.output}, {"objects", input.objects.size()}, {"bytes", page.size()}},
         timer.stages());

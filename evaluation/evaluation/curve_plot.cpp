@@ -101,9 +101,15 @@ std::string series(const Sweep& sweep, Metric metric, std::size_t color) {
   return svg + star(point_of(sweep.counts[*best].detections(metric)), color);
 }
 
+/// Whether there was nothing to find and nothing was found.
+bool is_of_nothing(const Sweep& sweep, std::size_t setting, Metric metric) {
+  const DetectionCounts& counts = sweep.counts[setting].detections(metric);
+  return counts.found + counts.ground_truth == 0;
+}
+
 std::string legend_entry(const Sweep& sweep, Metric metric, std::size_t color) {
   const auto best = best_setting(sweep, metric);
-  if (!best) return "";
+  if (!best || is_of_nothing(sweep, *best, metric)) return "";
   std::string text = fmt::format("<li><span class=\"swatch c{}\"></span>{}: best F <b>{}</b>",
                                  color, escape_markup(sweep.method),
                                  percent(sweep.counts[*best].detections(metric).f_measure()));

@@ -16,15 +16,21 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
+/// An empty field for a share of nothing.
+std::string share(double value, std::size_t whole) {
+  return whole == 0 ? "" : fmt::format("{:.6f}", value);
+}
+
 void add_lines(const std::string& subset, const Sweep& sweep, const std::string& setting,
                const SettingCounts& counts, std::string& csv) {
   for (const Metric metric : sweep.metrics) {
     if (!sweep.has(metric)) continue;
     const DetectionCounts& detections = counts.detections(metric);
-    csv += fmt::format("{},{},{},{},{},{},{},{:.6f},{:.6f},{:.6f}\n", field(sweep.method),
-                       field(subset), metric_name(metric), field(setting), detections.correct,
-                       detections.found, detections.ground_truth, detections.precision(),
-                       detections.recall(), detections.f_measure());
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", field(sweep.method), field(subset),
+                       metric_name(metric), field(setting), detections.correct, detections.found,
+                       detections.ground_truth, share(detections.precision(), detections.found),
+                       share(detections.recall(), detections.ground_truth),
+                       share(detections.f_measure(), detections.found + detections.ground_truth));
   }
 }
 

@@ -30,6 +30,11 @@ Json to_json(const SegmentationMetrics& metrics) {
   return json;
 }
 
+/// null where there was nothing to find and nothing was found.
+Json f_of(const DetectionCounts& counts) {
+  return counts.found + counts.ground_truth == 0 ? Json(nullptr) : Json(counts.f_measure());
+}
+
 bool has_masks(const Sweep& sweep) { return sweep.has(Metric::masks_90); }
 
 Json to_json(const Sweep& sweep, const SettingCounts& counts) {
@@ -40,7 +45,7 @@ Json to_json(const Sweep& sweep, const SettingCounts& counts) {
     json[metric_name(metric)] = {{"correct", detections.correct},
                                  {"found", detections.found},
                                  {"truth", detections.ground_truth},
-                                 {"f", detections.f_measure()}};
+                                 {"f", f_of(detections)}};
   }
   if (has_masks(sweep)) {
     json["mean_iou"] = counts.mean_overlap();
@@ -58,7 +63,7 @@ Json to_json(const Sweep& sweep) {
     if (!sweep.has(metric)) continue;
     if (const auto k = best_setting(sweep, metric)) {
       best[metric_name(metric)] = {{"setting", sweep.settings[*k]},
-                                   {"f", sweep.counts[*k].detections(metric).f_measure()}};
+                                   {"f", f_of(sweep.counts[*k].detections(metric))}};
     }
   }
   json["best"] = std::move(best);

@@ -15,6 +15,12 @@ std::string percent_or_dash(const std::optional<double>& share) {
   return share ? percent(*share) : "–";
 }
 
+/// F of a metric; none where there was nothing to find and nothing was found.
+std::optional<double> f_if_any(const DetectionCounts& counts) {
+  if (counts.found + counts.ground_truth == 0) return std::nullopt;
+  return counts.f_measure();
+}
+
 HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string setting) {
   HeadlineRow row{sweep.method,
                   std::move(setting),
@@ -26,7 +32,7 @@ HeadlineRow row_at(const Sweep& sweep, const SettingCounts& counts, std::string 
   if (counts.images > 0) row.pixels = counts.pixels.mean(counts.images);
   for (const Metric metric : sweep.metrics) {
     if (sweep.has(metric))
-      row.f[static_cast<std::size_t>(metric)] = counts.detections(metric).f_measure();
+      row.f[static_cast<std::size_t>(metric)] = f_if_any(counts.detections(metric));
   }
   return row;
 }
@@ -93,7 +99,7 @@ std::vector<HeadlineRow> headline(const std::vector<Sweep>& sweeps) {
       if (!sweep.has(metric)) continue;
       const std::size_t its_best = best_setting(sweep, metric).value_or(0);
       rows.back().f[static_cast<std::size_t>(metric)] =
-          sweep.counts[its_best].detections(metric).f_measure();
+          f_if_any(sweep.counts[its_best].detections(metric));
     }
   }
   return rows;

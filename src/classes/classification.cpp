@@ -1,5 +1,7 @@
 #include "symscene/classes/classification.hpp"
 
+#include "classes/classification_among.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,11 +53,11 @@ std::vector<SurfaceFit> explaining_fits(const ClassifiedObject& object, const Fi
 /// The class of the best fit that leaves space free that was seen empty. If its radius is not
 /// determined, one of a further fit that explains the points nearly as well.
 std::optional<ObjectClass> best_class(const std::vector<SurfaceFit>& fits,
-                                      const ClassifiedObject& object, const FitBounds& bounds,
-                                      const ClassOptions& options) {
+                                      const ClassifiedObject& object, const PointCloud& others,
+                                      const FitBounds& bounds, const ClassOptions& options) {
   std::optional<double> best;
   for (const SurfaceFit& fit : fits) {
-    const std::optional<ObjectClass> found = surface_class(fit, object, bounds, options);
+    const std::optional<ObjectClass> found = surface_class(fit, object, others, bounds, options);
     if (!found) continue;
     if (!best) best = fit.criterion;
     if (fit.criterion > *best + strong_evidence) break;
@@ -66,16 +68,21 @@ std::optional<ObjectClass> best_class(const std::vector<SurfaceFit>& fits,
 
 }  // namespace
 
-ObjectClass classify(const ClassifiedObject& object, const ClassOptions& options) {
+ObjectClass classify_among(const ClassifiedObject& object, const PointCloud& others,
+                           const ClassOptions& options) {
   options.validate();
   if (object.points.size() >= least_points && object.points.has_normals()) {
     const FitSamples samples = fit_samples(object.points, options.fit_points);
     const FitBounds bounds = fit_bounds(samples, object, options);
-    const std::optional<ObjectClass> found =
-        best_class(explaining_fits(object, samples, bounds, options), object, bounds, options);
+    const std::optional<ObjectClass> found = best_class(
+        explaining_fits(object, samples, bounds, options), object, others, bounds, options);
     if (found) return *found;
   }
   return class_of_symmetries(object, options);
+}
+
+ObjectClass classify(const ClassifiedObject& object, const ClassOptions& options) {
+  return classify_among(object, PointCloud(), options);
 }
 
 }  // namespace symscene

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "quantile.hpp"
 #include "surface_ends.hpp"
 
 namespace symscene {
@@ -160,6 +161,27 @@ double empty_share(const SurfaceModel& model, const Ends& ends, const DistanceFi
   return static_cast<double>(empty) / static_cast<double>(grid.size());
 }
 
+/// Whether points of the object lie beyond an end of the surface by more than noise explains and
+/// more than its length there allows. A fit explains the points on its faces only, and where an end
+/// is hidden a face ends where its own points do.
+bool is_left_by_points(const SurfaceModel& model, const Ends& ends, const PointCloud& points,
+                       double tolerance) {
+  constexpr double few = 0.02;   // share of the points, of which outliers may be
+  constexpr double noise = 3.0;  // in tolerances
+  constexpr double max_overhang = 0.25;
+  for (int f = 2 * model.first_axis(); f < SurfaceModel::planar_faces; ++f) {
+    const Eigen::Vector3d direction = model.axes * SurfaceModel::planar_normal(f);
+    std::vector<double> offsets;
+    for (Index i = 0; i < points.size(); ++i)
+      offsets.push_back(direction.dot(points.position(i).cast<double>() - model.origin));
+    const double beyond = quantile(std::move(offsets), 1.0 - few).value_or(0.0) -
+                          ends[static_cast<std::size_t>(f)].offset;
+    const double length = low_offset(ends, f / 2) + high_offset(ends, f / 2);
+    if (beyond > std::max(noise * tolerance, max_overhang * length)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool has_determined_size(const ObjectClass& found, double max_deviation) {
@@ -169,10 +191,12 @@ bool has_determined_size(const ObjectClass& found, double max_deviation) {
 }
 
 std::optional<ObjectClass> surface_class(const SurfaceFit& fit, const ClassifiedObject& object,
-                                         const FitBounds& bounds, const ClassOptions& options) {
-  const Ends ends = surface_ends(fit, object, bounds.tolerance, options);
+                                         const PointCloud& others, const FitBounds& bounds,
+                                         const ClassOptions& options) {
+  const Ends ends = surface_ends(fit, object, others, bounds.tolerance, options);
   if (empty_share(fit.model, ends, object.field, bounds.tolerance) > options.max_empty)
     return std::nullopt;
+  if (is_left_by_points(fit.model, ends, object.points, bounds.tolerance)) return std::nullopt;
   const double error = systematic_error(fit, object.spacing, options);
   const double over_scale = options.fit_error * error / fit.scale;
   const double face_error =

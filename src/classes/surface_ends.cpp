@@ -5,6 +5,8 @@
 #include <map>
 
 #include "core/median.hpp"
+#include "quantile.hpp"
+#include "symscene/core/neighbors.hpp"
 
 namespace symscene {
 namespace {
@@ -17,7 +19,12 @@ constexpr std::size_t least_strips = 3;
 constexpr double least_free_strips = 0.6;  // share of them
 constexpr double beyond = 3.0;             // where space beyond a strip is probed, in spacings
 constexpr double above = 2.0;              // the same, above the face
+constexpr double visible_share = 0.95;     // of the strips that end before what is seen
 constexpr double upright_cosine = 0.995;   // of an axis along the table's normal
+constexpr double usual_base_gap = 2.0;     // below points of an object on the table, in spacings
+constexpr double support_distance = 2.0;   // of a surface on which an object stands, in spacings
+constexpr double support_cosine = 0.7;     // of its normal and the table's
+constexpr double least_supported = 0.5;    // share of the strips that reach the lowest points
 
 /// Points of a surface in its frame that are on it.
 struct LocalPoints {
@@ -80,7 +87,8 @@ std::vector<Strip> strips_towards(int end, const SurfaceModel& model, const Loca
   return kept;
 }
 
-/// The end of faces in free space: the median of their strips.
+/// The end of faces in free space: the median of their strips. Where others hide it, what is seen
+/// is the bound: the farthest strips, since those that an occluder cuts say nothing of the end.
 SurfaceEnd edge_end(int end, const SurfaceModel& model, const std::vector<Strip>& strips,
                     const ClassifiedObject& object, double error, const ClassOptions& options) {
   const Eigen::Vector3d direction = SurfaceModel::planar_normal(end);
@@ -94,7 +102,7 @@ SurfaceEnd edge_end(int end, const SurfaceModel& model, const std::vector<Strip>
     if (object.field.at(world.cast<float>()) > 0.0F) free.push_back(strip.last);
   }
   if (all.empty()) return found;
-  found.offset = median(all).value_or(0.0);
+  found.offset = quantile(all, visible_share).value_or(0.0);
   if (free.size() < least_strips ||
       static_cast<double>(free.size()) < least_free_strips * static_cast<double>(all.size()))
     return found;
@@ -111,11 +119,34 @@ SurfaceEnd edge_end(int end, const SurfaceModel& model, const std::vector<Strip>
   return found;
 }
 
-/// The table under an upright object whose last points are near it.
+/// Whether surfaces of others that face up adjoin the lowest points, at `last`: what an object
+/// stands on or in, if it does not stand on the table. Strips that end higher are cut by occluders.
+bool stands_on_others(const SurfaceModel& model, const std::vector<Strip>& strips, double last,
+                      const ClassifiedObject& object, const PointCloud& others) {
+  const Eigen::Vector3f up = object.table->normal.cast<float>();
+  PointIndices facing_up;
+  for (Index i = 0; i < others.size(); ++i) {
+    if (others.normal(i).dot(up) > static_cast<float>(support_cosine)) facing_up.push_back(i);
+  }
+  if (facing_up.empty()) return false;
+  const auto reach = static_cast<float>(support_distance * object.spacing);
+  const CellList cells(select(others, facing_up).positions, reach);
+  int lowest = 0, supported = 0;
+  for (const Strip& strip : strips) {
+    if (strip.last < last - usual_base_gap * object.spacing) continue;
+    const Eigen::Vector3d end = model.origin + model.axes * strip.point;
+    ++lowest;
+    supported += cells.nearest(end.cast<float>(), reach).first != CellList::none ? 1 : 0;
+  }
+  return supported >= least_supported * lowest;
+}
+
+/// The table under an upright object whose last points are near it. A gap that is larger than what
+/// cropping the table leaves may be of another thing under the object.
 std::optional<SurfaceEnd> table_end(int end, const SurfaceModel& model,
                                     const std::vector<Strip>& strips,
-                                    const ClassifiedObject& object, double error,
-                                    const ClassOptions& options) {
+                                    const ClassifiedObject& object, const PointCloud& others,
+                                    double error, const ClassOptions& options) {
   if (!object.table || strips.empty()) return std::nullopt;
   const Eigen::Vector3d direction = model.axes * SurfaceModel::planar_normal(end);
   const double down = -direction.dot(object.table->normal);
@@ -131,8 +162,12 @@ std::optional<SurfaceEnd> table_end(int end, const SurfaceModel& model,
   below[end / 2] = 0.0;
   const Eigen::Vector3d from = model.origin + model.axes * below;
   const double offset = object.table->signed_distance(from) / down;
-  if (std::abs(offset - last) > options.max_base_gap * object.spacing) return std::nullopt;
-  const double deviation = options.table_error * error;
+  const double gap = std::abs(offset - last);
+  if (gap > options.max_base_gap * object.spacing ||
+      stands_on_others(model, strips, last, object, others))
+    return std::nullopt;
+  const double unusual = std::max(0.0, gap - usual_base_gap * object.spacing);
+  const double deviation = std::hypot(options.table_error * error, unusual);
   return SurfaceEnd{offset, deviation * deviation, SurfaceEnd::Source::table};
 }
 
@@ -144,6 +179,7 @@ double systematic_error(const SurfaceFit& fit, double spacing, const ClassOption
 
 std::array<SurfaceEnd, SurfaceModel::planar_faces> surface_ends(const SurfaceFit& fit,
                                                                 const ClassifiedObject& object,
+                                                                const PointCloud& others,
                                                                 double tolerance,
                                                                 const ClassOptions& options) {
   const SurfaceModel& model = fit.model;
@@ -158,7 +194,7 @@ std::array<SurfaceEnd, SurfaceModel::planar_faces> surface_ends(const SurfaceFit
     }
     const std::vector<Strip> strips =
         strips_towards(f, model, points, strip_width * object.spacing);
-    const auto on_table = table_end(f, model, strips, object, error, options);
+    const auto on_table = table_end(f, model, strips, object, others, error, options);
     ends[at] = on_table ? *on_table : edge_end(f, model, strips, object, error, options);
   }
   return ends;

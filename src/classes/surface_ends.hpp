@@ -23,10 +23,11 @@ struct SurfaceEnd {
 double systematic_error(const SurfaceFit& fit, double spacing, const ClassOptions& options);
 
 /// The ends of a fitted surface across its planar faces, by their number: an observed face; the
-/// table under the object; the last points of other faces, where space beyond them was seen empty;
-/// or hidden.
+/// table under the object, unless surfaces of `others` carry it; the last points of other faces,
+/// where space beyond them was seen empty; or hidden.
 std::array<SurfaceEnd, SurfaceModel::planar_faces> surface_ends(const SurfaceFit& fit,
                                                                 const ClassifiedObject& object,
+                                                                const PointCloud& others,
                                                                 double tolerance,
                                                                 const ClassOptions& options);
 

@@ -39,14 +39,6 @@ fs::path find_cloud(const fs::path& dir) {
   throw InputError(dir.string(), scene_folder, "a folder with no cloud.ply");
 }
 
-/// Whether `file` exists; if not, `warnings` gets a sentence with the consequence.
-bool exists_or_warn(const fs::path& file, const char* consequence,
-                    std::vector<std::string>& warnings) {
-  if (fs::exists(file)) return true;
-  warnings.push_back(file.string() + " is missing: " + consequence);
-  return false;
-}
-
 /// The text of scene.json: the given one, checked, or a minimal one.
 std::string scene_text(const std::string& scene_json) {
   if (scene_json.empty()) return "{\"version\": 1}\n";
@@ -60,12 +52,7 @@ Scene read_scene(const fs::path& dir, const SceneReading& reading) {
   Scene scene;
   scene.cloud = read_cloud(find_cloud(dir));
   const fs::path occupancy = dir / "occupancy.bt";
-  // A bare table is written without one.
-  const bool is_expected = !scene.cloud.empty() || fs::exists(occupancy);
-  if (is_expected &&
-      exists_or_warn(occupancy, "all space off the surface counts as never seen", scene.warnings)) {
-    scene.occupancy = read_octomap(occupancy);
-  }
+  if (fs::exists(occupancy)) scene.occupancy = read_octomap(occupancy);
   const fs::path table = dir / "table_plane.txt";
   if (fs::exists(table)) scene.table = read_table_plane(table);
   if (!scene.table && reading.expects_table)

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "classes/classification_among.hpp"
 #include "core/parallel.hpp"
 #include "proposals/merge.hpp"
 #include "proposals/object_proposals.hpp"
@@ -59,18 +62,33 @@ void choose_within_bounds(const SceneProposals& proposals, const PipelineOptions
     result.objects.push_back(object_within_bounds(distinct[k]));
 }
 
+/// The points of other objects within `margin` of the box of an object's points. [m]
+PointCloud near_others(const PointCloud& cloud, const PointIndices& object, double margin) {
+  const Box box = bounding_box(select(cloud, object).positions).padded(static_cast<float>(margin));
+  PointIndices others;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3f position = cloud.position(i);
+    if ((position - box.min).minCoeff() < 0.0F || (box.max - position).minCoeff() < 0.0F) continue;
+    if (!std::binary_search(object.begin(), object.end(), i)) others.push_back(i);
+  }
+  return select(cloud, others);
+}
+
 /// Determines the symmetry class of an object (section 4.7), and adds its symmetries to the list.
 void classify_object(const SceneProposals& proposals, const PipelineOptions& options,
                      SceneObject& object) {
   if (!options.classes.enabled) return;
   const PointCloud points = select(proposals.cloud, object.points);
-  object.symmetry_class = classify({points, options.voxel_size, object.rotational,
-                                    object.reflectional, proposals.field, proposals.table},
-                                   options.classes);
+  constexpr double margin = 3.0;  // in spacings
+  object.symmetry_class = classify_among(
+      {points, options.voxel_size, object.rotational, object.reflectional, proposals.field,
+       proposals.table},
+      near_others(proposals.cloud, object.points, margin * options.voxel_size), options.classes);
   if (!options.classes.complete_symmetries) return;
   SymmetryLists lists =
       with_symmetries_of_class({std::move(object.rotational), std::move(object.reflectional)},
                                *object.symmetry_class, options.object_symmetry.same_plane_angle);
+  object.symmetry_class = centred_on_planes(std::move(*object.symmetry_class), lists.reflectional);
   ListedSymmetries measured =
       with_measured_residuals({std::move(lists.rotational), std::move(lists.reflectional)}, points,
                               proposals.field, options.symmetry_search_options());

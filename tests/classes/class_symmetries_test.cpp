@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace symscene {
 namespace {
 
@@ -34,10 +36,70 @@ TEST(ClassSymmetries, LeaveOutPlanesWhoseEndsAreHidden) {
   for (const ObjectPlane& listed : lists.reflectional) EXPECT_EQ(listed.plane.normal.y(), 0.0);
 }
 
-TEST(ClassSymmetries, KeepOtherListedPlanes) {
+TEST(ClassSymmetries, DropListedPlanesThatTheClassDoesNotHave) {
   const SymmetryLists lists =
       with_symmetries_of_class({{}, {plane(1.0, 1.0, 0.0, 0.01)}}, unit_box(), same_angle);
-  EXPECT_EQ(lists.reflectional.size(), 4U);
+  EXPECT_EQ(lists.reflectional.size(), 3U);
+  EXPECT_FALSE(std::any_of(
+      lists.reflectional.begin(), lists.reflectional.end(), [](const ObjectPlane& listed) {
+        return line_angle(listed.plane.normal, Eigen::Vector3d(1, 1, 0)) < radians(5.0);
+      }));
+}
+
+TEST(ClassSymmetries, KeepTheDiagonalOfABoxWithEqualSides) {
+  ObjectClass box = unit_box();
+  box.dimensions[1].value = 0.2015;
+  const SymmetryLists lists =
+      with_symmetries_of_class({{}, {plane(1.0, 0.9, 0.0, 0.01)}}, box, same_angle);
+  ASSERT_EQ(lists.reflectional.size(), 4U);
+  const Eigen::Vector3d diagonal = Eigen::Vector3d(1, 1, 0).normalized();
+  EXPECT_LT((lists.reflectional[0].plane.normal - diagonal).norm(), 1e-12);
+  EXPECT_EQ(lists.reflectional[0].plane.point, box.center);
+}
+
+TEST(ClassSymmetries, WhereAnEndIsHiddenTheListedPlaneThroughWhatIsSeenGivesTheCentre) {
+  ObjectClass box = unit_box();
+  box.dimensions[0].sigma.reset();
+  ObjectPlane within = plane(1.0, 0.1, 0.0, 0.01), beyond = plane(1.0, 0.0, 0.0, 0.01);
+  within.plane.point = {0.03, 0.0, 0.0};
+  beyond.plane.point = {0.13, 0.0, 0.0};
+  const SymmetryLists lists = with_symmetries_of_class({{}, {within}}, box, same_angle);
+  ASSERT_EQ(lists.reflectional.size(), 3U);
+  const ObjectClass centred = centred_on_planes(box, lists.reflectional);
+  EXPECT_NEAR(centred.center.x(), 0.03, 1e-12);
+  for (const ObjectPlane& listed : lists.reflectional)
+    EXPECT_NEAR(listed.plane.signed_distance(centred.center), 0.0, 1e-12);
+  const SymmetryLists dropped = with_symmetries_of_class({{}, {beyond}}, box, same_angle);
+  EXPECT_EQ(dropped.reflectional.size(), 2U);
+  EXPECT_EQ(centred_on_planes(box, dropped.reflectional).center, box.center);
+}
+
+TEST(ClassSymmetries, OfEveryClassGoThroughItsCentre) {
+  const std::vector<ObjectPlane> planes = {plane(1.0, 0.1, 0.0, 0.01), plane(0.0, 1.0, 0.1, 0.02),
+                                           plane(0.1, 0.0, 1.0, 0.03), plane(1.0, 0.05, 0.0, 0.04),
+                                           plane(1.0, 1.0, 1.0, 0.05)};
+  const std::vector<ObjectAxis> axes = {
+      {{{0.003, 0.003, 0.003}, Eigen::Vector3d(0.1, 0.0, 1.0).normalized()}, 0.01}};
+  using enum SymmetryClass;
+  for (const auto& [kind, count] :
+       std::vector<std::pair<SymmetryClass, std::size_t>>{{mirror, 1},
+                                                          {prism, 2},
+                                                          {box, 3},
+                                                          {n_fold, 3},
+                                                          {revolution, 2},
+                                                          {cylinder, 3},
+                                                          {sphere, 4}}) {
+    const ObjectClass found{.kind = kind, .center = {0.01, 0.02, 0.03}, .order = 6};
+    const SymmetryLists lists = with_symmetries_of_class({axes, planes}, found, same_angle);
+    const bool has_axis =
+        kind == n_fold || kind == revolution || kind == cylinder || kind == sphere;
+    EXPECT_EQ(lists.rotational.size(), has_axis ? 1U : 0U) << to_string(kind);
+    EXPECT_EQ(lists.reflectional.size(), count) << to_string(kind);
+    for (const ObjectPlane& listed : lists.reflectional)
+      EXPECT_NEAR(listed.plane.signed_distance(found.center), 0.0, 1e-12) << to_string(kind);
+    for (const ObjectAxis& listed : lists.rotational)
+      EXPECT_LT((listed.axis.project(found.center) - found.center).norm(), 1e-12);
+  }
 }
 
 TEST(ClassSymmetries, AddTheAxisOfACylinderInPlaceOfPlanesThroughIt) {

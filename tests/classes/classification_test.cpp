@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "classes/classification_among.hpp"
 #include "classes/surface_fit.hpp"
 #include "core/random.hpp"
 #include "surfaces.hpp"
@@ -159,6 +160,90 @@ TEST(Classification, GivesALowerBoundForAnEndThatIsHidden) {
     EXPECT_EQ(dimension.reason, "an end is hidden");
     EXPECT_LE(dimension.value, 0.222);
   }
+}
+
+TEST(Classification, BoundsAHiddenEndByAllThatIsSeen) {
+  // An occluder cuts the long face on three quarters of its width, so that most strips are short.
+  PointIndices seen;
+  const PointCloud faces = seen_faces();
+  for (Index i = 0; i < faces.size(); ++i) {
+    const Eigen::Vector3f p = faces.position(i);
+    if (p.y() < -0.015F || p.z() > 0.12F) seen.push_back(i);
+  }
+  const ObjectClass found = class_of(select(faces, seen));
+  ASSERT_EQ(found.kind, SymmetryClass::box);
+  EXPECT_FALSE(found.dimensions[0].sigma);
+  EXPECT_GT(value_of(found, "length"), 0.215);
+  EXPECT_LT(value_of(found, "length"), 0.222);
+}
+
+TEST(Classification, OfABoxThatItsObjectLeavesIsNotThatBox) {
+  // A thin rod beyond the end of a box has few of the points.
+  const PointCloud crate = box({0.1, 0.1, 0.1});
+  const PointCloud rod =
+      moved(box({0.4, 0.006, 0.006}), Eigen::Isometry3d(Eigen::Translation3d(0.25, 0.0, 0.05)));
+  ASSERT_LT(static_cast<double>(rod.size()), 0.15 * static_cast<double>(crate.size()));
+  EXPECT_FALSE(class_of(crate).dimensions.empty());
+  EXPECT_TRUE(class_of(joined(crate, rod)).dimensions.empty());
+}
+
+/// A can of which the last points are at a height above the table z = 0.
+PointCloud can_seen_from(double lowest) {
+  PointIndices seen;
+  const PointCloud whole = noisy(can(0.035, 0.12), 0.0003, 1);
+  for (Index i = 0; i < whole.size(); ++i) {
+    if (whole.position(i).z() > static_cast<float>(lowest)) seen.push_back(i);
+  }
+  return select(whole, seen);
+}
+
+const Dimension& height_of(const ObjectClass& found) { return found.dimensions.back(); }
+
+TEST(Classification, OfACanOnTheTableHasItsHeightAboveIt) {
+  const PointCloud seen = can_seen_from(0.008);
+  const DistanceField field = nothing_known(seen);
+  const std::optional<Plane> table = Plane{{0, 0, 1}, 0.0};
+  const ObjectClass found = classify({seen, 0.005, no_axes, no_planes, field, table});
+  ASSERT_EQ(found.kind, SymmetryClass::cylinder);
+  ASSERT_TRUE(height_of(found).sigma);
+  EXPECT_LT(*height_of(found).sigma, 0.002);
+  EXPECT_NEAR(height_of(found).value, 0.12, 0.001);
+}
+
+TEST(Classification, KnowsLessOfAHeightTheFartherTheLastPointsAreFromTheTable) {
+  const PointCloud seen = can_seen_from(0.017);
+  const DistanceField field = nothing_known(seen);
+  const std::optional<Plane> table = Plane{{0, 0, 1}, 0.0};
+  const ObjectClass found = classify({seen, 0.005, no_axes, no_planes, field, table});
+  ASSERT_EQ(found.kind, SymmetryClass::cylinder);
+  ASSERT_TRUE(height_of(found).sigma);
+  EXPECT_GT(*height_of(found).sigma, 0.005);
+}
+
+TEST(Classification, OfACanInABowlHasNoHeightAboveTheTable) {
+  // The rim of the bowl hides the foot of the can on all but a third of its turn.
+  const PointCloud whole = can_seen_from(0.008);
+  PointIndices visible;
+  for (Index i = 0; i < whole.size(); ++i) {
+    const Eigen::Vector3f p = whole.position(i);
+    if (p.x() > 0.02F || p.z() > 0.04F) visible.push_back(i);
+  }
+  const PointCloud seen = select(whole, visible);
+  const DistanceField field = nothing_known(seen);
+  const std::optional<Plane> table = Plane{{0, 0, 1}, 0.0};
+  const ClassifiedObject object{seen, 0.005, no_axes, no_planes, field, table};
+  ASSERT_TRUE(height_of(classify(object)).sigma);
+  // The floor of the bowl around the can, 8 mm above the table.
+  PointIndices floor;
+  const PointCloud ring =
+      moved(can(0.06, 0.01), Eigen::Isometry3d(Eigen::Translation3d(0, 0, -0.002)));
+  for (Index i = 0; i < ring.size(); ++i) {
+    if (ring.normal(i).z() > 0.9F && ring.position(i).head<2>().norm() > 0.036F) floor.push_back(i);
+  }
+  const ObjectClass found = classify_among(object, select(ring, floor), {});
+  ASSERT_EQ(found.kind, SymmetryClass::cylinder);
+  EXPECT_FALSE(height_of(found).sigma);
+  EXPECT_LT(height_of(found).value, 0.1205);
 }
 
 TEST(Classification, FindsTheEndsOfFacesInFreeSpace) {

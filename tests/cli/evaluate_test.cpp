@@ -101,6 +101,12 @@ TEST_F(EvaluateCommand, RefusesInvalidDatasetsInOneSentence) {
   expect_refusal("evaluate data -o new --baselines guesswork", "guesswork");
 }
 
+TEST_F(EvaluateCommand, NamesTheWayFromASequenceToAScene) {
+  fs::create_directories(file("sweep"));
+  for (const char* name : {"sequence.json", "truth.json"}) write(file("sweep") / name, "{}");
+  expect_refusal("evaluate sweep -o new", "symscene reconstruct sweep -o scenes/sweep");
+}
+
 TEST_F(EvaluateCommand, RefusesMissingOrContradictoryGroundTruth) {
   spoil({});
   fs::remove(file("spoilt/one/truth.json"));

@@ -232,6 +232,21 @@ TEST_F(ReconstructCommand, SegmentGoesFromOneDepthImageToObjects) {
   const Outcome masks = run("masks view " + png +
                             " --depth-scale 1000 -o view_masks --intrinsics sweep/intrinsics.txt");
   EXPECT_EQ(masks.code, 0) << masks.err;
+  EXPECT_NE(masks.out.find(" in 1 frame\n"), std::string::npos) << masks.out;
+}
+
+TEST_F(ReconstructCommand, MasksRefuseFramesThatSeeThroughTheObjects) {
+  const std::string camera = " --intrinsics sweep/intrinsics.txt ";
+  const std::string png = (fs::path("sweep") / image(6)).string();
+  ASSERT_EQ(run("segment " + png + camera + "-o near").code, 0);
+  write(file("far.json"), R"({"tabletop": {"objects": 1}, "camera": {"frames": 1, "radius": 1.6,
+      "width": 320, "height": 240, "focal_length": 262}})");
+  ASSERT_EQ(run("simulate --sequence -o far --config far.json").code, 0);
+  const Outcome masks =
+      run("masks near far/" + image(0) + camera + "--depth-scale 1000 -o foreign_masks");
+  EXPECT_NE(masks.code, 0);
+  EXPECT_NE(masks.err.find("expected the frames of near"), std::string::npos) << masks.err;
+  EXPECT_FALSE(fs::exists(file("foreign_masks")));
 }
 
 TEST_F(ReconstructCommand, OneFrameGivesTheSameObjectsThroughAScene) {

@@ -136,6 +136,41 @@ std::string mesh_of_cloud(std::string ply) {
   return ply;
 }
 
+TEST_F(Command, ReadsTheVerticesOfAMeshAsACloud) {
+  const std::string cloud = contents(file("scene") / "cloud.ply");
+  write(file("cloud.ply"), cloud);
+  write(file("mesh.ply"), mesh_of_cloud(cloud));
+  for (const char* name : {"cloud", "mesh"}) {
+    const std::string text(name);
+    const Outcome outcome = run("segment " + text + ".ply --no-table -o of_" + text);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  EXPECT_EQ(objects_without_times("of_mesh"), objects_without_times("of_cloud"));
+}
+
+TEST_F(Command, SegmentsTheCloudOfAResultOnItsTable) {
+  const Outcome outcome = run("segment result -o again");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(objects_without_times("again").at("table"),
+            objects_without_times("result").at("table"));
+  EXPECT_EQ(outcome.err.find("table"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Command, WarnsOnceOfMissingOccupancy) {
+  fs::copy(file("scene"), file("unmapped"));
+  fs::remove(file("unmapped") / "occupancy.bt");
+  const Outcome outcome = run("segment unmapped -o of_unmapped");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("no occupancy map"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(Command, RefusesMasksOfACloudBeforeTheWork) {
+  for (const char* input : {"scene", "scene/cloud.ply"})
+    expect_refusal(std::string("segment ") + input + " -o new --masks new_masks", 1,
+                   "expected a depth image, as --masks needs");
+}
+
 TEST_F(Command, ShowsTheSurfaceOfAReconstructionWithItsResult) {
   fs::copy(file("scene"), file("scanned"));
   write(file("scanned") / "mesh.ply", mesh_of_cloud(contents(file("scanned") / "cloud.ply")));

@@ -68,6 +68,14 @@ TEST_F(SymmetryCommand, WritesModelsInfoOfAFolder) {
   EXPECT_FALSE(entry.contains("symmetries_continuous"));
 }
 
+TEST_F(SymmetryCommand, WarnsOfModelsInAnotherUnitThanSaid) {
+  const Outcome outcome = run("models --format bop -o models_info.json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("obj_000003 has a diameter of 2.97e+05 mm"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("--units"), std::string::npos) << outcome.err;
+}
+
 TEST_F(SymmetryCommand, NumbersModelsWithOtherNamesAndSaysSo) {
   fs::rename(workspace_ / "models/obj_000003.obj", workspace_ / "models/box.obj");
   const Outcome outcome = run("models --format bop");
@@ -145,7 +153,7 @@ TEST_F(SymmetryCommand, RefusesWhatIsNoReview) {
        {"--reviewed old.json", "--reviewed word.json", "--reviewed no.json", "--reviewed kind.json",
         "--reviewed twice.json", "--reviewed order.json", "--review page.html -o page.html",
         "--reviewed old.json --partial", "--review page.html --partial",
-        "--review models/obj_000003.obj"}) {
+        "--review page.html --format bop", "--review models/obj_000003.obj"}) {
     const Outcome outcome = run(std::string("models/obj_000003.obj ") + options);
     EXPECT_EQ(outcome.code, 1) << options;
     EXPECT_NE(outcome.err.find("symscene symmetry: "), std::string::npos) << outcome.err;

@@ -238,6 +238,26 @@ TEST(HeadlineText, HasADashForTheBoundaryFWithoutBoundaries) {
   EXPECT_EQ(dashes(without), dashes(with) + 1);
 }
 
+TEST(Report, HasNoScoreWhereThereWasNothingToFind) {
+  Sweep sweep = two_settings("ours");
+  sweep.counts = {masks({0, 3, 0}), masks({0, 0, 0})};
+  sweep.at_default = masks({0, 0, 0});
+  for (const HeadlineRow& row : headline({sweep}))
+    EXPECT_FALSE(row.f[static_cast<std::size_t>(Metric::masks_90)]);
+  Evaluation evaluation;
+  SceneEvaluation bare = scene("bare");
+  bare.segmentation = {sweep};
+  bare.objects.clear();
+  evaluation.add(bare);
+  const nlohmann::json report = nlohmann::json::parse(report_json(evaluation, info));
+  EXPECT_NE(report.dump().find(R"("f":null)"), std::string::npos);
+  EXPECT_EQ(report.dump().find(R"("f":1.0)"), std::string::npos);
+  for (const std::vector<std::string>& line : parse_csv(curves_csv(evaluation))) {
+    if (line.at(0) != "ours") continue;
+    EXPECT_NE(line.back(), "1.000000");
+  }
+}
+
 TEST(MissedObjectText, HasNoTableOfReasonsIfNoneIsMissed) {
   EXPECT_NE(missed_object_text(two_scenes()).find("missed because"), std::string::npos);
   Evaluation all_found;

@@ -135,6 +135,30 @@ TEST(CloudScene, TheOriginAmidAFusedCloudIsNoViewpoint) {
   EXPECT_GT(built.scene.cloud.size(), 2500U) << "the sphere and the box";
 }
 
+TEST(CloudScene, AnOriginBesideTheCloudAtTheHeightOfItsTableIsNoViewpoint) {
+  PointCloud cloud = table_with_box(true);
+  for (const float height : {0.0F, 0.004F}) {
+    const BuiltScene built = cloud_scene(cloud, {-0.6, 0.1, double{height}});
+    ASSERT_TRUE(built.scene.table) << height;
+    EXPECT_GT(built.scene.table->normal.z(), 0.99) << height;
+    EXPECT_GT(built.scene.cloud.size(), 600U) << height;
+    Index top = 0, upwards = 0;
+    for (Index i = 0; i < built.scene.cloud.size(); ++i) {
+      if (std::abs(built.scene.cloud.normal(i).z()) < 0.9F) continue;
+      ++top;
+      upwards += built.scene.cloud.normal(i).z() > 0.0F ? 1 : 0;
+    }
+    EXPECT_GT(upwards, 0.98 * top) << height;
+    EXPECT_NE(built.scene.warnings.back().find("as seen from"), std::string::npos);
+  }
+}
+
+TEST(CloudScene, TheWarningOfEstimatedNormalsSaysWhereTheSensorWas) {
+  const BuiltScene built = cloud_scene(table_with_box(true), viewpoint);
+  EXPECT_NE(built.scene.warnings.back().find("the sensor at (0.40, -0.80, 0.70)"),
+            std::string::npos);
+}
+
 TEST(CloudScene, WithoutItsTableAllPointsAreKept) {
   const BuiltScene built = cloud_scene(table_with_box(false), viewpoint);
   EXPECT_FALSE(built.scene.table);

@@ -11,9 +11,15 @@ import { HIDDEN, REST, pointOwners } from '../../viewer/src/ownership.js';
 import { paintClosed } from '../../viewer/src/painting.js';
 import { inkOn, objectColor, qualityColor } from '../../viewer/src/palette.js';
 import { decodePayload } from '../../viewer/src/payload.js';
+import { initialState } from '../../viewer/src/store.js';
 import { dot, length } from '../../viewer/src/vector.js';
 import { randomNumbers, tabletop } from './fixture.mjs';
 import { encodeScene } from './payload.mjs';
+
+test('planes are shown at first only where a table bounds the objects', () => {
+  const shown = (table) => initialState({ objects: [], surface: null, grasps: null, table }).planes;
+  assert.deepEqual([0.5, null].map(shown), [true, false]);
+});
 
 test('labels never cover each other, the controls or the border', () => {
   const random = randomNumbers(3);

@@ -18,14 +18,16 @@ export function createStore(initial) {
   };
 }
 
-export function initialState({ objects, surface, grasps }) {
+export function initialState({ objects, surface, grasps, table }) {
   return {
     mode: objects.length ? 'blend' : 'scan',
     visible: new Set(objects.map((object) => object.index)),
     completed: new Set(),
     selected: null,
     hovered: null,
-    planes: !grasps, // grippers between the sheets would be hard to see
+    // Grippers between the sheets would be hard to see, and without a table walls have sheets that
+    // hide what stands before them.
+    planes: !grasps && Number.isFinite(table),
     axes: true,
     labels: true,
     rest: true,

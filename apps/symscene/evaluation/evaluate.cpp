@@ -143,10 +143,25 @@ struct Evaluate {
     session.print_line((shared.output / "report.html").string());
   }
 
+  /// A sweep with ground truth beside it has to become a scene first.
+  void refuse_sequence() const {
+    const bool is_sweep = std::filesystem::exists(dataset / "sequence.json") &&
+                          std::filesystem::exists(dataset / "truth.json");
+    if (!is_sweep) return;
+    const std::string name = folder_name(dataset);
+    throw InputError(
+        dataset.string(),
+        fmt::format("a folder of scenes (make one: symscene reconstruct {} -o scenes/{}"
+                    ", then symscene evaluate scenes)",
+                    dataset.string(), name),
+        "a sequence with its ground truth");
+  }
+
   void run() {
     configure();
     require_not_input(shared.output, dataset);
     { const AtomicDirectory can_be_written(absolute(shared.output), report_layout); }
+    refuse_sequence();
     const std::string earlier_json = earlier.empty() ? "" : read_file(earlier);
     if (!earlier_json.empty())
       report_difference(earlier_json, earlier_json, earlier.string());  // before the work

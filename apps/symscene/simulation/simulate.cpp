@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "counted.hpp"
 #include "io/ply.hpp"
 #include "session.hpp"
 #include "symscene/ground_truth/truth_file.hpp"
@@ -86,7 +87,7 @@ struct Simulate {
     const Index points = simulated.scene.cloud.size();
     const std::size_t count = simulated.truth.objects.size();
     session.print_line(
-        fmt::format("{}: {} objects, {} points", shared.output.string(), count, points));
+        fmt::format("{}: {}, {} points", shared.output.string(), counted(count, "object"), points));
     session.finish({{"output", shared.output}, {"objects", count}, {"points", points}},
                    timer.stages());
   }
@@ -109,8 +110,8 @@ struct Simulate {
     });
     const std::size_t count = table.objects.size();
     const auto taken = static_cast<std::uint64_t>(sweep.camera.frames);
-    session.print_line(
-        fmt::format("{}: {} objects, {} frames", shared.output.string(), count, taken));
+    session.print_line(fmt::format("{}: {}, {}", shared.output.string(), counted(count, "object"),
+                                   counted(taken, "frame")));
     session.finish({{"output", shared.output}, {"objects", count}, {"frames", taken}},
                    timer.stages());
   }

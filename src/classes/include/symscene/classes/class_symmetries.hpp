@@ -10,13 +10,18 @@ struct SymmetryLists {
   std::vector<ObjectPlane> reflectional;
 };
 
-/// The symmetries of an object whose surface is a box or a cylinder: those that are listed, moved
-/// onto the planes and the axis of the class within `same_angle` of them [rad], and those of the
-/// class that are not listed. Planes of a box whose place an end that is hidden leaves open are
-/// not added. Those that are added have the share of the points that the class does not explain as
-/// residual, until it is measured. Planes through an axis that is added follow from it and are not
-/// listed. Lists of other classes are as they were.
+/// The symmetries of an object that agree with its class: those listed within `same_angle` of one
+/// of the class [rad], moved onto it, and those of a fitted box or cylinder that are not listed.
+/// Other listed symmetries are dropped. A plane between ends of which one is hidden keeps its
+/// place if it goes through what is seen; such planes of a box are not added. Those that are added
+/// have the share of the points that the class does not explain as residual, until it is measured.
+/// Planes through an axis that is added follow from it and are not listed. An object without a
+/// class keeps its lists.
 SymmetryLists with_symmetries_of_class(SymmetryLists listed, const ObjectClass& symmetry_class,
                                        double same_angle);
+
+/// The class with its centre on the listed planes between ends of which one is hidden, so that all
+/// that with_symmetries_of_class() lists goes through it. Lower bounds stay those of what is seen.
+ObjectClass centred_on_planes(ObjectClass symmetry_class, const std::vector<ObjectPlane>& listed);
 
 }  // namespace symscene
