@@ -4,6 +4,7 @@
 #include "symscene/motion/motion_validity.hpp"
 
 namespace symscene {
+
 TimedPath timed_motion(const MotionPlanner& planner, const std::vector<Eigen::VectorXd>& path) {
   TrajectoryOptions options;
   if (!arcs_are_free(JointPath(path, options.max_deviation),
@@ -20,7 +21,11 @@ FreeMotion plan_free_motion(const MotionPlanner& planner, const Eigen::VectorXd&
                   planner.rrt);
   if (found.status != PathStatus::found)
     return {std::nullopt, found.obstacle.empty() ? "no path was found" : found.obstacle};
-  return {timed_motion(planner, found.waypoints), {}};
+  return {timed_motion(planner, found.waypoints), {}, found.waypoints};
+}
+
+MotionLimits slowed(const MotionLimits& limits, double factor) {
+  return {limits.velocity / factor, limits.acceleration / (factor * factor)};
 }
 
 }  // namespace symscene

@@ -181,8 +181,8 @@ class LookPlanner {
     for (std::size_t i = 1; i < stations.size(); ++i)
       way += (camera_at(stations[i]) - camera_at(stations[i - 1])).norm();
     const TimedPath fastest = timed_motion({collision_, space_, limits_, planning_.rrt}, stations);
-    const double share = std::min(1.0, fastest.duration() * options_.speed / way);
-    const MotionLimits slow{share * limits_.velocity, share * share * limits_.acceleration};
+    const double factor = std::max(1.0, way / (fastest.duration() * options_.speed));
+    const MotionLimits slow = slowed(limits_, factor);
     return timed_motion({collision_, space_, slow, planning_.rrt}, stations);
   }
 

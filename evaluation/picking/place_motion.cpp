@@ -1,6 +1,7 @@
 #include "place_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/voxel_sampling.hpp"
@@ -26,6 +27,12 @@ std::vector<Eigen::Vector3f> held_points(const GraspObject& object,
   return points;
 }
 
+Eigen::Vector3d middle_of(const std::vector<Eigen::Vector3f>& points) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& point : points) middle += point.cast<double>();
+  return points.empty() ? middle : Eigen::Vector3d(middle / static_cast<double>(points.size()));
+}
+
 /// Height of a tool of that orientation above the lowest of the points that it holds and of the
 /// finger tips. [m]
 double height_above_lowest(const Eigen::Matrix3d& tool, const std::vector<Eigen::Vector3f>& held,
@@ -40,9 +47,7 @@ double height_above_lowest(const Eigen::Matrix3d& tool, const std::vector<Eigen:
 std::vector<Eigen::Isometry3d> poses_above(const PickBin& bin, const Eigen::Matrix3d& tool,
                                            const std::vector<Eigen::Vector3f>& held,
                                            const PickScene& in) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3f& point : held) middle += point.cast<double>();
-  if (!held.empty()) middle /= static_cast<double>(held.size());
+  const Eigen::Vector3d middle = middle_of(held);
   std::vector<Eigen::Isometry3d> poses;
   for (int k = 0; k < yaws; ++k) {
     const Eigen::AngleAxisd turn(2.0 * std::numbers::pi * k / yaws, Eigen::Vector3d::UnitZ());
@@ -57,9 +62,33 @@ std::vector<Eigen::Isometry3d> poses_above(const PickBin& bin, const Eigen::Matr
   return poses;
 }
 
-MotionLimits carry_limits(const PickScene& in) {
-  return motion_limits(in.robot.model, in.arm.arm,
-                       in.options.pick.speed * in.options.execution.carry_speed);
+/// Greatest acceleration of a point of the tool frame along a path. [m/s²]
+double greatest_acceleration(const PickScene& in, const TimedPath& path,
+                             const Eigen::Vector3d& point_tool) {
+  constexpr double period = 0.02;
+  const ArmChain chain = arm_chain(in.robot.model, in.arm.arm);
+  const Eigen::Vector3d point_tip = in.arm.T_tip_tool(in.gripper) * point_tool;
+  std::vector<Eigen::Vector3d> places;
+  for (double time = 0.0; time < path.duration() + period; time += period)
+    places.push_back(tip_pose(chain, path.at(std::min(time, path.duration())).position) *
+                     point_tip);
+  double greatest = 0.0;
+  for (std::size_t i = 2; i < places.size(); ++i) {
+    const Eigen::Vector3d change = places[i] - 2.0 * places[i - 1] + places[i - 2];
+    greatest = std::max(greatest, change.norm() / (period * period));
+  }
+  return greatest;
+}
+
+/// The motion slowed down so that the held object does not slip out of the fingers.
+TimedPath carried(const PickScene& in, const MotionPlanner& planner, const FreeMotion& motion,
+                  const Eigen::Vector3d& middle) {
+  const double factor = std::sqrt(greatest_acceleration(in, *motion.path, middle) /
+                                  in.options.execution.carry_acceleration);
+  if (factor <= 1.0) return *motion.path;
+  const MotionLimits limits = slowed(planner.limits, factor);
+  return timed_motion({planner.collision, planner.space, limits, planner.rrt, planner.ignored},
+                      motion.waypoints);
 }
 
 /// Free joint positions at tool poses.
@@ -114,9 +143,10 @@ PlaceMotion plan_place(const PickScene& in, const Eigen::VectorXd& start, const 
   const auto goals =
       free_positions(in, with_arm_positions(in.arm.arm, from, start), poses, collision, ignored);
   const JointSpace space = joint_space(in.robot.model, in.arm.arm);
-  const MotionLimits limits = carry_limits(in);
-  FreeMotion motion =
-      plan_free_motion({collision, space, limits, in.options.pick.rrt, ignored}, from, goals);
+  const MotionLimits limits = motion_limits(in.robot.model, in.arm.arm, in.options.pick.speed);
+  const MotionPlanner planner{collision, space, limits, in.options.pick.rrt, ignored};
+  FreeMotion motion = plan_free_motion(planner, from, goals);
+  if (motion.path) motion.path = carried(in, planner, motion, middle_of(held));
   return {std::move(motion.path), std::move(motion.obstacle)};
 }
 

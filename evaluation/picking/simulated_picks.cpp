@@ -180,7 +180,7 @@ class PickLoop {
       throw;
     }
     note_attempt(attempt, outcome, aim);
-    go_home(outcome.end == AttemptEnd::in_bin ? planned.grasp.object : -1);
+    go_home(planned.grasp.object, outcome.end == AttemptEnd::in_bin);
     settle();
   }
 
@@ -203,9 +203,12 @@ class PickLoop {
     run_.attempts.push_back(attempt);
   }
 
-  void go_home(int without) {
+  /// `object`: of the belief, the one that was grasped. If it is not gone, it may still be at the
+  /// hand: a way that avoids where it was comes first.
+  void go_home(int object, bool is_gone) {
     stage("motion home");
-    const PlaceMotion home = plan_home(scene(), cell_->target(), without);
+    PlaceMotion home = plan_home(scene(), cell_->target(), is_gone ? object : -1);
+    if (!home.path && !is_gone) home = plan_home(scene(), cell_->target(), object);
     if (!home.path) tell("no free way home is known, the arm goes straight: " + home.obstacle);
     const auto path = home.path ? home.path : straight_home();
     if (!path) return;

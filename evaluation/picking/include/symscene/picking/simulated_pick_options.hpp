@@ -24,7 +24,7 @@ struct PickExecutionOptions {
   double bin_width = 0.26;
   double bin_height = 0.12;
   double drop_height = 0.03;
-  double carry_speed = 0.5;
+  double carry_acceleration = 2.0;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -42,8 +42,9 @@ struct PickExecutionOptions {
     visit("bin_height", self.bin_height, "m", between(0.01, 1.0), "height of its walls");
     visit("drop_height", self.drop_height, "m", between(0.0, 1.0),
           "height of the held object above the bin when the hand opens");
-    visit("carry_speed", self.carry_speed, "", above_up_to(0.0, 1.0),
-          "share of the limits of velocity at which an object is carried");
+    visit("carry_acceleration", self.carry_acceleration, "m/s^2", above_up_to(0.0, 100.0),
+          "greatest acceleration of the middle of an object that is carried to the bin: the "
+          "fingers hold its weight and this");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
