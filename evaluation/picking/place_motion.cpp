@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "carry_line.hpp"
 #include "core/voxel_sampling.hpp"
 #include "free_motion.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
@@ -62,57 +63,6 @@ std::vector<Eigen::Isometry3d> poses_above(const PickBin& bin, const Eigen::Matr
   return poses;
 }
 
-/// Greatest acceleration of a point of the tool frame along a path. [m/s²]
-double greatest_acceleration(const PickScene& in, const TimedPath& path,
-                             const Eigen::Vector3d& point_tool) {
-  constexpr double period = 0.02;
-  const ArmChain chain = arm_chain(in.robot.model, in.arm.arm);
-  const Eigen::Vector3d point_tip = in.arm.T_tip_tool(in.gripper) * point_tool;
-  std::vector<Eigen::Vector3d> places;
-  for (double time = 0.0; time < path.duration() + period; time += period)
-    places.push_back(tip_pose(chain, path.at(std::min(time, path.duration())).position) *
-                     point_tip);
-  double greatest = 0.0;
-  for (std::size_t i = 2; i < places.size(); ++i) {
-    const Eigen::Vector3d change = places[i] - 2.0 * places[i - 1] + places[i - 2];
-    greatest = std::max(greatest, change.norm() / (period * period));
-  }
-  return greatest;
-}
-
-/// The motion slowed down so that the held object does not slip out of the fingers.
-TimedPath carried(const PickScene& in, const MotionPlanner& planner, const FreeMotion& motion,
-                  const Eigen::Vector3d& middle) {
-  const double factor = std::sqrt(greatest_acceleration(in, *motion.path, middle) /
-                                  in.options.execution.carry_acceleration);
-  if (factor <= 1.0) return *motion.path;
-  const MotionLimits limits = slowed(planner.limits, factor);
-  return timed_motion({planner.collision, planner.space, limits, planner.rrt, planner.ignored},
-                      motion.waypoints);
-}
-
-/// Free joint positions at tool poses.
-std::vector<Eigen::VectorXd> free_positions(const PickScene& in, const Eigen::VectorXd& start,
-                                            const std::vector<Eigen::Isometry3d>& poses,
-                                            const ArmCollision& collision,
-                                            const IgnoredObstacles& ignored) {
-  const ArmChain chain = arm_chain(in.robot.model, in.arm.arm);
-  const Eigen::Isometry3d T_table_base =
-      in.robot.T_world_base * link_poses(in.robot.model, start)[in.arm.arm.base_link];
-  InverseKinematicsOptions search;
-  search.max_starts = 8;
-  std::vector<Eigen::VectorXd> free;
-  for (const Eigen::Isometry3d& pose : poses) {
-    const Eigen::Isometry3d T_base_tip =
-        T_table_base.inverse() * pose * in.arm.T_tip_tool(in.gripper).inverse();
-    for (auto& positions : inverse_kinematics_solutions(
-             chain, T_base_tip, arm_positions(in.arm.arm, start), 2, search)) {
-      if (!collision.contact(positions, ignored)) free.push_back(std::move(positions));
-    }
-  }
-  return free;
-}
-
 /// Obstacles of the scene but never-seen space: the arm and the object came out of it.
 MotionObstacleOptions seen_obstacles(const PickScene& in) {
   MotionObstacleOptions options = in.options.pick.obstacles;
@@ -120,34 +70,139 @@ MotionObstacleOptions seen_obstacles(const PickScene& in) {
   return options;
 }
 
+/// One call of plan_place().
+class PlacePlanner {
+ public:
+  PlacePlanner(const PickScene& in, const Eigen::VectorXd& start, const PickMotion& pick,
+               const Grasp& grasp)
+      : in_(in),
+        from_(pick.retreat.at(pick.retreat.duration()).position),
+        chain_(arm_chain(in.robot.model, in.arm.arm)),
+        T_table_base_(in.robot.T_world_base *
+                      link_poses(in.robot.model, start)[in.arm.arm.base_link]),
+        T_tip_tool_(in.arm.T_tip_tool(in.gripper)),
+        held_(held_points(in.scene.objects[static_cast<std::size_t>(grasp.object)],
+                          tool_at(pick.retreat.at(0.0).position))),
+        space_(joint_space(in.robot.model, in.arm.arm)),
+        limits_(motion_limits(in.robot.model, in.arm.arm, in.options.pick.speed)),
+        obstacles_(in.scene, {}, seen_obstacles(in)),
+        collision_(in.robot, in.arm, &in.gripper, grasp.opening, obstacles_, start,
+                   in.options.pick.collision),
+        planner_{collision_, space_, limits_, in.options.pick.rrt, {grasp.object, grasp.object}} {
+    collision_.hold(held_);
+  }
+
+  PlaceMotion plan() const {
+    const Eigen::Matrix3d as_held = tool_at(from_).linear();
+    const auto upright = poses_above(in_.bin, as_held, held_, in_);
+    FreeMotion motion = upright_motion(upright);
+    if (!motion.path) motion = any_motion(upright);
+    if (!motion.path) return {std::nullopt, std::move(motion.obstacle)};
+    return {slow(motion), {}};
+  }
+
+ private:
+  Eigen::Isometry3d tool_at(const Eigen::VectorXd& positions) const {
+    return T_table_base_ * tip_pose(chain_, positions) * T_tip_tool_;
+  }
+  Eigen::Isometry3d T_base_tip(const Eigen::Isometry3d& T_table_tool) const {
+    return T_table_base_.inverse() * T_table_tool * T_tip_tool_.inverse();
+  }
+
+  /// A way on which the hand stays as it is after the lift, up to turns about the vertical: the
+  /// weight of a tilted object turns it in the fingers.
+  FreeMotion upright_motion(const std::vector<Eigen::Isometry3d>& goals) const {
+    for (const Eigen::Isometry3d& goal : goals) {
+      auto way = followed(
+          upright_line(tool_at(from_), goal, T_table_base_.translation().head<2>(), line_step));
+      if (way) return {timed_motion(planner_, *way), {}, std::move(*way)};
+    }
+    return {std::nullopt, "no upright way is free"};
+  }
+
+  /// Joint positions that follow poses of the tool, the first of them at `from_`; none where the
+  /// joints jump, or the arm or what it holds meets something.
+  std::optional<std::vector<Eigen::VectorXd>> followed(
+      const std::vector<Eigen::Isometry3d>& poses) const {
+    InverseKinematicsOptions search;
+    search.max_starts = 1;
+    std::vector<Eigen::VectorXd> way{from_};
+    for (std::size_t k = 1; k < poses.size(); ++k) {
+      const auto next = inverse_kinematics(chain_, T_base_tip(poses[k]), way.back(), search);
+      const bool follows = next.converged() &&
+                           (next.positions - way.back()).cwiseAbs().maxCoeff() < max_jump &&
+                           collision_.is_free(way.back(), next.positions, planner_.ignored);
+      if (!follows) return std::nullopt;
+      way.push_back(next.positions);
+    }
+    return way;
+  }
+
+  FreeMotion any_motion(std::vector<Eigen::Isometry3d> poses) const {
+    const Eigen::Matrix3d down = tool_pointing_down(Eigen::Vector3d::Zero(), 0.0).linear();
+    for (const auto& pose : poses_above(in_.bin, down, held_, in_)) poses.push_back(pose);
+    return plan_free_motion(planner_, from_, free_positions(poses));
+  }
+
+  std::vector<Eigen::VectorXd> free_positions(const std::vector<Eigen::Isometry3d>& poses) const {
+    InverseKinematicsOptions search;
+    search.max_starts = 8;
+    std::vector<Eigen::VectorXd> free;
+    for (const Eigen::Isometry3d& pose : poses) {
+      for (auto& positions :
+           inverse_kinematics_solutions(chain_, T_base_tip(pose), from_, 2, search)) {
+        if (!collision_.contact(positions, planner_.ignored)) free.push_back(std::move(positions));
+      }
+    }
+    return free;
+  }
+
+  /// Greatest acceleration of the held object's middle along a path. [m/s²]
+  double greatest_acceleration(const TimedPath& path) const {
+    constexpr double period = 0.02;
+    const Eigen::Vector3d middle_tip = T_tip_tool_ * middle_of(held_);
+    std::vector<Eigen::Vector3d> places;
+    for (double time = 0.0; time < path.duration() + period; time += period)
+      places.push_back(tip_pose(chain_, path.at(std::min(time, path.duration())).position) *
+                       middle_tip);
+    double greatest = 0.0;
+    for (std::size_t i = 2; i < places.size(); ++i) {
+      const Eigen::Vector3d change = places[i] - 2.0 * places[i - 1] + places[i - 2];
+      greatest = std::max(greatest, change.norm() / (period * period));
+    }
+    return greatest;
+  }
+
+  /// The motion, slow enough that the fingers can hold the object.
+  TimedPath slow(const FreeMotion& motion) const {
+    const double factor =
+        std::sqrt(greatest_acceleration(*motion.path) / in_.options.execution.carry_acceleration);
+    if (factor <= 1.0) return *motion.path;
+    const MotionLimits limits = slowed(limits_, factor);
+    return timed_motion({collision_, space_, limits, planner_.rrt, planner_.ignored},
+                        motion.waypoints);
+  }
+
+  static constexpr double line_step = 0.02;  // between poses of an upright way [m]
+  static constexpr double max_jump = 0.3;    // of a joint between two of them [rad]
+
+  const PickScene& in_;
+  Eigen::VectorXd from_;
+  ArmChain chain_;
+  Eigen::Isometry3d T_table_base_, T_tip_tool_;
+  std::vector<Eigen::Vector3f> held_;
+  JointSpace space_;
+  MotionLimits limits_;
+  MotionObstacles obstacles_;
+  ArmCollision collision_;
+  MotionPlanner planner_;
+};
+
 }  // namespace
 
 PlaceMotion plan_place(const PickScene& in, const Eigen::VectorXd& start, const PickMotion& pick,
                        const Grasp& grasp) {
-  const Eigen::VectorXd from = pick.retreat.at(pick.retreat.duration()).position;
-  const Eigen::VectorXd at_grasp = pick.retreat.at(0.0).position;
-  const Eigen::VectorXd all = with_arm_positions(in.arm.arm, at_grasp, start);
-  const Eigen::Isometry3d T_table_tool = in.robot.T_world_base *
-                                         link_poses(in.robot.model, all)[in.arm.arm.tip_link] *
-                                         in.arm.T_tip_tool(in.gripper);
-  const auto held =
-      held_points(in.scene.objects[static_cast<std::size_t>(grasp.object)], T_table_tool);
-  const MotionObstacles obstacles(in.scene, {}, seen_obstacles(in));
-  ArmCollision collision(in.robot, in.arm, &in.gripper, grasp.opening, obstacles, start,
-                         in.options.pick.collision);
-  collision.hold(held);
-  const IgnoredObstacles ignored{grasp.object, grasp.object};
-  std::vector<Eigen::Isometry3d> poses = poses_above(in.bin, T_table_tool.linear(), held, in);
-  const Eigen::Matrix3d down = tool_pointing_down(Eigen::Vector3d::Zero(), 0.0).linear();
-  for (const Eigen::Isometry3d& pose : poses_above(in.bin, down, held, in)) poses.push_back(pose);
-  const auto goals =
-      free_positions(in, with_arm_positions(in.arm.arm, from, start), poses, collision, ignored);
-  const JointSpace space = joint_space(in.robot.model, in.arm.arm);
-  const MotionLimits limits = motion_limits(in.robot.model, in.arm.arm, in.options.pick.speed);
-  const MotionPlanner planner{collision, space, limits, in.options.pick.rrt, ignored};
-  FreeMotion motion = plan_free_motion(planner, from, goals);
-  if (motion.path) motion.path = carried(in, planner, motion, middle_of(held));
-  return {std::move(motion.path), std::move(motion.obstacle)};
+  return PlacePlanner(in, start, pick, grasp).plan();
 }
 
 PlaceMotion plan_home(const PickScene& in, const Eigen::VectorXd& start, int without) {

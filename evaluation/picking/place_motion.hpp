@@ -25,8 +25,9 @@ struct PlaceMotion {
   std::string obstacle;
 };
 
-/// From the end of the retreat of `pick` to a pose at which the held object hangs above the bin: as
-/// it is held, turned about the vertical, or with the hand pointing down.
+/// From the end of the retreat of `pick` to a pose at which the held object hangs above the bin: up
+/// and around the arm's base with the object upright, else any way, at the end also with the hand
+/// pointing down. The object's middle accelerates by at most `carry_acceleration`.
 PlaceMotion plan_place(const PickScene& in, const Eigen::VectorXd& start, const PickMotion& pick,
                        const Grasp& grasp);
 
