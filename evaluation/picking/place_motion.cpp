@@ -70,6 +70,12 @@ MotionObstacleOptions seen_obstacles(const PickScene& in) {
   return options;
 }
 
+/// With objects that the held one must not meet, as on the straight way of the lift it may.
+ArmCollisionOptions carrying(ArmCollisionOptions options) {
+  options.held_clearance = 0.001;
+  return options;
+}
+
 /// One call of plan_place().
 class PlacePlanner {
  public:
@@ -87,7 +93,7 @@ class PlacePlanner {
         limits_(motion_limits(in.robot.model, in.arm.arm, in.options.pick.speed)),
         obstacles_(in.scene, {}, seen_obstacles(in)),
         collision_(in.robot, in.arm, &in.gripper, grasp.opening, obstacles_, start,
-                   in.options.pick.collision),
+                   carrying(in.options.pick.collision)),
         planner_{collision_, space_, limits_, in.options.pick.rrt, {grasp.object, grasp.object}} {
     collision_.hold(held_);
   }

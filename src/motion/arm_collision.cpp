@@ -186,8 +186,9 @@ struct ArmCollision::Model {
   }
 
   RobotContact held_contact(const Poses& at, const IgnoredObstacles& ignored) const {
-    return {"held object", held.nearest(obstacles, at[arm.arm.tip_link], ignored), "",
-            -0.8 * options.held_depth};
+    const double table_depth = options.held_clearance + 0.8 * options.held_depth;
+    return {"held object", held.nearest(obstacles, at[arm.arm.tip_link], ignored, table_depth), "",
+            options.held_clearance};
   }
 };
 

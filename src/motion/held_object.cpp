@@ -9,8 +9,9 @@ namespace {
 
 constexpr double group_edge = 0.04;  // [m]
 
-void take_table(const Plane& table, const Eigen::Vector3d& point, ObstacleDistance& least) {
-  const double height = table.signed_distance(point);
+void take_table(const Plane& table, const Eigen::Vector3d& point, double depth,
+                ObstacleDistance& least) {
+  const double height = table.signed_distance(point) + depth;
   if (height < least.distance) least = {height, ObstacleKind::table, -1};
 }
 
@@ -35,13 +36,13 @@ HeldObject::HeldObject(const std::vector<Eigen::Vector3d>& points) {
 
 ObstacleDistance HeldObject::nearest(const MotionObstacles& obstacles,
                                      const Eigen::Isometry3d& T_world_tip,
-                                     const IgnoredObstacles& ignored) const {
+                                     const IgnoredObstacles& ignored, double table_depth) const {
   ObstacleDistance least{MotionObstacles::near};
   // The table first: it is cheap, and the object mostly stands on it.
   if (obstacles.table()) {
     for (const Group& group : groups_) {
       for (const Eigen::Vector3d& point : group.points)
-        take_table(*obstacles.table(), T_world_tip * point, least);
+        take_table(*obstacles.table(), T_world_tip * point, table_depth, least);
     }
   }
   for (const Group& group : groups_) {

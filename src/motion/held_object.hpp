@@ -18,9 +18,9 @@ class HeldObject {
   /// Greatest distance of a point from the origin of its frame. [m]
   double extent() const { return extent_; }
   /// The obstacle that is nearest to a point, the table too, if it is nearer than
-  /// MotionObstacles::near; else that distance.
+  /// MotionObstacles::near; else that distance. The table counts as lying `table_depth` lower. [m]
   ObstacleDistance nearest(const MotionObstacles& obstacles, const Eigen::Isometry3d& T_world_tip,
-                           const IgnoredObstacles& ignored) const;
+                           const IgnoredObstacles& ignored, double table_depth = 0.0) const;
 
  private:
   struct Group {

@@ -56,5 +56,22 @@ TEST(HeldObject, IsAsFarFromObstaclesAsItsNearestPoint) {
   EXPECT_GT(near, 10);
 }
 
+TEST(HeldObject, MeetsSurfacesOnlyWithAClearanceAboveTheDepthOfTheirPoints) {
+  GraspScene scene;
+  scene.table = Plane{};
+  scene.objects = {testing::box_of_points({0.1, 0.1, 0.2}, {0.4, 0.0, 0.1})};
+  const MotionObstacles obstacles(scene);
+  // A point on the box's surface and one 30 mm off it.
+  const HeldObject held({{0.35, 0.0, 0.1}}), away({{0.32, 0.0, 0.1}});
+  const Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  EXPECT_LT(held.nearest(obstacles, pose, {}).distance, 0.001);
+  EXPECT_GE(held.nearest(obstacles, pose, {}).distance, -0.0031);
+  EXPECT_GT(away.nearest(obstacles, pose, {}).distance, 0.001);
+  // The table 20 mm lower.
+  const HeldObject low({{0.0, 0.0, -0.01}});
+  EXPECT_NEAR(low.nearest(obstacles, pose, {}).distance, -0.01, 1e-9);
+  EXPECT_NEAR(low.nearest(obstacles, pose, {}, 0.02).distance, 0.01, 1e-9);
+}
+
 }  // namespace
 }  // namespace symscene

@@ -14,6 +14,7 @@ struct ArmCollisionOptions {
   double clearance = 0.005;
   double hand_clearance = 0.001;
   double held_depth = 0.01;
+  double held_clearance = -0.008;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -25,6 +26,11 @@ struct ArmCollisionOptions {
         "held_depth", self.held_depth, "m", above_up_to(0.0, 0.1),
         "how deep the completed surface of a held object may reach into an obstacle; it stands on "
         "the table and is not known exactly");
+    visit(
+        "held_clearance", self.held_clearance, "m", between(-0.1, 0.02),
+        "least distance of the held object from obstacles other than the table. Surfaces are balls "
+        "of 3 mm: below -3 mm it may pass through them, as it does in the default between "
+        "neighbours that it touches before the lift");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
