@@ -26,15 +26,20 @@ int steps_for(double length, double angle, double step) {
 
 std::vector<Eigen::Isometry3d> upright_line(const Eigen::Isometry3d& from,
                                             const Eigen::Isometry3d& goal,
-                                            const Eigen::Vector2d& base, double step) {
+                                            const Eigen::Vector2d& base, double raise,
+                                            double step) {
   std::vector<Eigen::Isometry3d> poses{from};
-  const double z0 = from.translation().z(), z1 = goal.translation().z();
-  const double top = std::max(z0, z1);
-  const int up = z1 > z0 ? steps_for(z1 - z0, 0.0, step) : 0;
-  for (int k = 1; k <= up; ++k) {
-    poses.push_back(from);
-    poses.back().translation().z() = z0 + (z1 - z0) * k / up;
-  }
+  const auto go_vertically = [&](double z) {
+    const Eigen::Isometry3d begin = poses.back();
+    const double way = z - begin.translation().z();
+    const int steps = steps_for(std::abs(way), 0.0, step);
+    for (int k = 1; k <= steps; ++k) {
+      poses.push_back(begin);
+      poses.back().translation().z() += way * k / steps;
+    }
+  };
+  const double top = std::max(from.translation().z(), goal.translation().z()) + raise;
+  go_vertically(top);
   const Eigen::Vector2d out = from.translation().head<2>() - base,
                         in = goal.translation().head<2>() - base;
   const double angle0 = std::atan2(out.y(), out.x());
@@ -51,9 +56,10 @@ std::vector<Eigen::Isometry3d> upright_line(const Eigen::Isometry3d& from,
     Eigen::Isometry3d pose = from;
     pose.linear() = Eigen::AngleAxisd(share * turn, Eigen::Vector3d::UnitZ()) * from.linear();
     pose.translation() << base.x() + distance * std::cos(angle),
-        base.y() + distance * std::sin(angle), top + share * (z1 - top);
+        base.y() + distance * std::sin(angle), top;
     poses.push_back(pose);
   }
+  go_vertically(goal.translation().z());
   return poses;
 }
 

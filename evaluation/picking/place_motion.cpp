@@ -94,8 +94,11 @@ class PlacePlanner {
         obstacles_(in.scene, {}, seen_obstacles(in)),
         collision_(in.robot, in.arm, &in.gripper, grasp.opening, obstacles_, start,
                    carrying(in.options.pick.collision)),
+        lifting_(in.robot, in.arm, &in.gripper, grasp.opening, obstacles_, start,
+                 in.options.pick.collision),
         planner_{collision_, space_, limits_, in.options.pick.rrt, {grasp.object, grasp.object}} {
     collision_.hold(held_);
+    lifting_.hold(held_);
   }
 
   PlaceMotion plan() const {
@@ -116,28 +119,33 @@ class PlacePlanner {
   }
 
   /// A way on which the hand stays as it is after the lift, up to turns about the vertical: the
-  /// weight of a tilted object turns it in the fingers.
+  /// weight of a tilted object turns it in the fingers. The lower ways first.
   FreeMotion upright_motion(const std::vector<Eigen::Isometry3d>& goals) const {
-    for (const Eigen::Isometry3d& goal : goals) {
-      auto way = followed(
-          upright_line(tool_at(from_), goal, T_table_base_.translation().head<2>(), line_step));
-      if (way) return {timed_motion(planner_, *way), {}, std::move(*way)};
+    for (const double raise : {0.0, 0.08, 0.16}) {
+      for (const Eigen::Isometry3d& goal : goals) {
+        auto way = followed(upright_line(tool_at(from_), goal,
+                                         T_table_base_.translation().head<2>(), raise, line_step));
+        if (way) return {timed_motion(timing(limits_), *way), {}, std::move(*way)};
+      }
     }
     return {std::nullopt, "no upright way is free"};
   }
 
   /// Joint positions that follow poses of the tool, the first of them at `from_`; none where the
-  /// joints jump, or the arm or what it holds meets something.
+  /// joints jump, or the arm or what it holds meets something. Straight up the held object may
+  /// slide along what it touches, as in the lift.
   std::optional<std::vector<Eigen::VectorXd>> followed(
       const std::vector<Eigen::Isometry3d>& poses) const {
     InverseKinematicsOptions search;
     search.max_starts = 1;
     std::vector<Eigen::VectorXd> way{from_};
+    bool rises = true;
     for (std::size_t k = 1; k < poses.size(); ++k) {
       const auto next = inverse_kinematics(chain_, T_base_tip(poses[k]), way.back(), search);
-      const bool follows = next.converged() &&
-                           (next.positions - way.back()).cwiseAbs().maxCoeff() < max_jump &&
-                           collision_.is_free(way.back(), next.positions, planner_.ignored);
+      rises = rises && (poses[k].translation() - poses[0].translation()).head<2>().norm() < 1e-6;
+      const bool follows =
+          next.converged() && (next.positions - way.back()).cwiseAbs().maxCoeff() < max_jump &&
+          (rises ? lifting_ : collision_).is_free(way.back(), next.positions, planner_.ignored);
       if (!follows) return std::nullopt;
       way.push_back(next.positions);
     }
@@ -163,6 +171,11 @@ class PlacePlanner {
     return free;
   }
 
+  /// For rounded corners along what the held object touches in the lift.
+  MotionPlanner timing(const MotionLimits& limits) const {
+    return {lifting_, space_, limits, planner_.rrt, planner_.ignored};
+  }
+
   /// Greatest acceleration of the held object's middle along a path. [m/s²]
   double greatest_acceleration(const TimedPath& path) const {
     constexpr double period = 0.02;
@@ -185,8 +198,7 @@ class PlacePlanner {
         std::sqrt(greatest_acceleration(*motion.path) / in_.options.execution.carry_acceleration);
     if (factor <= 1.0) return *motion.path;
     const MotionLimits limits = slowed(limits_, factor);
-    return timed_motion({collision_, space_, limits, planner_.rrt, planner_.ignored},
-                        motion.waypoints);
+    return timed_motion(timing(limits), motion.waypoints);
   }
 
   static constexpr double line_step = 0.02;  // between poses of an upright way [m]
@@ -200,7 +212,7 @@ class PlacePlanner {
   JointSpace space_;
   MotionLimits limits_;
   MotionObstacles obstacles_;
-  ArmCollision collision_;
+  ArmCollision collision_, lifting_;
   MotionPlanner planner_;
 };
 

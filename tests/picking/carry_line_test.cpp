@@ -23,7 +23,7 @@ void for_each_line(const Check& check) {
     const double t = 0.3 * i;
     const Eigen::Isometry3d from = pose({0.4 + 0.1 * std::sin(t), 0.2 * std::cos(t), 0.1}, t);
     const Eigen::Isometry3d goal = pose({0.3 * std::cos(2.0 * t), -0.5, 0.05 + 0.02 * i}, 1.7 * t);
-    check(upright_line(from, goal, {-0.1, 0.05}, 0.02), from, goal);
+    check(upright_line(from, goal, {-0.1, 0.05}, 0.05 * (i % 3), 0.02), from, goal);
   }
 }
 
