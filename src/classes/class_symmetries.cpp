@@ -116,28 +116,42 @@ bool lists(const std::vector<ObjectPlane>& planes, const Eigen::Vector3d& normal
   });
 }
 
-/// The listed planes that are symmetries of the class, moved onto it, each once.
+/// Whether a plane of the class has nearly the same normal.
+bool is_parallel_to(const ObjectClass& found, const ReflectionPlane& plane, double same_angle) {
+  const std::vector<int> normals = normals_of(found.kind);
+  return std::any_of(normals.begin(), normals.end(), [&](int axis) {
+    return line_angle(found.axes.col(axis), plane.normal) < same_angle;
+  });
+}
+
+/// The listed planes. Those that are symmetries of the class are moved onto it, each once; a body
+/// has no second plane parallel to one of these.
 std::vector<ObjectPlane> planes_of_class(const ObjectClass& found,
                                          const std::vector<ObjectPlane>& listed,
                                          double same_angle) {
   std::vector<ObjectPlane> kept;
   for (const auto& [plane, residual] : listed) {
     const std::optional<ReflectionPlane> near = plane_near(found, plane, same_angle);
-    if (near && !lists(kept, near->normal, same_angle)) kept.push_back({*near, residual});
+    if (!near) {
+      if (!is_parallel_to(found, plane, same_angle)) kept.push_back({plane, residual});
+    } else if (!lists(kept, near->normal, same_angle)) {
+      kept.push_back({*near, residual});
+    }
   }
   return kept;
 }
 
-/// The listed axes that are symmetries of the class, moved onto it, each once.
+/// The listed axes. Those that are symmetries of the class are moved onto it.
 std::vector<ObjectAxis> axes_of_class(const ObjectClass& found,
                                       const std::vector<ObjectAxis>& listed, double same_angle) {
   std::vector<ObjectAxis> kept;
   for (const auto& [axis, residual] : listed) {
     if (found.kind == SymmetryClass::sphere) {
       kept.push_back({{found.center, axis.direction}, residual});
-    } else if (has_axis(found) && kept.empty() &&
-               line_angle(found.axes.col(2), axis.direction) < same_angle) {
+    } else if (has_axis(found) && line_angle(found.axes.col(2), axis.direction) < same_angle) {
       kept.push_back({{found.center, found.axes.col(2)}, residual});
+    } else {
+      kept.push_back({axis, residual});
     }
   }
   return kept;

@@ -36,11 +36,11 @@ TEST(ClassSymmetries, LeaveOutPlanesWhoseEndsAreHidden) {
   for (const ObjectPlane& listed : lists.reflectional) EXPECT_EQ(listed.plane.normal.y(), 0.0);
 }
 
-TEST(ClassSymmetries, DropListedPlanesThatTheClassDoesNotHave) {
+TEST(ClassSymmetries, KeepListedPlanesThatTheClassDoesNotHave) {
   const SymmetryLists lists =
       with_symmetries_of_class({{}, {plane(1.0, 1.0, 0.0, 0.01)}}, unit_box(), same_angle);
-  EXPECT_EQ(lists.reflectional.size(), 3U);
-  EXPECT_FALSE(std::any_of(
+  EXPECT_EQ(lists.reflectional.size(), 4U);
+  EXPECT_TRUE(std::any_of(
       lists.reflectional.begin(), lists.reflectional.end(), [](const ObjectPlane& listed) {
         return line_angle(listed.plane.normal, Eigen::Vector3d(1, 1, 0)) < radians(5.0);
       }));
@@ -74,7 +74,7 @@ TEST(ClassSymmetries, WhereAnEndIsHiddenTheListedPlaneThroughWhatIsSeenGivesTheC
   EXPECT_EQ(centred_on_planes(box, dropped.reflectional).center, box.center);
 }
 
-TEST(ClassSymmetries, OfEveryClassGoThroughItsCentre) {
+TEST(ClassSymmetries, NearThoseOfAClassAreMovedThroughItsCentre) {
   const std::vector<ObjectPlane> planes = {plane(1.0, 0.1, 0.0, 0.01), plane(0.0, 1.0, 0.1, 0.02),
                                            plane(0.1, 0.0, 1.0, 0.03), plane(1.0, 0.05, 0.0, 0.04),
                                            plane(1.0, 1.0, 1.0, 0.05)};
@@ -93,12 +93,16 @@ TEST(ClassSymmetries, OfEveryClassGoThroughItsCentre) {
     const SymmetryLists lists = with_symmetries_of_class({axes, planes}, found, same_angle);
     const bool has_axis =
         kind == n_fold || kind == revolution || kind == cylinder || kind == sphere;
-    EXPECT_EQ(lists.rotational.size(), has_axis ? 1U : 0U) << to_string(kind);
-    EXPECT_EQ(lists.reflectional.size(), count) << to_string(kind);
-    for (const ObjectPlane& listed : lists.reflectional)
-      EXPECT_NEAR(listed.plane.signed_distance(found.center), 0.0, 1e-12) << to_string(kind);
-    for (const ObjectAxis& listed : lists.rotational)
-      EXPECT_LT((listed.axis.project(found.center) - found.center).norm(), 1e-12);
+    const auto moved_planes = std::count_if(
+        lists.reflectional.begin(), lists.reflectional.end(), [&](const ObjectPlane& listed) {
+          return std::abs(listed.plane.signed_distance(found.center)) < 1e-12;
+        });
+    const auto moved_axes = std::count_if(
+        lists.rotational.begin(), lists.rotational.end(), [&](const ObjectAxis& listed) {
+          return (listed.axis.project(found.center) - found.center).norm() < 1e-12;
+        });
+    EXPECT_EQ(moved_axes, has_axis ? 1 : 0) << to_string(kind);
+    EXPECT_EQ(static_cast<std::size_t>(moved_planes), count) << to_string(kind);
   }
 }
 
