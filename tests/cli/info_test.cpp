@@ -37,7 +37,8 @@ TEST_F(Command, DescribesASequenceAndItsUnreadableFrames) {
   write(file("sequence") / "depth/000000.png", depth_png);
   write(file("sequence") / "depth/000001.png", depth_png.substr(0, 50));
   write(file("sequence") / "poses.txt", "1 0 0 0 0 0 0 1\n1.5 0 3 4 0 0 0 1\n");
-  expect_refusal("info sequence", 1, "pass --intrinsics fx,fy,cx,cy, found none");
+  expect_refusal("info sequence", 1,
+                 "pass --intrinsics fx,fy,cx,cy (or a camera.yaml), found none");
   expect_refusal("info sequence --intrinsics 1,2,3", 2, "expected fx,fy,cx,cy");
   expect_refusal("info sequence --depth-scale 0", 2, "expected a number above 0, found 0");
   const Outcome described = run("info sequence --json --intrinsics 5,5,1.5,0.5");

@@ -168,7 +168,9 @@ TEST_F(RosBag, IsRefusedWithoutDepthOrCamera) {
   bag.open(file.string(), rosbag::bagmode::Write);
   bag.write("/depth/image", stamp(0), depth_16(0));
   bag.close();
-  EXPECT_NE(refusal([&] { open_sequence(file); }).find("pass --intrinsics fx,fy,cx,cy, found none"),
+  EXPECT_NE(refusal([&] {
+              open_sequence(file);
+            }).find("pass --intrinsics fx,fy,cx,cy (or a camera.yaml), found none"),
             std::string::npos);
   expect_same_frame(open_sequence(file, given_camera())->read(0), small_frame(0, false), 1e-6);
 }

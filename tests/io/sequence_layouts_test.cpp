@@ -68,7 +68,7 @@ TEST_F(Tum, IsRefusedWithoutIntrinsics) {
   EXPECT_EQ(refusal([&] { open_sequence(dir); }),
             dir.string() +
                 ": expected the camera, which the files of this layout (TUM RGB-D) do "
-                "not give: pass --intrinsics fx,fy,cx,cy, found none");
+                "not give: pass --intrinsics fx,fy,cx,cy (or a camera.yaml), found none");
 }
 
 TEST_F(Tum, ListsThatLeaveTheFolderAreRefused) {
@@ -252,9 +252,9 @@ TEST_F(Redwood, IsRefusedWithoutACamera) {
 TEST(Layouts, ADepthFolderWithoutACameraIsRefusedWithTheMissingOptions) {
   const TemporaryFolder folder;
   write_image(folder / "bare/depth/000000.png", small_depth_png(0));
-  EXPECT_NE(refusal([&] {
-              open_sequence(folder / "bare");
-            }).find("(sequence) do not give: pass --intrinsics fx,fy,cx,cy, found none"),
+  EXPECT_NE(refusal([&] { open_sequence(folder / "bare"); })
+                .find("(sequence) do not give: pass --intrinsics fx,fy,cx,cy (or a camera.yaml), "
+                      "found none"),
             std::string::npos);
   expect_same_frame(open_sequence(folder / "bare", given_camera())->read(0), small_frame(0, false),
                     1e9);

@@ -173,7 +173,7 @@ TEST(Images, OneDepthImageIsASequenceOfOne) {
   EXPECT_EQ(refusal([&] { open_sequence(folder / "a.depth.png"); }),
             (folder / "a.depth.png").string() +
                 ": expected the camera, which the files of this layout (image) do not give: pass "
-                "--intrinsics fx,fy,cx,cy --depth-scale 1000, found none");
+                "--intrinsics fx,fy,cx,cy (or a camera.yaml) --depth-scale 1000, found none");
   const auto sequence = open_sequence(folder / "a.depth.png", given_camera(1000.0));
   ASSERT_EQ(sequence->size(), 1U);
   expect_same_frame(sequence->read(0), small_frame(0, false), 1e9);
