@@ -149,9 +149,9 @@ TEST_F(Command, ReadsTheVerticesOfAMeshAsACloud) {
 }
 
 TEST_F(Command, SegmentsTheCloudOfAResultOnItsTable) {
-  const Outcome outcome = run("segment result -o again");
+  const Outcome outcome = run("segment result -o of_result");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(objects_without_times("again").at("table"),
+  EXPECT_EQ(objects_without_times("of_result").at("table"),
             objects_without_times("result").at("table"));
   EXPECT_EQ(outcome.err.find("table"), std::string::npos) << outcome.err;
 }
