@@ -15,7 +15,7 @@ using namespace calibration_test;
 
 TEST(CalibrateIntrinsics, FindsTheCameraWithATenthOfAPixelOfNoise) {
   SKIP_WITHOUT_OPENCV();
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const auto images = board_images(true_camera(), the_board(), 15, 0.1, seed);
     const IntrinsicCalibration found = calibrate_intrinsics(images, 640, 480, the_board());
     const CameraIntrinsics& K = found.camera.intrinsics;

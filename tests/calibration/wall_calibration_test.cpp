@@ -47,7 +47,7 @@ WallCalibrator calibrator_of(const DepthBias& bias, int views, bool knows_planes
 }
 
 TEST(WallCalibrator, WithKnownPlanesDepthIsTrueAtAllRanges) {
-  for (const std::uint64_t pattern : {1, 2, 3}) {
+  for (const std::uint64_t pattern : {1U, 2U, 3U}) {
     const DepthBias bias(two_percent(pattern), small_camera());
     const DepthCalibration found = calibrator_of(bias, 10, true).calibrate();
     EXPECT_TRUE(found.is_absolute);
