@@ -164,7 +164,7 @@ class PickLoop {
   }
 
   void attempt(const PlannedPick& planned) {
-    const auto aim = ledger_.true_object(planned.grasp.object);
+    const auto aim = ledger_.true_object(static_cast<Index>(planned.grasp.object));
     PickAttempt attempt;
     attempt.look = run_.looks.size() - 1;
     attempt.grasp = planned.grasp;

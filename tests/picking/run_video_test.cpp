@@ -13,13 +13,6 @@
 namespace symscene {
 namespace {
 
-RunVideoOptions small_video() {
-  RunVideoOptions options;
-  options.width = 120;
-  options.height = 90;
-  return options;
-}
-
 TEST(RunVideo, TheCameraSeesTheRobotAtAllMoments) {
   const RunRecording run = carried_box();
   for (const auto& [width, height] : {std::pair{480, 360}, {360, 480}, {1000, 100}}) {
@@ -47,6 +40,13 @@ TEST(RunVideo, TheCameraSeesTheRobotAtAllMoments) {
 }
 
 #ifdef SYMSCENE_HAS_GIF
+
+RunVideoOptions small_video() {
+  RunVideoOptions options;
+  options.width = 120;
+  options.height = 90;
+  return options;
+}
 
 std::vector<testing::GifFrame> frames_of(const RunRecording& run, const RunVideoOptions& options) {
   return testing::gif_frames(render_run_video(run, options));
