@@ -2,6 +2,7 @@
 // time per pose.
 #include <benchmark/benchmark.h>
 
+#include "core/median.hpp"
 #include "core/random.hpp"
 #include "stopwatch.hpp"
 #include "symscene/io/robot.hpp"
@@ -42,8 +43,8 @@ void solve_poses(benchmark::State& state, const char* name, const char* arm) {
     }
   }
   state.counters["solved_percent"] = 100.0 * solved / static_cast<double>(milliseconds.size());
-  state.counters["median_ms"] = quantile(milliseconds, 0.5);
-  state.counters["p95_ms"] = quantile(milliseconds, 0.95);
+  state.counters["median_ms"] = quantile(milliseconds, 0.5).value_or(0.0);
+  state.counters["p95_ms"] = quantile(milliseconds, 0.95).value_or(0.0);
 }
 
 BENCHMARK_CAPTURE(solve_poses, panda, "panda", "arm")->Unit(benchmark::kMillisecond);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/median.hpp"
 #include "path_comparison.hpp"
 #include "pick_checks.hpp"
 #include "program.hpp"
@@ -94,12 +95,12 @@ struct Tally {
     for (const auto& [stage, times] : stages) print_row(stage, times);
     print_row("whole pick (processor)", processor);
     fmt::print("median duration of the motion to the pre-grasp: {:.2f} s\n",
-               quantile(durations, 0.5));
+               quantile(durations, 0.5).value_or(0.0));
   }
 
   static void print_row(const std::string& name, const std::vector<double>& times) {
-    fmt::print("{:<28}{:>12.2f}{:>12.2f}\n", name, 1e3 * quantile(times, 0.5),
-               1e3 * quantile(times, 0.9));
+    fmt::print("{:<28}{:>12.2f}{:>12.2f}\n", name, 1e3 * quantile(times, 0.5).value_or(0.0),
+               1e3 * quantile(times, 0.9).value_or(0.0));
   }
 };
 

@@ -204,8 +204,8 @@ std::string summary_row(const std::string& name, const std::vector<Comparison>& 
   return fmt::format(
       "{:26} {:4} | {:5.2f} | {:+5.2f} | {:5.2f} | {:5.2f} | {:3.0f} % | {:3.0f} % | {:3} ({})\n",
       name, errors.size(), 1e3 * median(errors).value_or(0.0), 1e3 * sum / count,
-      1e3 * quantile(errors, 0.9), 1e3 * median(sigmas).value_or(0.0), 100.0 * within_one / count,
-      100.0 * within_two / count, bounds, false_bounds);
+      1e3 * quantile(errors, 0.9).value_or(0.0), 1e3 * median(sigmas).value_or(0.0),
+      100.0 * within_one / count, 100.0 * within_two / count, bounds, false_bounds);
 }
 
 void print_tables(const Tally& tally) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/median.hpp"
 #include "reconstruction/model_view.hpp"
 #include "stopwatch.hpp"
 #include "symscene/core/thread_limit.hpp"
@@ -207,7 +208,8 @@ Summary summary(const Times& times) {
     wall.push_back(time.wall);
     processor.push_back(time.processor);
   }
-  return {quantile(wall, 0.5), quantile(wall, 0.1), quantile(processor, 0.5)};
+  return {quantile(wall, 0.5).value_or(0.0), quantile(wall, 0.1).value_or(0.0),
+          quantile(processor, 0.5).value_or(0.0)};
 }
 
 Times sums(const Times& a, const Times& b) {
@@ -229,8 +231,9 @@ void print_tracking(const TrackingTimes& times) {
   for (const char* stage : {"prepare", "track", "fuse", "map space", "predict view"}) {
     const auto found = times.stages.find(stage);
     if (found == times.stages.end()) continue;
-    fmt::print("    {:<34}{:>10.2f}{:>10.2f}\n", stage, 1e3 * quantile(found->second, 0.5),
-               1e3 * quantile(found->second, 0.1));
+    fmt::print("    {:<34}{:>10.2f}{:>10.2f}\n", stage,
+               1e3 * quantile(found->second, 0.5).value_or(0.0),
+               1e3 * quantile(found->second, 0.1).value_or(0.0));
   }
   print_row("tracked frame without \"map space\"", times.without_space, true);
   fmt::print("    {} frames lost; {:.1f} mm off after the last\n", times.lost, 1e3 * times.drift);
@@ -285,7 +288,7 @@ Agreement agreement(const std::vector<float>& a, const std::vector<float>& b) {
     if (a[i] > 0.0F) differences.push_back(std::abs(a[i] - b[i]));
   }
   const auto both = static_cast<double>(differences.size());
-  return {quantile(std::move(differences), 0.5),
+  return {quantile(std::move(differences), 0.5).value_or(0.0),
           both / static_cast<double>(std::max<std::size_t>(seen, 1))};
 }
 
@@ -298,8 +301,9 @@ void print_agreement(const std::string& what, const FusionTimes& times, const Im
     difference.push_back(frame.median_difference);
     covered.push_back(frame.covered);
   }
-  fmt::print("  {:<36}{:>10.2f}{:>10.1f}\n", what, 1e3 * quantile(std::move(difference), 0.5),
-             100 * quantile(std::move(covered), 0.5));
+  fmt::print("  {:<36}{:>10.2f}{:>10.1f}\n", what,
+             1e3 * quantile(std::move(difference), 0.5).value_or(0.0),
+             100 * quantile(std::move(covered), 0.5).value_or(0.0));
 }
 
 /// Checks that all views agree.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/median.hpp"
 #include "program.hpp"
 #include "stopwatch.hpp"
 #include "symscene/core/thread_limit.hpp"
@@ -87,7 +88,7 @@ class StageRuns {
       wall.push_back(run.wall);
       processor.push_back(run.processor);
     }
-    return {quantile(wall, 0.5), quantile(processor, 0.5)};
+    return {quantile(wall, 0.5).value_or(0.0), quantile(processor, 0.5).value_or(0.0)};
   }
   static void print_row(const std::string& stage, const Seconds& time) {
     fmt::print("{:<32}{:>10.1f}{:>14.1f}\n", stage, 1e3 * time.wall, 1e3 * time.processor);

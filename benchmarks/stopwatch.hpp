@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <vector>
 
 namespace symscene {
 
@@ -33,15 +31,6 @@ Seconds seconds(const Body& body) {
   body();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   return {wall.count(), processor_seconds() - processor};
-}
-
-/// The quantile of the values; 0 without values.
-inline double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-  const auto at = values.begin() + std::min(rank, static_cast<std::ptrdiff_t>(values.size()) - 1);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 }  // namespace symscene

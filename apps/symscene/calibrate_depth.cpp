@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "calibrate.hpp"
+#include "core/median.hpp"
 #include "io/atomic_file.hpp"
 #include "session.hpp"
 #include "symscene/io/camera_file.hpp"
@@ -56,24 +57,18 @@ struct CalibrateDepth {
       const double z = frame.depth[v * camera.width + u];
       if (z > 0.0) ratios.push_back(-plane.offset / plane.normal.dot(camera.ray(p.x(), p.y())) / z);
     }
-    if (ratios.empty()) return std::nullopt;
-    std::nth_element(ratios.begin(),
-                     ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
-    return ratios[ratios.size() / 2];
+    return median(std::move(ratios));
   }
 
   /// No depth camera is off by a tenth; a mistaken size of the squares often is.
   static void require_square(std::vector<double> ratios, const Board& board) {
     constexpr double largest_error = 0.1;
-    if (ratios.empty()) return;
-    std::nth_element(ratios.begin(),
-                     ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
-    const double ratio = ratios[ratios.size() / 2];
-    if (std::abs(ratio - 1.0) <= largest_error) return;
+    const std::optional<double> ratio = median(std::move(ratios));
+    if (!ratio || std::abs(*ratio - 1.0) <= largest_error) return;
     throw InputError("--square",
                      fmt::format("squares of about {:.1f} mm, with which the board is where the "
                                  "depth images show it",
-                                 1e3 * board.square / ratio),
+                                 1e3 * board.square / *ratio),
                      fmt::format("{:.1f} mm", 1e3 * board.square));
   }
 

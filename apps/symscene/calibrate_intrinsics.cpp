@@ -5,6 +5,7 @@
 
 #include "calibrate.hpp"
 #include "io/atomic_file.hpp"
+#include "models.hpp"
 #include "session.hpp"
 #include "symscene/io/camera_file.hpp"
 #include "symscene/io/image.hpp"
@@ -23,10 +24,8 @@ struct BoardImages {
 };
 
 bool is_image(const fs::path& path) {
-  std::string end = path.extension().string();
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return end == ".png" || end == ".jpg" || end == ".jpeg";
+  const std::string extension = lower_extension(path);
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 
 /// Images as named, and those in folders by name.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "calibrate.hpp"
+#include "viewer/html_text.hpp"
 
 namespace symscene::app {
 namespace {
@@ -15,19 +16,6 @@ constexpr const char* page_begin =
     "{{padding:.15em .7em;text-align:right}}td:first-child,th:first-child{{text-align:left}}"
     "figure{{display:inline-block;margin:.4em}}svg{{background:#fff;border:1px solid #999;width:"
     "20em;max-width:100%}}</style><h1>Camera calibration</h1><p>{}</p>";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<')
-      result += "&lt;";
-    else if (c == '&')
-      result += "&amp;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 /// Corners and, enlarged, their residuals.
 void add_corners(std::string& svg, const BoardImage& image, const BoardViewReport& view,
@@ -68,7 +56,7 @@ std::string map_of(const DepthCorrection& grid, Index range, double scale) {
 std::string row_of(const DepthViewReport& view) {
   if (!view.used)
     return fmt::format("<tr><td>{}<td colspan=\"4\">left out: {}", view.number,
-                       escaped(view.reason));
+                       escape_html(view.reason));
   return fmt::format("<tr><td>{}<td>{:.2f} m<td>{:.0f} %<td>{:.2f} %<td>{:.2f} %", view.number,
                      view.distance, 100.0 * view.share, 100.0 * view.error_before,
                      100.0 * view.error_after);
@@ -94,9 +82,9 @@ std::string intrinsics_page(const IntrinsicCalibration& found, std::span<const B
     if (view.used) add_corners(all, images[i], view, magnification);
     each += "<figure>" + frame;
     add_corners(each, images[i], view, magnification);
-    each +=
-        fmt::format("</svg><figcaption>{}: {:.3f} px{}</figcaption></figure>", escaped(view.name),
-                    view.error, view.used ? "" : ", left out: " + escaped(view.reason));
+    each += fmt::format("</svg><figcaption>{}: {:.3f} px{}</figcaption></figure>",
+                        escape_html(view.name), view.error,
+                        view.used ? "" : ", left out: " + escape_html(view.reason));
   }
   page += fmt::format(
       "<h2>Coverage and residuals</h2><p>Corners (blue) and their residuals (red), "
@@ -113,7 +101,7 @@ std::string depth_page(const DepthCalibration& found) {
       fmt::format(fmt::runtime(page_begin),
                   fmt::format("Error of depth {:.2f} % before the correction, {:.2f} % after.",
                               100.0 * found.error_before, 100.0 * found.error_after));
-  for (const std::string& warning : found.warnings) page += "<p>" + escaped(warning) + ".</p>";
+  for (const std::string& warning : found.warnings) page += "<p>" + escape_html(warning) + ".</p>";
   page += fmt::format(
       "<h2>Correction by range</h2><p>Red: measured too near, up to {:.2f} %. Blue: "
       "too far. A dot: not measured, continued from its neighbours.</p>",

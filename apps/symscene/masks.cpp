@@ -39,8 +39,8 @@ void count_seen_through(const SegmentationResult& result, const CameraIntrinsics
     for (const Index i : object.points) {
       const Eigen::Vector3d p = T_camera_scene * result.cloud.position(i).cast<double>();
       if (p.z() <= 0.0) continue;
-      const double u = std::round(camera.fx * p.x() / p.z() + camera.cx);
-      const double v = std::round(camera.fy * p.y() / p.z() + camera.cy);
+      const Eigen::Vector2d pixel = camera.project(p);
+      const double u = std::round(pixel.x()), v = std::round(pixel.y());
       if (u < 0.0 || v < 0.0 || u >= camera.width || v >= camera.height) continue;
       const double measured =
           frame.depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <Eigen/Geometry>
+
 namespace symscene {
 
 int FailedAttempts::at(const Eigen::Vector3d& point) const {
@@ -11,10 +13,9 @@ int FailedAttempts::at(const Eigen::Vector3d& point) const {
 }
 
 int FailedAttempts::in(const Box& box) const {
+  const Eigen::AlignedBox3d object(box.min.cast<double>(), box.max.cast<double>());
   return static_cast<int>(std::count_if(points_.begin(), points_.end(), [&](const auto& failed) {
-    const Eigen::Vector3d nearest =
-        failed.cwiseMax(box.min.cast<double>()).cwiseMin(box.max.cast<double>());
-    return (failed - nearest).norm() <= radius_;
+    return object.exteriorDistance(failed) <= radius_;
   }));
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "free_motion.hpp"
+#include "simulation/looking_at.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
 
@@ -201,15 +202,6 @@ class LookPlanner {
 };
 
 }  // namespace
-
-Eigen::Isometry3d looking_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const Eigen::Vector3d z = (target - eye).normalized();
-  const Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ()).normalized();
-  pose.linear() << x, z.cross(x), z;
-  pose.translation() = eye;
-  return pose;
-}
 
 std::vector<Eigen::Isometry3d> flying_look(const CameraLookOptions& options, double azimuth) {
   std::vector<Eigen::Isometry3d> poses;

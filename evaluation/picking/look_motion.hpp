@@ -26,9 +26,6 @@ struct PlannedLook {
   std::string obstacle;  ///< why there is no motion
 };
 
-/// The pose of a camera that looks at `target` from `eye`, its image upright. z up.
-Eigen::Isometry3d looking_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
-
 /// The poses of a camera that flies along the arc of a look without an arm: one per frame. Frame of
 /// the table; the middle of the arc is at `azimuth`.
 std::vector<Eigen::Isometry3d> flying_look(const CameraLookOptions& options, double azimuth);

@@ -7,6 +7,7 @@
 #include "carry_line.hpp"
 #include "core/voxel_sampling.hpp"
 #include "free_motion.hpp"
+#include "motion/pose_following.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
 
 namespace symscene {
@@ -136,18 +137,14 @@ class PlacePlanner {
   /// slide along what it touches, as in the lift.
   std::optional<std::vector<Eigen::VectorXd>> followed(
       const std::vector<Eigen::Isometry3d>& poses) const {
-    InverseKinematicsOptions search;
-    search.max_starts = 1;
-    std::vector<Eigen::VectorXd> way{from_};
+    std::vector<Eigen::Isometry3d> T_base_tips;
+    for (std::size_t k = 1; k < poses.size(); ++k) T_base_tips.push_back(T_base_tip(poses[k]));
+    auto way = followed_poses(chain_, space_, from_, T_base_tips, max_jump);
     bool rises = true;
-    for (std::size_t k = 1; k < poses.size(); ++k) {
-      const auto next = inverse_kinematics(chain_, T_base_tip(poses[k]), way.back(), search);
+    for (std::size_t k = 1; way && k < poses.size(); ++k) {
       rises = rises && (poses[k].translation() - poses[0].translation()).head<2>().norm() < 1e-6;
-      const bool follows =
-          next.converged() && (next.positions - way.back()).cwiseAbs().maxCoeff() < max_jump &&
-          (rises ? lifting_ : collision_).is_free(way.back(), next.positions, planner_.ignored);
-      if (!follows) return std::nullopt;
-      way.push_back(next.positions);
+      const ArmCollision& arm = rises ? lifting_ : collision_;
+      if (!arm.is_free((*way)[k - 1], (*way)[k], planner_.ignored)) return std::nullopt;
     }
     return way;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "simulation/looking_at.hpp"
 #include "symscene/core/point_cloud.hpp"
 #include "symscene/core/types.hpp"
 
@@ -60,10 +61,7 @@ Eigen::Matrix3d orientation(const RunRecording& recording) {
       Eigen::AngleAxisd(azimuth, Eigen::Vector3d::UnitZ()) * robot_side(recording);
   const Eigen::Vector3d forward =
       std::cos(elevation) * level - std::sin(elevation) * Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Matrix3d R;
-  R << right, forward.cross(right), forward;
-  return R;
+  return looking_at(Eigen::Vector3d::Zero(), forward).linear();
 }
 
 /// The pose of the nearest camera with this orientation that sees all corners.

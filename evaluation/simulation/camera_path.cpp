@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "hand_shake.hpp"
+#include "simulation/looking_at.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -13,16 +14,6 @@ namespace {
 
 constexpr std::uint64_t shake_stream = std::uint64_t{2}
                                        << 32U;  // distinct from the streams of the frames
-
-/// The pose of a camera at `eye` that looks at `target`, upright. Table frame.
-Eigen::Isometry3d looking_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
-  const Eigen::Vector3d forward = (target - eye).normalized();
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  return pose;
-}
 
 Eigen::Isometry3d arc_pose(const CameraArcOptions& options, int frame) {
   const double t = options.frames > 1 ? static_cast<double>(frame) / (options.frames - 1) : 0.5;

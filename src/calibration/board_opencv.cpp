@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/median.hpp"
 #include "symscene/calibration/intrinsic_calibration.hpp"
 #include "symscene/core/error.hpp"
 
@@ -176,14 +177,12 @@ bool leave_out_worst(std::vector<std::size_t>& used, const Solution& solution, d
   const auto worst = std::max_element(errors.begin(), errors.end());
   const auto at = static_cast<std::size_t>(worst - errors.begin());
   const double greatest = *worst;
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2),
-                   errors.end());
-  const double median = errors[errors.size() / 2];
-  if (greatest <= ratio * median) return false;
+  const double middle = *median(std::move(errors));
+  if (greatest <= ratio * middle) return false;
   views[used[at]].reason = fmt::format(
       "its reprojection error of {:.2f} px is {:.1f} times the "
       "median of the images",
-      greatest, greatest / median);
+      greatest, greatest / middle);
   views[used[at]].error = greatest;
   used.erase(used.begin() + static_cast<std::ptrdiff_t>(at));
   return true;

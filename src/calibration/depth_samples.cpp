@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/median.hpp"
+
 namespace symscene {
 namespace {
 
@@ -16,8 +18,8 @@ struct Block {
 };
 
 std::optional<DepthSample> sample_of(const std::vector<float>& depth, Index width,
-                                     const Block& block, std::vector<float>& inverse) {
-  inverse.clear();
+                                     const Block& block) {
+  std::vector<float> inverse;
   const auto for_each_measured = [&](const auto& visit) {
     for (Index v = block.rows.begin; v < block.rows.end; ++v) {
       for (Index u = block.columns.begin; u < block.columns.end; ++u) {
@@ -28,11 +30,11 @@ std::optional<DepthSample> sample_of(const std::vector<float>& depth, Index widt
   };
   for_each_measured([&](Index, Index, float value) { inverse.push_back(value); });
   if (2 * inverse.size() < block.pixels() || inverse.empty()) return std::nullopt;
-  const float median = median_of(inverse);
+  const float middle = *median(std::move(inverse));
   double u_sum = 0.0, v_sum = 0.0, sum = 0.0;
   std::size_t count = 0;
   for_each_measured([&](Index u, Index v, float value) {
-    if (std::abs(value - median) > agreement * median) return;
+    if (std::abs(value - middle) > agreement * middle) return;
     u_sum += u, v_sum += v, sum += value, ++count;
   });
   if (2 * count < block.pixels()) return std::nullopt;
@@ -48,24 +50,16 @@ PixelSpan pixel_span(Index i, Index count, Index size) {
   return {at(i), at(i + 1)};
 }
 
-float median_of(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 std::vector<DepthSample> depth_samples(const std::vector<float>& depth,
                                        const CameraIntrinsics& camera,
                                        const DepthCorrectionOptions& grid) {
   const Index columns = std::min(camera.width, static_cast<Index>(grid.columns * grid.samples));
   const Index rows = std::min(camera.height, static_cast<Index>(grid.rows * grid.samples));
   std::vector<DepthSample> samples;
-  std::vector<float> scratch;
   for (Index j = 0; j < rows; ++j) {
     for (Index i = 0; i < columns; ++i) {
       const Block block{pixel_span(i, columns, camera.width), pixel_span(j, rows, camera.height)};
-      if (const auto sample = sample_of(depth, camera.width, block, scratch))
-        samples.push_back(*sample);
+      if (const auto sample = sample_of(depth, camera.width, block)) samples.push_back(*sample);
     }
   }
   return samples;

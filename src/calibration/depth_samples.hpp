@@ -27,7 +27,4 @@ struct PixelSpan {
 };
 PixelSpan pixel_span(Index i, Index count, Index size);
 
-/// The median; orders the values. Must not be empty.
-float median_of(std::vector<float>& values);
-
 }  // namespace symscene

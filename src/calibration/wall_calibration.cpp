@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/image_checks.hpp"
+#include "core/median.hpp"
 #include "factor_fit.hpp"
 #include "symscene/core/error.hpp"
 #include "wall_view.hpp"
@@ -45,7 +46,7 @@ struct WallCalibrator::Implementation {
     });
     std::vector<float> depths;
     for (const DepthSample& s : view.samples) depths.push_back(s.depth);
-    if (!depths.empty()) view.report.distance = median_of(depths);
+    view.report.distance = median(std::move(depths)).value_or(0.0F);
     view.report.share = view.measured == 0 ? 0.0
                                            : static_cast<double>(view.samples.size()) /
                                                  static_cast<double>(view.measured);

@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/median.hpp"
+
 namespace symscene {
 namespace {
 
@@ -27,7 +29,8 @@ std::vector<float> errors_of(const WallView& view, const DepthCorrection& grid,
 
 double tolerance_of(std::vector<float> errors) {
   for (float& error : errors) error = std::abs(error);
-  return std::max(least_tolerance, deviations * normal_deviation * median_of(errors));
+  return std::max(least_tolerance,
+                  deviations * normal_deviation * median(std::move(errors)).value_or(0.0F));
 }
 
 double root_mean_square(const std::vector<float>& errors, double tolerance) {

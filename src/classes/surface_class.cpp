@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "quantile.hpp"
+#include "core/median.hpp"
 #include "surface_ends.hpp"
 
 namespace symscene {

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "core/median.hpp"
-#include "quantile.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {

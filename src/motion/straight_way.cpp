@@ -1,6 +1,9 @@
 #include "straight_way.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "motion/pose_following.hpp"
 
 namespace symscene {
 
@@ -10,20 +13,13 @@ std::optional<std::vector<Eigen::VectorXd>> straight_way(const ArmChain& chain,
                                                          const Eigen::Isometry3d& T_base_tip,
                                                          const Eigen::Vector3d& offset,
                                                          const StraightWay& options) {
-  InverseKinematicsOptions near;
-  near.max_starts = 1;  // the positions before are the only start: others would be jumps
-  std::vector<Eigen::VectorXd> way{start};
+  std::vector<Eigen::Isometry3d> poses;
   const double steps = std::max(1.0, std::ceil(offset.norm() / options.step));
   for (double i = 1.0; i <= steps; i += 1.0) {
-    Eigen::Isometry3d pose = T_base_tip;
-    pose.translation() += i / steps * offset;
-    const InverseKinematicsResult next = inverse_kinematics(chain, pose, way.back(), near);
-    if (!next.converged()) return std::nullopt;
-    const Eigen::VectorXd change = space.difference(way.back(), next.positions);
-    if (change.cwiseAbs().maxCoeff() > options.max_jump) return std::nullopt;
-    way.emplace_back(way.back() + change);
+    poses.push_back(T_base_tip);
+    poses.back().translation() += i / steps * offset;
   }
-  return way;
+  return followed_poses(chain, space, start, poses, options.max_jump);
 }
 
 }  // namespace symscene

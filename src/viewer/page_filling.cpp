@@ -1,36 +1,12 @@
 #include "page_filling.hpp"
 
+#include "viewer/html_text.hpp"
+
 namespace symscene {
 namespace {
 
 constexpr std::string_view title_placeholder = "@@SYMSCENE_TITLE@@";
 constexpr std::string_view payload_placeholder = "\"@@SYMSCENE_PAYLOAD@@\"";
-
-std::string escape_html(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 }  // namespace
 
