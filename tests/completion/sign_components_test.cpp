@@ -9,7 +9,7 @@ namespace {
 
 constexpr int middle = 10;
 
-NodeGrid small_grid() {
+NodeGrid odd_grid() {
   NodeGrid grid;
   grid.size = {21, 21, 21};
   return grid;
@@ -28,7 +28,7 @@ std::vector<float> field_of_cubes(const NodeGrid& grid, const IsInside& is_insid
 
 /// Without removal first, the crumb alone would turn to the outside, as a hole in a full body.
 TEST(SignComponents, AShellWithACrumbInsideBecomesAFullBody) {
-  const NodeGrid grid = small_grid();
+  const NodeGrid grid = odd_grid();
   std::vector<float> field = field_of_cubes(grid, [](int r) { return r == 0 || (r > 4 && r < 7); });
   remove_small_pieces(grid, 0.05, field);
   EXPECT_EQ(field, field_of_cubes(grid, [](int r) { return r > 4 && r < 7; }));
@@ -37,7 +37,7 @@ TEST(SignComponents, AShellWithACrumbInsideBecomesAFullBody) {
 }
 
 TEST(SignComponents, PiecesOfTheLeastShareStay) {
-  const NodeGrid grid = small_grid();
+  const NodeGrid grid = odd_grid();
   const auto two = field_of_cubes(grid, [](int r) { return r < 2 || (r > 4 && r < 7); });
   std::vector<float> field = two;
   const double share = 27.0 / (13 * 13 * 13 - 9 * 9 * 9);
@@ -48,7 +48,7 @@ TEST(SignComponents, PiecesOfTheLeastShareStay) {
 }
 
 TEST(SignComponents, AnOpenCavityIsNoPocket) {
-  const NodeGrid grid = small_grid();
+  const NodeGrid grid = odd_grid();
   std::vector<float> field = field_of_cubes(grid, [](int r) { return r > 4 && r < 7; });
   for (int z = middle + 5; z < middle + 7; ++z) field[grid.at(middle, middle, z)] = 1.0F;
   const std::vector<float> open = field;

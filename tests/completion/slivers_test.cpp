@@ -7,7 +7,7 @@ namespace {
 
 constexpr float reach = 0.01F;
 
-NodeGrid small_grid() {
+NodeGrid even_grid() {
   NodeGrid grid;
   grid.size = {20, 20, 20};
   return grid;
@@ -29,7 +29,7 @@ std::vector<float> without_slivers(const NodeGrid& grid, float squared_distance,
 }
 
 TEST(Slivers, OfOneNodeAreRemovedFarFromPointsOnly) {
-  const NodeGrid grid = small_grid();
+  const NodeGrid grid = even_grid();
   const auto layer = [](int, int, int z) { return z == 10; };
   const auto column = [](int x, int y, int) { return x / 2 == 5 && y / 2 == 5; };
   EXPECT_EQ(without_slivers(grid, 1.0F, layer)[grid.at(10, 10, 10)], 1.0F);
@@ -38,7 +38,7 @@ TEST(Slivers, OfOneNodeAreRemovedFarFromPointsOnly) {
 }
 
 TEST(Slivers, EdgesOfABodyStay) {
-  const NodeGrid grid = small_grid();
+  const NodeGrid grid = even_grid();
   const std::vector<float> field = without_slivers(
       grid, 1.0F, [](int x, int y, int) { return x >= 5 && x < 15 && y >= 5 && y < 15; });
   for (int z = 2; z < 18; ++z) {

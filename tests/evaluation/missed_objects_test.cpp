@@ -2,15 +2,10 @@
 #include "symscene/pipeline/pipeline.hpp"
 
 #include <gtest/gtest.h>
+#include "index_range.hpp"
 
 namespace symscene {
 namespace {
-
-PointIndices range(Index begin, Index end) {
-  PointIndices indices;
-  for (Index i = begin; i < end; ++i) indices.push_back(i);
-  return indices;
-}
 
 const ReflectionPlane mirror{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
 const ReflectionPlane elsewhere{Eigen::Vector3d(0.3, 0, 0), Eigen::Vector3d::UnitX()};
@@ -38,7 +33,7 @@ class MissedObjects : public ::testing::Test {
   /// The outcome of the object with the pipeline's own selection.
   ObjectOutcome outcome() const { return outcome(choose_objects(proposals_, options_)); }
   ObjectOutcome outcome(const SegmentationResult& result) const {
-    return object_outcomes(truth_, {range(0, 100)}, proposals_, result).at(0);
+    return object_outcomes(truth_, {testing::index_range(0, 100)}, proposals_, result).at(0);
   }
   void expect(Outcome expected, const std::string& reason) const {
     const ObjectOutcome seen = outcome();
@@ -52,8 +47,8 @@ class MissedObjects : public ::testing::Test {
 };
 
 TEST_F(MissedObjects, AGoodMaskIsFound) {
-  propose(mirror, range(10, 60));
-  add_hypothesis(range(0, 95));
+  propose(mirror, testing::index_range(10, 60));
+  add_hypothesis(testing::index_range(0, 95));
   expect(Outcome::found, "");
   EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.95);
   EXPECT_EQ(outcome().kind, "box");
@@ -63,46 +58,46 @@ TEST_F(MissedObjects, AGoodMaskIsFound) {
 }
 
 TEST_F(MissedObjects, WithoutACandidateInItAnObjectIsNotProposed) {
-  propose(mirror, range(80, 160));
+  propose(mirror, testing::index_range(80, 160));
   expect(Outcome::not_proposed, "no segment");
 }
 
 TEST_F(MissedObjects, ACandidateThatIsNoSymmetryOfTheObjectDoesNotProposeIt) {
-  propose(elsewhere, range(0, 50));
+  propose(elsewhere, testing::index_range(0, 50));
   expect(Outcome::not_proposed, "no symmetry");
 }
 
 TEST_F(MissedObjects, AProposalOfOverHalfTheObjectProposesItWithoutASymmetry) {
-  add_hypothesis(range(0, 60));
+  add_hypothesis(testing::index_range(0, 60));
   expect(Outcome::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
-  add_hypothesis(range(0, 50));
+  add_hypothesis(testing::index_range(0, 50));
   expect(Outcome::not_proposed, "no segment");  // half of it is not enough
 }
 
 TEST_F(MissedObjects, AnObjectWithoutKnownSymmetriesIsProposedByAnyCandidateInIt) {
   truth_.objects.front().reflectional.clear();
-  propose(elsewhere, range(0, 50));
-  add_hypothesis(range(0, 50));
+  propose(elsewhere, testing::index_range(0, 50));
+  add_hypothesis(testing::index_range(0, 50));
   expect(Outcome::wrongly_segmented, "too little");
 }
 
 TEST_F(MissedObjects, AProposalOfHalfTheObjectIsTooLittleAndOneOfTwiceItTooMuch) {
-  propose(mirror, range(0, 50));
-  add_hypothesis(range(0, 50));
+  propose(mirror, testing::index_range(0, 50));
+  add_hypothesis(testing::index_range(0, 50));
   expect(Outcome::wrongly_segmented, "too little");
   proposals_.reflectional.clear();
-  add_hypothesis(range(0, 180));
+  add_hypothesis(testing::index_range(0, 180));
   expect(Outcome::wrongly_segmented, "too much");
   proposals_.reflectional.clear();
   expect(Outcome::wrongly_segmented, "too little");
 }
 
 TEST_F(MissedObjects, TheBoundThatRejectsAGoodHypothesisIsNamed) {
-  propose(mirror, range(0, 50));
-  add_hypothesis(range(0, 100), {0.1, 0.9, 0.1});
+  propose(mirror, testing::index_range(0, 50));
+  add_hypothesis(testing::index_range(0, 100), {0.1, 0.9, 0.1});
   expect(Outcome::rejected, "occlusion");
-  add_hypothesis(range(0, 99), {0.9, 0.001, 0.1});
+  add_hypothesis(testing::index_range(0, 99), {0.9, 0.001, 0.1});
   expect(Outcome::rejected, "occlusion");  // which comes after symmetry
   EXPECT_DOUBLE_EQ(outcome().best_proposal_overlap, 1.0);
   EXPECT_DOUBLE_EQ(outcome().best_overlap, 0.0);
@@ -111,46 +106,47 @@ TEST_F(MissedObjects, TheBoundThatRejectsAGoodHypothesisIsNamed) {
 }
 
 TEST_F(MissedObjects, AHypothesisRejectedForItsSupportIsNamed) {
-  propose(mirror, range(0, 50));
-  proposals_.rejected.push_back({"reflectional", "support", 0.3, 0.5, 100, range(0, 100)});
+  propose(mirror, testing::index_range(0, 50));
+  proposals_.rejected.push_back(
+      {"reflectional", "support", 0.3, 0.5, 100, testing::index_range(0, 100)});
   expect(Outcome::rejected, "support");
 }
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedForItsOverlapWithABetterOne) {
-  propose(mirror, range(0, 50));
-  add_hypothesis(range(0, 100), {0.2, 0.003, 0.1});
-  add_hypothesis(range(0, 190), {0.01, 0.0001, 0.01});
+  propose(mirror, testing::index_range(0, 50));
+  add_hypothesis(testing::index_range(0, 100), {0.2, 0.003, 0.1});
+  add_hypothesis(testing::index_range(0, 190), {0.01, 0.0001, 0.01});
   expect(Outcome::rejected, "overlap");
 }
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeRejectedAsAComposite) {
-  propose(mirror, range(0, 50));
-  add_hypothesis(range(0, 100));
-  add_hypothesis(range(0, 50), {0.05, 0.001, 0.1});
-  add_hypothesis(range(50, 100), {0.05, 0.001, 0.1});
+  propose(mirror, testing::index_range(0, 50));
+  add_hypothesis(testing::index_range(0, 100));
+  add_hypothesis(testing::index_range(0, 50), {0.05, 0.001, 0.1});
+  add_hypothesis(testing::index_range(50, 100), {0.05, 0.001, 0.1});
   expect(Outcome::rejected, "composite");
 }
 
 TEST_F(MissedObjects, AGoodProposalMayBeRejectedForItsScore) {
-  propose(mirror, range(0, 50));
+  propose(mirror, testing::index_range(0, 50));
   options_.selection.by_score = true;
   ObjectProposal proposal;
-  proposal.merged.points = range(0, 100);
+  proposal.merged.points = testing::index_range(0, 100);
   proposal.score = 0.5 * options_.selection.min_score;
   proposals_.objects.push_back(proposal);
   expect(Outcome::rejected, "score");
 }
 
 TEST_F(MissedObjects, AGoodHypothesisMayBeMergedIntoAnObjectWithAWorseMask) {
-  propose(mirror, range(0, 50));
-  add_hypothesis(range(0, 109), {0.2, 0.003, 0.1});
-  add_hypothesis(range(0, 113), {0.01, 0.0001, 0.01});
+  propose(mirror, testing::index_range(0, 50));
+  add_hypothesis(testing::index_range(0, 109), {0.2, 0.003, 0.1});
+  add_hypothesis(testing::index_range(0, 113), {0.01, 0.0001, 0.01});
   expect(Outcome::rejected, "merge");
 }
 
 TEST_F(MissedObjects, AnObjectWithoutAPointIsLost) {
-  propose(mirror, range(0, 50));
-  add_hypothesis(range(0, 100));
+  propose(mirror, testing::index_range(0, 50));
+  add_hypothesis(testing::index_range(0, 100));
   const ObjectOutcome lost =
       object_outcomes(truth_, {{}}, proposals_, choose_objects(proposals_, options_)).at(0);
   EXPECT_EQ(outcome_name(lost.outcome), "lost before segmentation");

@@ -23,7 +23,7 @@ Scene three_points() {
   return scene;
 }
 
-SceneTruth truth_of(std::initializer_list<PointIndices> masks) {
+SceneTruth cups_of(std::initializer_list<PointIndices> masks) {
   SceneTruth truth;
   for (const PointIndices& mask : masks) {
     truth.objects.emplace_back();
@@ -51,10 +51,10 @@ std::string complaint(const Scene& scene, const SceneTruth& truth) {
 
 TEST(RequireUsableTruth, NamesTheObjectAndItsError) {
   const Scene scene = three_points();
-  EXPECT_EQ(complaint(scene, truth_of({{0, 1}, {2}})), "");
-  EXPECT_EQ(complaint(scene, truth_of({{0}, {}})), "");  // lost before segmentation
-  EXPECT_NE(complaint(scene, truth_of({{3}})).find("indices below 3"), std::string::npos);
-  EXPECT_NE(complaint(scene, truth_of({{0, 1}, {1}})).find("point 1 of object 0 too"),
+  EXPECT_EQ(complaint(scene, cups_of({{0, 1}, {2}})), "");
+  EXPECT_EQ(complaint(scene, cups_of({{0}, {}})), "");  // lost before segmentation
+  EXPECT_NE(complaint(scene, cups_of({{3}})).find("indices below 3"), std::string::npos);
+  EXPECT_NE(complaint(scene, cups_of({{0, 1}, {1}})).find("point 1 of object 0 too"),
             std::string::npos);
 }
 
@@ -106,7 +106,7 @@ TEST(CountResult, CountsNoSymmetriesIfTheGroundTruthHasMasksOnly) {
   result.objects.resize(1);
   result.objects.front().points = {0, 1};
   result.objects.front().reflectional.emplace_back();
-  SceneTruth truth = truth_of({{0, 1}, {2}});
+  SceneTruth truth = cups_of({{0, 1}, {2}});
   const SettingCounts counts = count_result(scene, truth, result);
   EXPECT_EQ(counts.detections(Metric::masks_90).correct, 1U);
   EXPECT_EQ(counts.detections(Metric::planes).found, 0U);
@@ -121,11 +121,11 @@ TEST(CountResult, LeavesOutBoundariesOfScenesWithoutAny) {
   result.cloud = scene.cloud;
   result.objects.resize(1);
   result.objects.front().points = {0, 1, 2};
-  SettingCounts counts = count_result(scene, truth_of({{0, 1, 2}}), result);
+  SettingCounts counts = count_result(scene, cups_of({{0, 1, 2}}), result);
   EXPECT_FALSE(counts.points.has_boundary());
   result.objects.front().points = {0, 1};
   result.objects.emplace_back().points = {2};
-  counts += count_result(scene, truth_of({{0, 1}, {2}}), result);
+  counts += count_result(scene, cups_of({{0, 1}, {2}}), result);
   EXPECT_DOUBLE_EQ(counts.points.mean(2).boundary_f, 1.0);
 }
 
@@ -136,7 +136,7 @@ TEST(EvaluateScene, CountsObjectsOfWhichTheSceneHasNoPoint) {
   const std::vector<float> depth(8, 1.0F);
   const std::vector<std::uint16_t> labels{1, 1, 0, 0, 2, 2, 0, 0};
   const SceneEvaluation lost =
-      evaluate_scene(Scene{}, truth_of({{}, {}}), options, {}, LabeledView{camera, depth, labels});
+      evaluate_scene(Scene{}, cups_of({{}, {}}), options, {}, LabeledView{camera, depth, labels});
   ASSERT_EQ(lost.objects.size(), 2U);
   EXPECT_EQ(lost.objects[1].outcome, Outcome::lost);
   for (const Sweep& sweep : lost.segmentation) {

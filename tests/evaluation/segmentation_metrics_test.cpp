@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "evaluation/assignment.hpp"
+#include "index_range.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -13,12 +14,6 @@ NeighborLists row_of_ten() {
   Points points = Points::Zero(10, 3);
   for (Eigen::Index i = 0; i < 10; ++i) points(i, 0) = 0.005F * static_cast<float>(i);
   return radius_neighbors(points, 0.006F);
-}
-
-PointIndices range(Index begin, Index end) {
-  PointIndices indices;
-  for (Index i = begin; i < end; ++i) indices.push_back(i);
-  return indices;
 }
 
 OverlapMatrix matrix(Eigen::Index rows, Eigen::Index columns, std::initializer_list<double> v) {
@@ -82,7 +77,8 @@ TEST(LabelPoints, GivesAPointToTheFirstMaskThatHoldsIt) {
 
 TEST(SegmentationMetrics, BoundariesOnePointApartMatch) {
   const SegmentationMetrics m =
-      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 6), range(6, 10)}, row_of_ten());
+      segmentation_metrics({testing::index_range(0, 5), testing::index_range(5, 10)},
+                           {testing::index_range(0, 6), testing::index_range(6, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 0.9);
   EXPECT_DOUBLE_EQ(m.overlap_recall, 0.9);
   EXPECT_DOUBLE_EQ(m.overlap_f, 0.9);
@@ -93,7 +89,8 @@ TEST(SegmentationMetrics, BoundariesOnePointApartMatch) {
 
 TEST(SegmentationMetrics, BoundariesTwoPointsApartDoNotMatch) {
   const SegmentationMetrics m =
-      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
+      segmentation_metrics({testing::index_range(0, 5), testing::index_range(5, 10)},
+                           {testing::index_range(0, 7), testing::index_range(7, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 0.8);
   EXPECT_DOUBLE_EQ(m.boundary_f, 0.0);
   EXPECT_DOUBLE_EQ(m.found_75, 1.0);  // 10/12, and 6/8 is just enough
@@ -102,11 +99,13 @@ TEST(SegmentationMetrics, BoundariesTwoPointsApartDoNotMatch) {
 TEST(SegmentationMetrics, ExtraMasksReducePrecisionAndMissedMasksReduceRecall) {
   // One true object of five points at an edge of the cloud; found whole, with a stray mask.
   const SegmentationMetrics stray =
-      segmentation_metrics({range(0, 5)}, {range(0, 5), range(7, 9)}, row_of_ten());
+      segmentation_metrics({testing::index_range(0, 5)},
+                           {testing::index_range(0, 5), testing::index_range(7, 9)}, row_of_ten());
   EXPECT_DOUBLE_EQ(stray.overlap_precision, 5.0 / 7.0);
   EXPECT_DOUBLE_EQ(stray.overlap_recall, 1.0);
   const SegmentationMetrics missed =
-      segmentation_metrics({range(0, 5), range(7, 9)}, {range(0, 5)}, row_of_ten());
+      segmentation_metrics({testing::index_range(0, 5), testing::index_range(7, 9)},
+                           {testing::index_range(0, 5)}, row_of_ten());
   EXPECT_DOUBLE_EQ(missed.overlap_recall, 5.0 / 7.0);
   EXPECT_DOUBLE_EQ(missed.found_75, 0.5);
 }
@@ -114,11 +113,13 @@ TEST(SegmentationMetrics, ExtraMasksReducePrecisionAndMissedMasksReduceRecall) {
 TEST(SegmentationMetrics, PointsWithoutLabelMakeNoBoundary) {
   // One object of which point 4 was not labelled, found whole.
   const PointIndices labelled{0, 1, 2, 3, 5, 6, 7, 8, 9};
-  const SegmentationMetrics alone = segmentation_metrics({labelled}, {range(0, 10)}, row_of_ten());
+  const SegmentationMetrics alone =
+      segmentation_metrics({labelled}, {testing::index_range(0, 10)}, row_of_ten());
   EXPECT_FALSE(alone.has_boundary());
   // Two such objects side by side: the boundary is between them alone.
   const SegmentationMetrics two =
-      segmentation_metrics({{0, 2, 3, 4}, {5, 6, 7, 9}}, {range(0, 5), range(5, 10)}, row_of_ten());
+      segmentation_metrics({{0, 2, 3, 4}, {5, 6, 7, 9}},
+                           {testing::index_range(0, 5), testing::index_range(5, 10)}, row_of_ten());
   EXPECT_TRUE(two.has_boundary());
   EXPECT_DOUBLE_EQ(two.boundary_f, 1.0);
 }
@@ -126,26 +127,32 @@ TEST(SegmentationMetrics, PointsWithoutLabelMakeNoBoundary) {
 TEST(SegmentationMetrics, BoundariesOfExtraAndMissedMasksCount) {
   // A third mask that splits the second object; the boundary between the objects is exact.
   const SegmentationMetrics extra = segmentation_metrics(
-      {range(0, 5), range(5, 10)}, {range(0, 5), range(5, 8), range(8, 10)}, row_of_ten());
+      {testing::index_range(0, 5), testing::index_range(5, 10)},
+      {testing::index_range(0, 5), testing::index_range(5, 8), testing::index_range(8, 10)},
+      row_of_ten());
   EXPECT_DOUBLE_EQ(extra.boundary_precision, 0.5);  // 4 and 5 of 4, 5, 7, 8
   EXPECT_DOUBLE_EQ(extra.boundary_recall, 1.0);
   const SegmentationMetrics missed = segmentation_metrics(
-      {range(0, 5), range(5, 8), range(8, 10)}, {range(0, 5), range(5, 10)}, row_of_ten());
+      {testing::index_range(0, 5), testing::index_range(5, 8), testing::index_range(8, 10)},
+      {testing::index_range(0, 5), testing::index_range(5, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(missed.boundary_precision, 1.0);
   EXPECT_DOUBLE_EQ(missed.boundary_recall, 0.5);
 }
 
 TEST(SegmentationMetrics, TheMeanOfBoundariesIsOverScenesThatHaveOne) {
   const SegmentationMetrics touching =
-      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 7), range(7, 10)}, row_of_ten());
+      segmentation_metrics({testing::index_range(0, 5), testing::index_range(5, 10)},
+                           {testing::index_range(0, 7), testing::index_range(7, 10)}, row_of_ten());
   // One object is all of the cloud: it has no boundary, and a stray mask would have one.
   const SegmentationMetrics alone =
-      segmentation_metrics({range(0, 10)}, {range(0, 8), range(8, 10)}, row_of_ten());
+      segmentation_metrics({testing::index_range(0, 10)},
+                           {testing::index_range(0, 8), testing::index_range(8, 10)}, row_of_ten());
   EXPECT_DOUBLE_EQ(touching.with_boundary, 1.0);
   EXPECT_DOUBLE_EQ(alone.with_boundary, 0.0);
   SegmentationMetrics sum;
   sum +=
-      segmentation_metrics({range(0, 5), range(5, 10)}, {range(0, 5), range(5, 10)}, row_of_ten());
+      segmentation_metrics({testing::index_range(0, 5), testing::index_range(5, 10)},
+                           {testing::index_range(0, 5), testing::index_range(5, 10)}, row_of_ten());
   sum += touching;
   sum += alone;
   EXPECT_DOUBLE_EQ(sum.mean(3).boundary_f, 0.5);
@@ -156,7 +163,8 @@ TEST(SegmentationMetrics, TheMeanOfBoundariesIsOverScenesThatHaveOne) {
 }
 
 TEST(SegmentationMetrics, WithoutFoundMasksPrecisionIsOneAndRecallZero) {
-  const SegmentationMetrics m = segmentation_metrics({range(0, 5)}, {}, row_of_ten());
+  const SegmentationMetrics m =
+      segmentation_metrics({testing::index_range(0, 5)}, {}, row_of_ten());
   EXPECT_DOUBLE_EQ(m.overlap_precision, 1.0);
   EXPECT_DOUBLE_EQ(m.overlap_recall, 0.0);
   EXPECT_DOUBLE_EQ(m.overlap_f, 0.0);

@@ -8,7 +8,7 @@
 namespace symscene {
 namespace {
 
-SettingCounts masks(DetectionCounts detections) {
+SettingCounts mask_counts(DetectionCounts detections) {
   SettingCounts counts;
   counts.detections(Metric::masks_90) = detections;
   counts.scenes = 1;
@@ -21,8 +21,8 @@ Sweep five_settings() {
   sweep.method = "five";
   sweep.parameters = {"a"};
   sweep.settings = all_settings({{1, 2, 3, 4, 5}});
-  sweep.counts = {masks({2, 2, 10}), masks({4, 5, 10}), masks({4, 8, 10}), masks({6, 10, 10}),
-                  masks({6, 20, 10})};
+  sweep.counts = {mask_counts({2, 2, 10}), mask_counts({4, 5, 10}), mask_counts({4, 8, 10}),
+                  mask_counts({6, 10, 10}), mask_counts({6, 20, 10})};
   sweep.metrics = {Metric::masks_90};
   return sweep;
 }

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "symscene/core/error.hpp"
+#include "io/io_support.hpp"
 
 namespace symscene {
 namespace {
+
+using namespace io_test;
 
 GraspPlan two_grasps() {
   GraspPlan plan;
@@ -39,13 +41,8 @@ nlohmann::json written() {
   return nlohmann::json::parse(format_grasps_json(two_grasps(), small_hand()));
 }
 
-std::string refusal_of(const std::string& text) {
-  try {
-    parse_grasps_json(text, "grasps.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+std::string grasps_refusal(const std::string& text) {
+  return refusal([&] { parse_grasps_json(text, "grasps.json"); });
 }
 
 TEST(GraspsReader, ReadsWhatWasWritten) {
@@ -88,12 +85,12 @@ TEST(GraspsReader, RefusesInOneSentenceWithThePlace) {
   const auto refused = [](const auto& change) {
     nlohmann::json json = written();
     change(json);
-    return refusal_of(json.dump());
+    return grasps_refusal(json.dump());
   };
   using Json = nlohmann::json;
   const std::vector<std::pair<std::string, std::string>> cases{
-      {refusal_of("[1]"), "grasps.json"},
-      {refusal_of("{"), "JSON"},
+      {grasps_refusal("[1]"), "grasps.json"},
+      {grasps_refusal("{"), "JSON"},
       {refused([](Json& j) { j["version"] = 2; }), "version: expected 1"},
       {refused([](Json& j) { j.erase("gripper"); }), "a member \"gripper\""},
       {refused([](Json& j) { j["gripper"]["max_opening_m"] = -1; }), "gripper: max_opening_m"},

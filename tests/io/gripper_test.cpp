@@ -4,27 +4,19 @@
 
 #include <nlohmann/json.hpp>
 
-#include "symscene/core/error.hpp"
+#include "io/io_support.hpp"
 #include "symscene/io/grasps.hpp"
 
 namespace symscene {
 namespace {
 
+using namespace io_test;
+
 constexpr const char* smallest = R"({"name": "clamp", "kind": "parallel", "max_opening_m": 0.06,
   "finger_depth_m": 0.04, "palm_size_m": [0.05, 0.1, 0.08]})";
 
-/// The message with which a gripper file is refused.
-std::string refusal_of(const std::string& text) {
-  try {
-    parse_gripper(text, "hand.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  return text.replace(text.find(what), what.size(), by);
+std::string gripper_refusal(const std::string& text) {
+  return refusal([&] { parse_gripper(text, "hand.json"); });
 }
 
 TEST(GripperFile, NeedsOnlyWhatHasNoDefault) {
@@ -105,7 +97,7 @@ TEST(GripperFile, RefusesWhatItDoesNotKnowInOneSentence) {
             "expected no member of this name"},
            {replaced(smallest, "parallel", "three_finger"),
             "finger_spacing_m: expected at least finger_width_m, so"}}) {
-    const std::string refusal = refusal_of(text);
+    const std::string refusal = gripper_refusal(text);
     EXPECT_NE(refusal.find(sentence), std::string::npos) << refusal;
     EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
   }

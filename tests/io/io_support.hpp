@@ -106,6 +106,13 @@ inline void expect_same(const PointCloud& a, const PointCloud& b) {
   EXPECT_TRUE(same_bits(a.colors, b.colors));
 }
 
+/// The text with its first `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
 /// The sentence with which `call` refuses its input.
 template <class Call>
 std::string refusal(const Call& call) {

@@ -43,7 +43,7 @@ void grow(std::mt19937& random, const LogOddsLeaf& cube, LogOddsMap& map) {
   }
 }
 
-LogOddsMap random_map(unsigned seed) {
+LogOddsMap random_log_odds(unsigned seed) {
   std::mt19937 random(seed);
   LogOddsMap map;
   map.resolution = 0.001 * (1 + seed);
@@ -53,13 +53,13 @@ LogOddsMap random_map(unsigned seed) {
 
 TEST(LogOddsFile, LeavesAreReadInDepthFirstOrder) {
   for (unsigned seed = 0; seed < 50; ++seed) {
-    const LogOddsMap map = random_map(seed);
+    const LogOddsMap map = random_log_odds(seed);
     expect_same_leaves(parse_log_odds(format_log_odds(map), "x"), map);
   }
 }
 
 TEST(LogOddsFile, TheOrderOfTheLeavesDoesNotChangeTheFile) {
-  LogOddsMap map = random_map(3);
+  LogOddsMap map = random_log_odds(3);
   const std::string bytes = format_log_odds(map);
   std::mt19937 random(1);
   std::shuffle(map.leaves.begin(), map.leaves.end(), random);
@@ -75,7 +75,7 @@ TEST(LogOddsFile, AnEmptyMapIsReadBackEmpty) {
 }
 
 TEST(LogOddsFile, DamagedFilesAreReadOrRefused) {
-  const std::string bytes = format_log_odds(random_map(5));
+  const std::string bytes = format_log_odds(random_log_odds(5));
   EXPECT_EQ(damage(
                 bytes, [](std::string_view b) { parse_log_odds(b, "x"); }, 500, 1000),
             0);
@@ -119,7 +119,7 @@ TEST(LogOddsMap, LabelsJoinCubesOfEqualState) {
 #ifdef SYMSCENE_WITH_OCTOMAP
 TEST(LogOddsFile, OctoMapReadsTheSameLeavesAndGreatestChildren) {
   for (unsigned seed = 0; seed < 10; ++seed) {
-    const LogOddsMap map = random_map(seed);
+    const LogOddsMap map = random_log_odds(seed);
     std::istringstream stream(format_log_odds(map));
     const std::unique_ptr<octomap::AbstractOcTree> tree(octomap::AbstractOcTree::read(stream));
     auto* octree = dynamic_cast<octomap::OcTree*>(tree.get());

@@ -55,8 +55,8 @@ std::string compress_lzf(const std::string& data) {
   return out;
 }
 
-std::string header(Eigen::Index points, const std::string& encoding, const char* color = "rgb",
-                   char color_type = 'F') {
+std::string pcd_header(Eigen::Index points, const std::string& encoding, const char* color = "rgb",
+                       char color_type = 'F') {
   return fmt::format(
       "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
       "FIELDS x y z {0} histogram normal_x normal_y normal_z\nSIZE 4 4 4 4 2 4 4 4\n"
@@ -70,7 +70,7 @@ std::uint32_t packed(const PointCloud& cloud, Eigen::Index i) {
   return (255U << 24) | (c[0] << 16) | (c[1] << 8) | c[2];
 }
 
-/// The fields of point i from field `begin` on, in the order of header().
+/// The fields of point i from field `begin` on, in the order of pcd_header().
 void append_field(std::string& out, const PointCloud& cloud, Eigen::Index i, int field) {
   if (field < 3) append(out, cloud.positions(i, field));
   if (field == 3) append(out, packed(cloud, i));
@@ -79,7 +79,7 @@ void append_field(std::string& out, const PointCloud& cloud, Eigen::Index i, int
 }
 
 std::string binary(const PointCloud& cloud) {
-  std::string out = header(cloud.positions.rows(), "binary");
+  std::string out = pcd_header(cloud.positions.rows(), "binary");
   for (Eigen::Index i = 0; i < cloud.positions.rows(); ++i) {
     for (int field = 0; field < 8; ++field) append_field(out, cloud, i, field);
   }
@@ -92,14 +92,14 @@ std::string compressed(const PointCloud& cloud) {
     for (Eigen::Index i = 0; i < cloud.positions.rows(); ++i) append_field(data, cloud, i, field);
   }
   const std::string stream = compress_lzf(data);
-  std::string out = header(cloud.positions.rows(), "binary_compressed", "rgba", 'U');
+  std::string out = pcd_header(cloud.positions.rows(), "binary_compressed", "rgba", 'U');
   append(out, static_cast<std::uint32_t>(stream.size()));
   append(out, static_cast<std::uint32_t>(data.size()));
   return out + stream;
 }
 
 std::string ascii(const PointCloud& cloud, bool float_color) {
-  std::string out = header(cloud.positions.rows(), "ascii", "rgb", float_color ? 'F' : 'U');
+  std::string out = pcd_header(cloud.positions.rows(), "ascii", "rgb", float_color ? 'F' : 'U');
   for (Eigen::Index i = 0; i < cloud.positions.rows(); ++i) {
     const std::uint32_t color = packed(cloud, i) & 0xFFFFFFU;
     out += fmt::format("{} {} {} ", cloud.positions(i, 0), cloud.positions(i, 1),

@@ -311,12 +311,6 @@ TEST(Result, InconsistentFilesAreRefused) {
                 "of that name");
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 TEST(Result, RefusalsNameFileAndPath) {
   const std::string text = format_objects_json(small_result());
   const auto message = [&](const std::string& from, const std::string& to) {

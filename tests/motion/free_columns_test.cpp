@@ -30,7 +30,7 @@ void hide(OccupancyGrid& grid, const Eigen::AlignedBox3f& box) {
 }
 
 /// A box of 10 cm height at x = 0.4 m, seen from the side of the origin.
-GraspScene scene_with(const OccupancyGrid& space) {
+GraspScene scene_in(const OccupancyGrid& space) {
   GraspScene scene;
   scene.table = Plane{};
   scene.objects = {testing::box_of_points({0.04, 0.04, 0.1}, {0.4, 0.0, 0.05})};
@@ -71,7 +71,7 @@ TEST(FreeColumns, LeaveShadowsAsObstacles) {
   OccupancyGrid space = free_space();
   hide(space, {Eigen::Vector3f(0.5F, -0.05F, -1.0F), Eigen::Vector3f(0.6F, 0.05F, 0.06F)});
   hide(space, {Eigen::Vector3f(0.5F, -0.2F, 0.05F), Eigen::Vector3f(0.6F, -0.1F, 0.09F)});
-  const GraspScene scene = scene_with(space);
+  const GraspScene scene = scene_in(space);
   EXPECT_TRUE(is_blocked(scene, {0.55, 0.0, 0.04}));
   EXPECT_FALSE(is_blocked(scene, {0.55, 0.0, 0.09}));
   EXPECT_FALSE(is_blocked(scene, {0.55, -0.15, 0.07})) << "nothing carries it";
@@ -80,7 +80,7 @@ TEST(FreeColumns, LeaveShadowsAsObstacles) {
 TEST(FreeColumns, EndAtTheHighestSeenSurface) {
   OccupancyGrid space = free_space();
   hide(space, {Eigen::Vector3f(0.5F, -1.0F, -1.0F), Eigen::Vector3f(1.0F, 1.0F, 1.0F)});
-  GraspScene scene = scene_with(space);
+  GraspScene scene = scene_in(space);
   EXPECT_TRUE(is_blocked(scene, {0.6, 0.1, 0.08}));
   EXPECT_FALSE(is_blocked(scene, {0.6, 0.1, 0.13}));
   scene.objects.push_back(testing::box_of_points({0.04, 0.04, 0.2}, {0.4, 0.1, 0.1}));

@@ -4,26 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/convex_shapes.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/physics/physics_world.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr double cube_edge = 0.04;  // [m]
-
-ConvexParts cube() {
-  Points corners(8, 3);
-  for (int k = 0; k < 8; ++k) {
-    for (int axis = 0; axis < 3; ++axis)
-      corners(k, axis) = static_cast<float>(((k >> axis & 1) != 0 ? 0.5 : -0.5) * cube_edge);
-  }
-  return {corners};
-}
-
-Eigen::Isometry3d at(double x, double y, double z) {
-  return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
-}
+using namespace symscene::testing;
 
 Joint sliding(std::size_t parent, const char* name, const Eigen::Vector3d& axis) {
   Joint joint;

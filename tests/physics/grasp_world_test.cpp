@@ -2,28 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/convex_shapes.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/physics/physics_world.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr double cube_edge = 0.04;  // [m]
-
-/// The corners of a box around the origin of its own frame.
-ConvexParts box(double x, double y, double z) {
-  Points corners(8, 3);
-  for (int k = 0; k < 8; ++k) {
-    corners.row(k) << static_cast<float>(k & 1 ? 0.5 * x : -0.5 * x),
-        static_cast<float>(k & 2 ? 0.5 * y : -0.5 * y),
-        static_cast<float>(k & 4 ? 0.5 * z : -0.5 * z);
-  }
-  return {corners};
-}
-
-Eigen::Isometry3d at(double x, double y, double z) {
-  return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
-}
+using namespace symscene::testing;
 
 /// The tool frame of a hand that points down, with its fingertips at this height.
 Eigen::Isometry3d hand_above(double x, double y, double tips) {

@@ -5,13 +5,16 @@
 #include <limits>
 #include <stdexcept>
 
+#include "physics/convex_shapes.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
 
+using testing::at;
+
 /// The corners of a box that stands on z = 0 of its own frame.
-ConvexParts box(double x, double y, double z) {
+ConvexParts standing_box(double x, double y, double z) {
   Points corners(8, 3);
   for (int k = 0; k < 8; ++k) {
     corners.row(k) << static_cast<float>(k & 1 ? 0.5 * x : -0.5 * x),
@@ -20,18 +23,14 @@ ConvexParts box(double x, double y, double z) {
   return {corners};
 }
 
-Eigen::Isometry3d at(double x, double y, double z) {
-  return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
-}
-
 class PhysicsWorldTest : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!has_physics()) GTEST_SKIP() << "skipped: this build has no physics";
   }
 
-  const ConvexParts crate_ = box(0.06, 0.1, 0.15);
-  const ConvexParts slab_ = box(0.2, 0.2, 0.04);
+  const ConvexParts crate_ = standing_box(0.06, 0.1, 0.15);
+  const ConvexParts slab_ = standing_box(0.2, 0.2, 0.04);
   const std::vector<const ConvexParts*> bodies_ = {&crate_, &slab_};
 };
 

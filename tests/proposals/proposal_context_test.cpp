@@ -3,16 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
+#include "index_range.hpp"
 
 namespace symscene {
 namespace {
-
-PointIndices range(Index first, Index end) {
-  PointIndices indices(end - first);
-  std::iota(indices.begin(), indices.end(), first);
-  return indices;
-}
 
 std::vector<ProposalContext> contexts_of(const std::vector<PointIndices>& sets,
                                          const std::vector<double>& estimates) {
@@ -22,7 +16,8 @@ std::vector<ProposalContext> contexts_of(const std::vector<PointIndices>& sets,
 }
 
 TEST(SharedCounts, AreCountedForEveryPair) {
-  const PointIndices a = range(0, 60), b = range(60, 100), c = range(50, 80), none;
+  const PointIndices a = testing::index_range(0, 60), b = testing::index_range(60, 100),
+                     c = testing::index_range(50, 80), none;
   const SharedCounts shared(std::array{&a, &b, &c, &none});
   EXPECT_EQ(shared.count(), 4U);
   EXPECT_EQ(shared.size(2), 30.0);
@@ -40,7 +35,8 @@ TEST(SharedCounts, AreCountedForEveryPair) {
 
 TEST(ProposalContext, OfAWholeItsPartsAndAConflict) {
   // A whole, two parts that split it, and a proposal that conflicts with both.
-  const auto contexts = contexts_of({range(0, 100), range(0, 60), range(60, 100), range(50, 80)},
+  const auto contexts = contexts_of({testing::index_range(0, 100), testing::index_range(0, 60),
+                                     testing::index_range(60, 100), testing::index_range(50, 80)},
                                     {0.5, 0.8, 0.6, 0.3});
   const ProposalContext& whole = contexts[0];
   EXPECT_EQ(whole.estimate, 0.5);
@@ -68,8 +64,9 @@ TEST(ProposalContext, OfAWholeItsPartsAndAConflict) {
 }
 
 TEST(ProposalContext, OfNearlyEqualOrDisjointProposalsIsNone) {
-  const auto contexts =
-      contexts_of({range(0, 100), range(0, 99), range(200, 300)}, {0.9, 0.8, 0.7});
+  const auto contexts = contexts_of(
+      {testing::index_range(0, 100), testing::index_range(0, 99), testing::index_range(200, 300)},
+      {0.9, 0.8, 0.7});
   for (const ProposalContext& context : contexts) {
     EXPECT_EQ(context.whole, 0.0);
     EXPECT_EQ(context.part, 0.0);

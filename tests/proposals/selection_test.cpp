@@ -1,19 +1,12 @@
-#include <numeric>
-
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "index_range.hpp"
 #include "proposals/selection.hpp"
 #include "surfaces.hpp"
 
 namespace symscene {
 namespace {
-
-PointIndices range(Index begin, Index end) {
-  PointIndices indices(end - begin);
-  std::iota(indices.begin(), indices.end(), begin);
-  return indices;
-}
 
 /// An object that owns its points.
 struct TestObject {
@@ -53,18 +46,20 @@ std::vector<TestObject> probable(const std::vector<TestObject>& objects,
 TEST(Selection, RejectsACompositeOfOtherObjects) {
   std::vector<Rejection> rejected;
   const auto selected = consistent(
-      {object(range(0, 100), 0.9), object(range(0, 50), 0.5), object(range(50, 98), 0.4)}, {},
-      rejected);
+      {object(testing::index_range(0, 100), 0.9), object(testing::index_range(0, 50), 0.5),
+       object(testing::index_range(50, 98), 0.4)},
+      {}, rejected);
   ASSERT_EQ(selected.size(), 2U);
-  EXPECT_EQ(selected[0].points, range(0, 50));
+  EXPECT_EQ(selected[0].points, testing::index_range(0, 50));
   ASSERT_EQ(rejected.size(), 1U);
   EXPECT_EQ(rejected[0].reason, "composite");
 }
 
 TEST(Selection, PrefersTheWholeToOnePart) {
   std::vector<Rejection> rejected;
-  const auto selected =
-      consistent({object(range(0, 100), 0.8), object(range(10, 40), 0.9)}, {}, rejected);
+  const auto selected = consistent(
+      {object(testing::index_range(0, 100), 0.8), object(testing::index_range(10, 40), 0.9)}, {},
+      rejected);
   ASSERT_EQ(selected.size(), 1U);
   EXPECT_EQ(selected[0].points.size(), 100U);
   EXPECT_EQ(rejected.at(0).reason, "overlap");
@@ -76,8 +71,8 @@ TEST(Selection, HasMaximumWeightAmongRandomConflicts) {
     std::vector<TestObject> objects;
     for (int k = 0; k < 9; ++k) {
       const Index begin = random.below(60);
-      objects.push_back(
-          object(range(begin, begin + 10 + random.below(30)), random.uniform(0.1, 1.0)));
+      objects.push_back(object(testing::index_range(begin, begin + 10 + random.below(30)),
+                               random.uniform(0.1, 1.0)));
     }
     SelectionOptions options;
     options.min_parts_cover = 1.0;  // no composites are rejected
@@ -108,7 +103,7 @@ TEST(Selection, HasMaximumWeightAmongRandomConflicts) {
 
 TEST(Selection, OfManyConflictsIsIndependent) {
   std::vector<TestObject> objects;
-  for (Index k = 0; k < 80; ++k) objects.push_back(object(range(k, k + 40), 0.5));
+  for (Index k = 0; k < 80; ++k) objects.push_back(object(testing::index_range(k, k + 40), 0.5));
   std::vector<Rejection> rejected;
   const std::size_t count = objects.size();
   const auto selected = consistent(objects, {}, rejected);
@@ -130,59 +125,62 @@ SelectionOptions min_score_of_three_tenths() {
 
 TEST(Probable, RejectsImprobableObjects) {
   std::vector<Rejection> rejected;
-  const auto selected =
-      probable({object(range(0, 10), 0.3), object(range(20, 30), 0.31), object(range(40, 45), 0.1)},
-               min_score_of_three_tenths(), rejected);
+  const auto selected = probable(
+      {object(testing::index_range(0, 10), 0.3), object(testing::index_range(20, 30), 0.31),
+       object(testing::index_range(40, 45), 0.1)},
+      min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
-  EXPECT_EQ(selected[0].points, range(20, 30));
+  EXPECT_EQ(selected[0].points, testing::index_range(20, 30));
   ASSERT_EQ(rejected.size(), 2U);
   EXPECT_EQ(rejected[0].kind, "surface");
   EXPECT_EQ(rejected[0].reason, "score");
   EXPECT_EQ(rejected[0].value, 0.3);
   EXPECT_EQ(rejected[0].bound, 0.3);
   EXPECT_EQ(rejected[0].size, 10U);
-  EXPECT_EQ(rejected[0].points, range(0, 10));
-  EXPECT_EQ(rejected[1].points, range(40, 45));
+  EXPECT_EQ(rejected[0].points, testing::index_range(0, 10));
+  EXPECT_EQ(rejected[1].points, testing::index_range(40, 45));
   EXPECT_TRUE(probable({}, min_score_of_three_tenths(), rejected).empty());
 }
 
 TEST(Probable, RejectsAnOverlapAboveHalfOfTheSmaller) {
   std::vector<Rejection> rejected;
   // 50 of 100 shared points are not more than half, 51 are.
-  EXPECT_EQ(probable({object(range(0, 100), 0.5), object(range(50, 200), 0.6)},
+  EXPECT_EQ(probable({object(testing::index_range(0, 100), 0.5),
+                      object(testing::index_range(50, 200), 0.6)},
                      min_score_of_three_tenths(), rejected)
                 .size(),
             2U);
   EXPECT_TRUE(rejected.empty());
-  TestObject round = object(range(0, 100), 0.5);
+  TestObject round = object(testing::index_range(0, 100), 0.5);
   round.kind = "rotational";
-  const auto selected =
-      probable({round, object(range(49, 200), 0.6)}, min_score_of_three_tenths(), rejected);
+  const auto selected = probable({round, object(testing::index_range(49, 200), 0.6)},
+                                 min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
-  EXPECT_EQ(selected[0].points, range(49, 200));
+  EXPECT_EQ(selected[0].points, testing::index_range(49, 200));
   ASSERT_EQ(rejected.size(), 1U);
   EXPECT_EQ(rejected[0].kind, "rotational");
   EXPECT_EQ(rejected[0].reason, "overlap");
   EXPECT_EQ(rejected[0].value, 0.51);
   EXPECT_EQ(rejected[0].bound, 0.5);
-  EXPECT_EQ(rejected[0].points, range(0, 100));
+  EXPECT_EQ(rejected[0].points, testing::index_range(0, 100));
 }
 
 TEST(Probable, ComparesTwoPartsWithTheWhole) {
   const auto with_parts_of = [](double score) {
     std::vector<Rejection> rejected;
     return probable(
-        {object(range(0, 100), 0.9), object(range(0, 50), score), object(range(50, 100), score)},
+        {object(testing::index_range(0, 100), 0.9), object(testing::index_range(0, 50), score),
+         object(testing::index_range(50, 100), score)},
         min_score_of_three_tenths(), rejected);
   };
   // Weights: the whole 0.9 - 0.3 = 0.6; its parts 2 * 0.35 = 0.7, then 2 * 0.25 = 0.5.
   const auto parts = with_parts_of(0.65);
   ASSERT_EQ(parts.size(), 2U);
-  EXPECT_EQ(parts[0].points, range(0, 50));
-  EXPECT_EQ(parts[1].points, range(50, 100));
+  EXPECT_EQ(parts[0].points, testing::index_range(0, 50));
+  EXPECT_EQ(parts[1].points, testing::index_range(50, 100));
   const auto whole = with_parts_of(0.55);
   ASSERT_EQ(whole.size(), 1U);
-  EXPECT_EQ(whole[0].points, range(0, 100));
+  EXPECT_EQ(whole[0].points, testing::index_range(0, 100));
 }
 
 TEST(Probable, CountsTheMinimumScoreAsTheCostOfAWrongObject) {
@@ -190,8 +188,9 @@ TEST(Probable, CountsTheMinimumScoreAsTheCostOfAWrongObject) {
   SelectionOptions options;
   options.min_score = 0.1;
   std::vector<Rejection> rejected;
-  EXPECT_EQ(probable({object(range(0, 100), 0.9), object(range(0, 50), 0.55),
-                      object(range(50, 100), 0.55)},
+  EXPECT_EQ(probable({object(testing::index_range(0, 100), 0.9),
+                      object(testing::index_range(0, 50), 0.55),
+                      object(testing::index_range(50, 100), 0.55)},
                      options, rejected)
                 .size(),
             2U);
@@ -199,12 +198,14 @@ TEST(Probable, CountsTheMinimumScoreAsTheCostOfAWrongObject) {
 
 TEST(Probable, FindsManyPartsOfOneWhole) {
   // 30 parts of weight 0.3 conflict with one whole that weighs more than any: a component of 31.
-  std::vector<TestObject> objects{object(range(0, 300), 0.99)};
-  for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.6));
+  std::vector<TestObject> objects{object(testing::index_range(0, 300), 0.99)};
+  for (Index k = 0; k < 30; ++k)
+    objects.push_back(object(testing::index_range(10 * k, 10 * k + 10), 0.6));
   std::vector<Rejection> rejected;
   const auto selected = probable(objects, min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 30U);
-  for (Index k = 0; k < 30; ++k) EXPECT_EQ(selected[k].points, range(10 * k, 10 * k + 10));
+  for (Index k = 0; k < 30; ++k)
+    EXPECT_EQ(selected[k].points, testing::index_range(10 * k, 10 * k + 10));
   ASSERT_EQ(rejected.size(), 1U);
   EXPECT_EQ(rejected[0].reason, "overlap");
   EXPECT_EQ(rejected[0].value, 1.0);
@@ -213,8 +214,9 @@ TEST(Probable, FindsManyPartsOfOneWhole) {
 
 TEST(Probable, FindsOneWholeOfManyParts) {
   std::vector<TestObject> objects;
-  for (Index k = 0; k < 30; ++k) objects.push_back(object(range(10 * k, 10 * k + 10), 0.31));
-  objects.push_back(object(range(0, 300), 0.99));
+  for (Index k = 0; k < 30; ++k)
+    objects.push_back(object(testing::index_range(10 * k, 10 * k + 10), 0.31));
+  objects.push_back(object(testing::index_range(0, 300), 0.99));
   std::vector<Rejection> rejected;
   const auto selected = probable(objects, min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 1U);
@@ -226,11 +228,12 @@ TEST(Probable, ChoosesEverySecondLinkOfALongChain) {
   // Each link shares 15 of its 25 points with the next. The even ones score higher.
   std::vector<TestObject> objects;
   for (Index k = 0; k < 41; ++k)
-    objects.push_back(object(range(10 * k, 10 * k + 25), k % 2 == 0 ? 0.7 : 0.6));
+    objects.push_back(object(testing::index_range(10 * k, 10 * k + 25), k % 2 == 0 ? 0.7 : 0.6));
   std::vector<Rejection> rejected;
   const auto selected = probable(objects, min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 21U);
-  for (Index k = 0; k < 21; ++k) EXPECT_EQ(selected[k].points, range(20 * k, 20 * k + 25));
+  for (Index k = 0; k < 21; ++k)
+    EXPECT_EQ(selected[k].points, testing::index_range(20 * k, 20 * k + 25));
   EXPECT_EQ(rejected.size(), 20U);
 }
 
@@ -241,15 +244,16 @@ TEST(Probable, ChoosesALessLikelyObjectWhereNoOtherCoversIt) {
   options.uncovered_size = 0.25;
   std::vector<Rejection> rejected;
   const auto selected =
-      probable({object(range(0, 100), 0.9), object(range(200, 300), 0.3),  // nothing else covers it
-                object(range(40, 130), 0.3),    // mostly covered by the first
-                object(range(150, 320), 0.25),  // less likely than the second
-                object(range(400, 424), 0.39),  // a fragment
-                object(range(500, 600), 0.2)},  // not above 0.5 * 0.4
+      probable({object(testing::index_range(0, 100), 0.9),
+                object(testing::index_range(200, 300), 0.3),   // nothing else covers it
+                object(testing::index_range(40, 130), 0.3),    // mostly covered by the first
+                object(testing::index_range(150, 320), 0.25),  // less likely than the second
+                object(testing::index_range(400, 424), 0.39),  // a fragment
+                object(testing::index_range(500, 600), 0.2)},  // not above 0.5 * 0.4
                options, rejected);
   ASSERT_EQ(selected.size(), 2U);
-  EXPECT_EQ(selected[0].points, range(0, 100));
-  EXPECT_EQ(selected[1].points, range(200, 300));
+  EXPECT_EQ(selected[0].points, testing::index_range(0, 100));
+  EXPECT_EQ(selected[1].points, testing::index_range(200, 300));
   EXPECT_EQ(rejected.size(), 4U);
 }
 
@@ -258,10 +262,11 @@ TEST(Probable, ChoosesUncoveredObjectsOfAnySizeWithoutLikelierOnes) {
   SelectionOptions options;
   options.min_score = 0.4;
   options.uncovered_ratio = 0.5;
-  const auto selected =
-      probable({object(range(0, 100), 0.3), object(range(0, 50), 0.25)}, options, rejected);
+  const auto selected = probable(
+      {object(testing::index_range(0, 100), 0.3), object(testing::index_range(0, 50), 0.25)},
+      options, rejected);
   ASSERT_EQ(selected.size(), 1U);
-  EXPECT_EQ(selected[0].points, range(0, 100));
+  EXPECT_EQ(selected[0].points, testing::index_range(0, 100));
 }
 
 TEST(Probable, UncertainPartsOutweighTheirUncertainUnion) {
@@ -270,24 +275,26 @@ TEST(Probable, UncertainPartsOutweighTheirUncertainUnion) {
   options.min_score = 0.4;
   options.uncovered_ratio = 0.5;
   std::vector<Rejection> rejected;
-  const auto selected = probable({object(range(0, 300), 0.38), object(range(0, 100), 0.24),
-                                  object(range(100, 200), 0.23), object(range(200, 300), 0.21)},
-                                 options, rejected);
+  const auto selected = probable(
+      {object(testing::index_range(0, 300), 0.38), object(testing::index_range(0, 100), 0.24),
+       object(testing::index_range(100, 200), 0.23), object(testing::index_range(200, 300), 0.21)},
+      options, rejected);
   ASSERT_EQ(selected.size(), 3U);
-  EXPECT_EQ(selected[0].points, range(0, 100));
+  EXPECT_EQ(selected[0].points, testing::index_range(0, 100));
   ASSERT_EQ(rejected.size(), 1U);
   EXPECT_EQ(rejected[0].points.size(), 300U);
 }
 
 TEST(Probable, KeepsTheOrder) {
   std::vector<Rejection> rejected;
-  const auto selected = probable({object(range(50, 60), 0.4), object(range(0, 10), 0.9),
-                                  object(range(20, 30), 0.2), object(range(30, 40), 0.6)},
-                                 min_score_of_three_tenths(), rejected);
+  const auto selected = probable(
+      {object(testing::index_range(50, 60), 0.4), object(testing::index_range(0, 10), 0.9),
+       object(testing::index_range(20, 30), 0.2), object(testing::index_range(30, 40), 0.6)},
+      min_score_of_three_tenths(), rejected);
   ASSERT_EQ(selected.size(), 3U);
-  EXPECT_EQ(selected[0].points, range(50, 60));
-  EXPECT_EQ(selected[1].points, range(0, 10));
-  EXPECT_EQ(selected[2].points, range(30, 40));
+  EXPECT_EQ(selected[0].points, testing::index_range(50, 60));
+  EXPECT_EQ(selected[1].points, testing::index_range(0, 10));
+  EXPECT_EQ(selected[2].points, testing::index_range(30, 40));
 }
 
 }  // namespace

@@ -15,6 +15,15 @@ namespace symscene::testing {
 using Body = std::function<double(const Eigen::Vector3d& o, const Eigen::Vector3d& d)>;
 using Bodies = std::vector<Body>;
 
+/// Depth noise of a structured-light camera: sigma = axial_noise z². [1/m]
+constexpr double axial_noise = 1.425e-3;
+
+inline CameraIntrinsics half_vga() { return {320, 240, 262.5, 262.5, 159.5, 119.5}; }
+
+inline Eigen::Vector3d normal_of(const SurfacePixel& pixel) {
+  return Eigen::Vector3f(pixel.nx, pixel.ny, pixel.nz).cast<double>();
+}
+
 constexpr double no_hit = std::numeric_limits<double>::infinity();
 
 inline Body plane(const Eigen::Vector3d& normal, double offset) {

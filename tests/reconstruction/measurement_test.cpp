@@ -14,10 +14,6 @@ namespace {
 
 using namespace symscene::testing;
 
-Eigen::Vector3d normal_of(const SurfacePixel& pixel) {
-  return Eigen::Vector3f(pixel.nx, pixel.ny, pixel.nz).cast<double>();
-}
-
 /// In frontal views at 1 m.
 double weight_of(std::uint32_t packed) {
   return double{weight_of_root(packed & 255)} / Measurement::weight_units;

@@ -12,6 +12,7 @@
 #endif
 
 #include "core/octree.hpp"
+#include "reconstruction/analytic_scenes.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
 #include "symscene/simulation/simulation.hpp"
@@ -20,9 +21,7 @@
 namespace symscene {
 namespace {
 
-const CameraIntrinsics camera{160, 120, 130.0, 131.0, 79.3, 59.8};
-
-DepthFrame flat_frame(float depth) { return {0.0, std::vector<float>(camera.pixels(), depth), {}}; }
+const CameraIntrinsics voxel_camera{160, 120, 130.0, 131.0, 79.3, 59.8};
 
 Eigen::Isometry3d pose_of(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -36,15 +35,15 @@ Eigen::Isometry3d pose_of(std::mt19937& random) {
 
 /// Tilted patches at random depths, holes and speckle, and every kind of bad value.
 DepthFrame rough_frame(std::mt19937& random) {
-  DepthFrame frame = flat_frame(0.0F);
+  DepthFrame frame = testing::flat_frame(voxel_camera, 0.0F);
   std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
   constexpr Index patch = 20;
-  std::vector<float> bases((camera.width / patch + 1) * (camera.height / patch + 1));
+  std::vector<float> bases((voxel_camera.width / patch + 1) * (voxel_camera.height / patch + 1));
   for (float& base : bases) base = uniform(random) < 0.2F ? 0.0F : 0.3F + 1.5F * uniform(random);
-  for (Index v = 0; v < camera.height; ++v) {
-    for (Index u = 0; u < camera.width; ++u) {
-      const float base = bases[(v / patch) * (camera.width / patch + 1) + u / patch];
-      float& depth = frame.depth[std::size_t{v} * camera.width + u];
+  for (Index v = 0; v < voxel_camera.height; ++v) {
+    for (Index u = 0; u < voxel_camera.width; ++u) {
+      const float base = bases[(v / patch) * (voxel_camera.width / patch + 1) + u / patch];
+      float& depth = frame.depth[std::size_t{v} * voxel_camera.width + u];
       if (base > 0.0F)
         depth = base + 0.004F * static_cast<float>(u % patch) + 0.002F * uniform(random);
       if (uniform(random) < 0.01F) depth = 0.0F;
@@ -53,19 +52,19 @@ DepthFrame rough_frame(std::mt19937& random) {
   const float bad[] = {std::numeric_limits<float>::quiet_NaN(), -1.0F, 1e30F, 1e-30F,
                        std::numeric_limits<float>::infinity(),  0.001F};
   for (const float value : bad) {
-    for (int k = 0; k < 5; ++k) frame.depth[random() % camera.pixels()] = value;
+    for (int k = 0; k < 5; ++k) frame.depth[random() % voxel_camera.pixels()] = value;
   }
   return frame;
 }
 
-bool same(const OccupancyMap& a, const OccupancyMap& b) {
+bool same_leaves(const OccupancyMap& a, const OccupancyMap& b) {
   return std::equal(a.leaves.begin(), a.leaves.end(), b.leaves.begin(), b.leaves.end(),
                     [](const OccupancyLeaf& x, const OccupancyLeaf& y) {
                       return x.key == y.key && x.level == y.level && x.state == y.state;
                     });
 }
 
-bool same(const LogOddsMap& a, const LogOddsMap& b) {
+bool same_leaves(const LogOddsMap& a, const LogOddsMap& b) {
   return std::equal(a.leaves.begin(), a.leaves.end(), b.leaves.begin(), b.leaves.end(),
                     [](const LogOddsLeaf& x, const LogOddsLeaf& y) {
                       return x.key == y.key && x.level == y.level && x.log_odds == y.log_odds;
@@ -80,22 +79,22 @@ std::optional<bool> looked_through(const DepthFrame& frame, const Eigen::Isometr
                                    const Eigen::Vector3d& center, const OccupancyVolumeOptions& o) {
   const Eigen::Vector3d p = T_world_camera.inverse() * center;
   if (p.z() < 1e-4) return p.z() < 0.0 ? std::optional(false) : std::nullopt;
-  const Eigen::Vector2d at = camera.project(p);
+  const Eigen::Vector2d at = voxel_camera.project(p);
   const Eigen::Vector2d from_edge = (at.array() + 0.5 - (at.array() + 0.5).round()).abs();
   if (from_edge.minCoeff() < 1e-3 || at.cwiseAbs().maxCoeff() > 1e6) {
     return at.cwiseAbs().maxCoeff() > 1e4 ? std::optional(false) : std::nullopt;
   }
   const auto u = static_cast<int>(std::lround(at.x()));
   const auto v = static_cast<int>(std::lround(at.y()));
-  if (u < 1 || v < 1 || u > static_cast<int>(camera.width) - 2 ||
-      v > static_cast<int>(camera.height) - 2) {
+  if (u < 1 || v < 1 || u > static_cast<int>(voxel_camera.width) - 2 ||
+      v > static_cast<int>(voxel_camera.height) - 2) {
     return false;
   }
   double nearest = std::numeric_limits<double>::infinity();
   for (int y = v - 1; y <= v + 1; ++y) {
     for (int x = u - 1; x <= u + 1; ++x) {
-      const float depth =
-          frame.depth[static_cast<std::size_t>(y) * camera.width + static_cast<std::size_t>(x)];
+      const float depth = frame.depth[static_cast<std::size_t>(y) * voxel_camera.width +
+                                      static_cast<std::size_t>(x)];
       if (measured(depth)) nearest = std::min(nearest, double{depth});
     }
   }
@@ -141,7 +140,7 @@ TEST(OccupancyVolume, BoundsOfCubesAgreeWithEveryVoxel) {
     OccupancyVolume volume(options);
     const DepthFrame frame = rough_frame(random);
     const Eigen::Isometry3d pose = pose_of(random);
-    volume.integrate(frame, camera, pose);
+    volume.integrate(frame, voxel_camera, pose);
     const Eigen::Vector3f middle = (pose * Eigen::Vector3d(0, 0, 0.9)).cast<float>();
     const OccupancyGrid grid =
         rasterize(volume.map(), Box{middle.array() - reach, middle.array() + reach});
@@ -167,14 +166,14 @@ TEST(OccupancyVolume, ExactlyTheVoxelsWithAMeasuredPointAreOccupied) {
   OccupancyVolume volume(options);
   const DepthFrame frame = rough_frame(random);
   const Eigen::Isometry3d pose = pose_of(random);
-  volume.integrate(frame, camera, pose);
+  volume.integrate(frame, voxel_camera, pose);
   std::size_t points = 0;
   std::size_t missed = 0;
-  for (Index v = 0; v < camera.height; ++v) {
-    for (Index u = 0; u < camera.width; ++u) {
-      const float depth = frame.depth[std::size_t{v} * camera.width + u];
+  for (Index v = 0; v < voxel_camera.height; ++v) {
+    for (Index u = 0; u < voxel_camera.width; ++u) {
+      const float depth = frame.depth[std::size_t{v} * voxel_camera.width + u];
       if (!measured(depth) || depth > options.max_depth) continue;
-      const Eigen::Vector3d p = pose * (depth * camera.ray(u, v));
+      const Eigen::Vector3d p = pose * (depth * voxel_camera.ray(u, v));
       const Eigen::Array3d cell = p.array() / options.resolution;
       if ((cell - cell.round()).abs().minCoeff() < 1e-3) continue;
       ++points;
@@ -187,13 +186,14 @@ TEST(OccupancyVolume, ExactlyTheVoxelsWithAMeasuredPointAreOccupied) {
   for (const OccupancyLeaf& leaf : volume.map().leaves) {
     if (leaf.state == VoxelState::occupied) occupied += voxels_of(leaf.level);
   }
-  EXPECT_LE(occupied, camera.pixels());
+  EXPECT_LE(occupied, voxel_camera.pixels());
 }
 
 TEST(OccupancyVolume, SpaceIsFreeInFrontOfAWallOccupiedOnItAndNeverSeenBehind) {
   OccupancyVolume volume;
   for (int i = 0; i < 3; ++i) {
-    volume.integrate(flat_frame(1.002F), camera, Eigen::Isometry3d::Identity());
+    volume.integrate(testing::flat_frame(voxel_camera, 1.002F), voxel_camera,
+                     Eigen::Isometry3d::Identity());
   }
   for (double x = -0.4; x < 0.4; x += 0.0131) {
     for (double z = 0.85; z < 0.99; z += 0.0171) {
@@ -204,7 +204,7 @@ TEST(OccupancyVolume, SpaceIsFreeInFrontOfAWallOccupiedOnItAndNeverSeenBehind) {
     }
     EXPECT_NE(volume.at({x, 0.1, 1.002}), VoxelState::free);
   }
-  EXPECT_EQ(volume.at(1.002 * camera.ray(80, 60)), VoxelState::occupied);
+  EXPECT_EQ(volume.at(1.002 * voxel_camera.ray(80, 60)), VoxelState::occupied);
   EXPECT_EQ(volume.at({0.0, 0.0, -0.1}), VoxelState::never_seen);
   EXPECT_EQ(volume.at({1.0, 0.0, 0.5}), VoxelState::never_seen);
 }
@@ -213,7 +213,8 @@ TEST(OccupancyVolume, SpaceIsFreeUpToTheLargestDepth) {
   OccupancyVolumeOptions options;
   options.max_depth = 1.5;
   OccupancyVolume volume(options);
-  volume.integrate(flat_frame(20.0F), camera, Eigen::Isometry3d::Identity());
+  volume.integrate(testing::flat_frame(voxel_camera, 20.0F), voxel_camera,
+                   Eigen::Isometry3d::Identity());
   EXPECT_EQ(volume.at({0, 0, 1.49}), VoxelState::free);
   EXPECT_EQ(volume.at({0, 0, 1.51}), VoxelState::never_seen);
 }
@@ -223,7 +224,8 @@ TEST(OccupancyVolume, PixelsWithoutAMeasurementAreIgnored) {
                        std::numeric_limits<float>::infinity()};
   for (const float depth : bad) {
     OccupancyVolume volume;
-    volume.integrate(flat_frame(depth), camera, Eigen::Isometry3d::Identity());
+    volume.integrate(testing::flat_frame(voxel_camera, depth), voxel_camera,
+                     Eigen::Isometry3d::Identity());
     EXPECT_TRUE(volume.map().leaves.empty()) << depth;
   }
 }
@@ -231,7 +233,7 @@ TEST(OccupancyVolume, PixelsWithoutAMeasurementAreIgnored) {
 /// A wall at 1 m with independent noise of 3 mm, worse than the sensor's.
 DepthFrame noisy_wall(std::mt19937& random) {
   std::normal_distribution<float> noise(0.0F, 0.003F);
-  DepthFrame frame = flat_frame(1.0025F);
+  DepthFrame frame = testing::flat_frame(voxel_camera, 1.0025F);
   for (float& depth : frame.depth) depth += noise(random);
   return frame;
 }
@@ -240,7 +242,7 @@ TEST(OccupancyVolume, NoiseDoesNotCarveASurface) {
   std::mt19937 random(5);
   OccupancyVolume volume;
   for (int i = 0; i < 30; ++i) {
-    volume.integrate(noisy_wall(random), camera, Eigen::Isometry3d::Identity());
+    volume.integrate(noisy_wall(random), voxel_camera, Eigen::Isometry3d::Identity());
   }
   int carved = 0;
   for (double x = -0.4; x < 0.4; x += 0.005) {
@@ -254,17 +256,19 @@ TEST(OccupancyVolume, NoiseDoesNotCarveASurface) {
 TEST(OccupancyVolume, RemovedObjectsAreForgotten) {
   OccupancyVolume volume;
   const Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  for (int i = 0; i < 50; ++i) volume.integrate(flat_frame(0.6F), camera, pose);
+  for (int i = 0; i < 50; ++i)
+    volume.integrate(testing::flat_frame(voxel_camera, 0.6F), voxel_camera, pose);
   EXPECT_EQ(volume.at({0, 0, 0.601}), VoxelState::occupied);
-  for (int i = 0; i < 10; ++i) volume.integrate(flat_frame(1.0F), camera, pose);
+  for (int i = 0; i < 10; ++i)
+    volume.integrate(testing::flat_frame(voxel_camera, 1.0F), voxel_camera, pose);
   EXPECT_EQ(volume.at({0, 0, 0.601}), VoxelState::free);
 }
 
 TEST(OccupancyVolume, AHoleOfOnePixelDoesNotHideASurface) {
-  DepthFrame frame = flat_frame(1.0F);
+  DepthFrame frame = testing::flat_frame(voxel_camera, 1.0F);
   for (std::size_t i = 0; i < frame.depth.size(); i += 7) frame.depth[i] = 0.0F;
   OccupancyVolume volume;
-  volume.integrate(frame, camera, Eigen::Isometry3d::Identity());
+  volume.integrate(frame, voxel_camera, Eigen::Isometry3d::Identity());
   for (double z = 0.2; z < 0.99; z += 0.01) {
     EXPECT_EQ(volume.at({0.0, 0.0, z}), VoxelState::free) << z;
   }
@@ -274,11 +278,11 @@ TEST(OccupancyVolume, RepeatedFramesTakeNoMoreMemoryThanOne) {
   std::mt19937 random(9);
   OccupancyVolume volume;
   for (int i = 0; i < 5; ++i) {
-    volume.integrate(noisy_wall(random), camera, Eigen::Isometry3d::Identity());
+    volume.integrate(noisy_wall(random), voxel_camera, Eigen::Isometry3d::Identity());
   }
   const std::size_t before = volume.memory();
   for (int i = 0; i < 50; ++i) {
-    volume.integrate(noisy_wall(random), camera, Eigen::Isometry3d::Identity());
+    volume.integrate(noisy_wall(random), voxel_camera, Eigen::Isometry3d::Identity());
   }
   EXPECT_LT(static_cast<double>(volume.memory()), 1.2 * static_cast<double>(before));
   EXPECT_LT(before, 8U << 20U);
@@ -287,7 +291,7 @@ TEST(OccupancyVolume, RepeatedFramesTakeNoMoreMemoryThanOne) {
 OccupancyVolume rough_volume(unsigned seed) {
   std::mt19937 random(seed);
   OccupancyVolume volume(coarse());
-  for (int i = 0; i < 5; ++i) volume.integrate(rough_frame(random), camera, pose_of(random));
+  for (int i = 0; i < 5; ++i) volume.integrate(rough_frame(random), voxel_camera, pose_of(random));
   return volume;
 }
 
@@ -295,13 +299,13 @@ TEST(OccupancyVolume, ThreadsDoNotChangeTheResult) {
   const auto run = [] { return rough_volume(3).log_odds(); };
   const LogOddsMap one = testing::with_threads(1, run);
   EXPECT_GT(one.leaves.size(), 1000U);
-  EXPECT_TRUE(same(testing::with_threads(2, run), one));
-  EXPECT_TRUE(same(testing::with_threads(4, run), one));
+  EXPECT_TRUE(same_leaves(testing::with_threads(2, run), one));
+  EXPECT_TRUE(same_leaves(testing::with_threads(4, run), one));
 }
 
 TEST(OccupancyVolume, LabelsOfLogOddsAreTheMap) {
   const OccupancyVolume volume = rough_volume(4);
-  EXPECT_TRUE(same(labels(volume.log_odds()), volume.map()));
+  EXPECT_TRUE(same_leaves(labels(volume.log_odds()), volume.map()));
 }
 
 TEST(OccupancyVolume, TheMapAgreesWithLookUpsOfPoints) {
@@ -346,40 +350,42 @@ TEST(OccupancyVolume, ResultsDoNotDependOnTheDistanceFromTheOrigin) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() << 120.0, -90.0, 60.0;
   OccupancyVolume volume;
-  volume.integrate(flat_frame(1.002F), camera, pose);
+  volume.integrate(testing::flat_frame(voxel_camera, 1.002F), voxel_camera, pose);
   EXPECT_EQ(volume.at({120.0, -90.0, 60.9}), VoxelState::free);
-  EXPECT_EQ(volume.at(pose * (1.002 * camera.ray(80, 60))), VoxelState::occupied);
+  EXPECT_EQ(volume.at(pose * (1.002 * voxel_camera.ray(80, 60))), VoxelState::occupied);
 }
 
 TEST(OccupancyVolume, PointsOutsideTheTreeAreIgnored) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation().x() = 163.5;  // the tree ends at 163.84 m
   OccupancyVolume volume;
-  volume.integrate(flat_frame(1.0F), camera, pose);
+  volume.integrate(testing::flat_frame(voxel_camera, 1.0F), voxel_camera, pose);
   EXPECT_EQ(volume.at({163.5, 0, 0.9}), VoxelState::free);
   pose.translation().x() = 90000.0;
   OccupancyVolume far;
-  far.integrate(flat_frame(1.0F), camera, pose);
+  far.integrate(testing::flat_frame(voxel_camera, 1.0F), voxel_camera, pose);
   EXPECT_TRUE(far.map().leaves.empty());
 }
 
 TEST(OccupancyVolume, UnusableFramesAreRefused) {
   OccupancyVolume volume;
   const Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  EXPECT_THROW(volume.integrate({}, camera, pose), InputError);
+  EXPECT_THROW(volume.integrate({}, voxel_camera, pose), InputError);
   EXPECT_THROW(volume.integrate({}, {}, pose), InputError);
-  CameraIntrinsics bad = camera;
+  CameraIntrinsics bad = voxel_camera;
   bad.fx = 0.0;
-  EXPECT_THROW(volume.integrate(flat_frame(1.0F), bad, pose), InputError);
-  bad = camera;
+  EXPECT_THROW(volume.integrate(testing::flat_frame(voxel_camera, 1.0F), bad, pose), InputError);
+  bad = voxel_camera;
   bad.cy = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(volume.integrate(flat_frame(1.0F), bad, pose), InputError);
+  EXPECT_THROW(volume.integrate(testing::flat_frame(voxel_camera, 1.0F), bad, pose), InputError);
   Eigen::Isometry3d crooked = pose;
   crooked.linear() *= 2.0;
-  EXPECT_THROW(volume.integrate(flat_frame(1.0F), camera, crooked), InputError);
+  EXPECT_THROW(volume.integrate(testing::flat_frame(voxel_camera, 1.0F), voxel_camera, crooked),
+               InputError);
   crooked = pose;
   crooked.translation().x() = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(volume.integrate(flat_frame(1.0F), camera, crooked), InputError);
+  EXPECT_THROW(volume.integrate(testing::flat_frame(voxel_camera, 1.0F), voxel_camera, crooked),
+               InputError);
 }
 
 TEST(OccupancyVolume, TinyImagesAreAccepted) {

@@ -22,10 +22,6 @@ MatchOptions options() {
           .noise = {.floor = 5e-4F, .moved = 1.4e-3F, .fixed = 1.4e-3F}};
 }
 
-Eigen::Vector3d normal_of(const SurfacePixel& pixel) {
-  return Eigen::Vector3f(pixel.nx, pixel.ny, pixel.nz).cast<double>();
-}
-
 /// The definition, pixel by pixel in double precision.
 NormalEquations by_definition(const SurfaceImage& moved, const SurfaceImage& fixed,
                               const Eigen::Isometry3d& T, const MatchOptions& o) {

@@ -15,21 +15,21 @@ namespace {
 
 using namespace symscene::testing;
 
-const CameraIntrinsics camera{320, 240, 262.0, 262.0, 159.5, 119.5};
+const CameraIntrinsics table_camera{320, 240, 262.0, 262.0, 159.5, 119.5};
 
 /// A table that runs from 0.7 to 2.5 m if it is 0.6 m away, with noise of a deviation that follows
 /// the depth, averaged over windows of some pixels.
 DepthFrame slanted_table(const std::function<double(double)>& deviation, int window,
                          double distance = 0.6) {
   const Bodies table{plane(Eigen::Vector3d(0, -0.85, -0.53).normalized(), distance)};
-  DepthFrame frame = render(table, camera, Eigen::Isometry3d::Identity());
+  DepthFrame frame = render(table, table_camera, Eigen::Isometry3d::Identity());
   std::mt19937 random(4);
-  std::vector<double> white(camera.pixels());
+  std::vector<double> white(table_camera.pixels());
   for (double& value : white) value = std::normal_distribution<double>()(random);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     double sum = 0.0;
     for (int k = 0; k < window * window; ++k) {
-      const std::size_t at = i + static_cast<std::size_t>(k / window) * camera.width +
+      const std::size_t at = i + static_cast<std::size_t>(k / window) * table_camera.width +
                              static_cast<std::size_t>(k % window);
       sum += white[at % white.size()];
     }
@@ -38,7 +38,9 @@ DepthFrame slanted_table(const std::function<double(double)>& deviation, int win
   return frame;
 }
 
-SensorEstimate estimate(const DepthFrame& frame) { return estimate_sensor({&frame, 1}, camera); }
+SensorEstimate estimate(const DepthFrame& frame) {
+  return estimate_sensor({&frame, 1}, table_camera);
+}
 
 TEST(Sensor, IsToldByTheGrowthOfTheNoiseAndItsCorrelation) {
   const auto quadratic = [](double z) { return 1.4e-3 * z * z; };
@@ -63,12 +65,13 @@ TEST(Sensor, IsNotNamedWhereTheNoiseDoesNotTellIt) {
   EXPECT_FALSE(odd.reason.empty());
   // One depth, no noise, no depth.
   const DepthFrame exact = slanted_table([](double) { return 0.0; }, 1);
-  for (const DepthFrame& frame : {flat_frame(camera, 1.0F), flat_frame(camera, 0.0F), exact}) {
+  for (const DepthFrame& frame :
+       {flat_frame(table_camera, 1.0F), flat_frame(table_camera, 0.0F), exact}) {
     const SensorEstimate none = estimate(frame);
     EXPECT_FALSE(none.sensor);
     EXPECT_TRUE(none.too_little);
   }
-  EXPECT_FALSE(estimate_sensor({}, camera).sensor);
+  EXPECT_FALSE(estimate_sensor({}, table_camera).sensor);
 }
 
 DepthFrame in_millimetres(DepthFrame frame) {
@@ -104,22 +107,23 @@ TEST(Sensor, NamesAreReadBack) {
 }
 
 TEST(Sensor, HasNoiseThatGrowsAsItsKindDoes) {
-  EXPECT_EQ(depth_noise(Sensor::structured_light, camera, 2.0), structured_light_noise);
-  EXPECT_EQ(depth_noise(Sensor::stereo, camera, 1.0), depth_noise(Sensor::stereo, camera, 2.0));
-  EXPECT_NEAR(depth_noise(Sensor::time_of_flight, camera, 0.4) * 0.16, 1.3e-3, 1e-9);
-  EXPECT_EQ(depth_noise(Sensor::time_of_flight, camera, 2.0), structured_light_noise);
+  EXPECT_EQ(depth_noise(Sensor::structured_light, table_camera, 2.0), structured_light_noise);
+  EXPECT_EQ(depth_noise(Sensor::stereo, table_camera, 1.0),
+            depth_noise(Sensor::stereo, table_camera, 2.0));
+  EXPECT_NEAR(depth_noise(Sensor::time_of_flight, table_camera, 0.4) * 0.16, 1.3e-3, 1e-9);
+  EXPECT_EQ(depth_noise(Sensor::time_of_flight, table_camera, 2.0), structured_light_noise);
 }
 
 TEST(Sensor, FlyingPixelsAreRemovedAndSurfacesStay) {
-  DepthFrame frame = flat_frame(camera, 1.0F);
+  DepthFrame frame = flat_frame(table_camera, 1.0F);
   std::set<std::size_t> flying;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
-    const std::size_t u = i % camera.width, v = i / camera.width;
+    const std::size_t u = i % table_camera.width, v = i / table_camera.width;
     if (u > 100) frame.depth[i] = 1.5F + 0.002F * static_cast<float>(u);
     if (u == 100) frame.depth[i] = 1.3F;
-    if (u == 100 && v > 0 && v + 1 < camera.height) flying.insert(i);
+    if (u == 100 && v > 0 && v + 1 < table_camera.height) flying.insert(i);
   }
-  const DepthFrame cleaned = without_flying_pixels(frame, camera, 0.015);
+  const DepthFrame cleaned = without_flying_pixels(frame, table_camera, 0.015);
   for (std::size_t i = 0; i < frame.depth.size(); ++i)
     EXPECT_EQ(cleaned.depth[i], flying.contains(i) ? 0.0F : frame.depth[i]) << i;
 }

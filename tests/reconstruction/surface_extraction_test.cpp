@@ -13,7 +13,7 @@ namespace {
 
 using namespace symscene::testing;
 
-constexpr double voxel = 0.0031;
+constexpr double mesh_voxel = 0.0031;
 
 /// Directed edges of a mesh and how often triangles take them.
 std::map<std::pair<Index, Index>, int> edges_of(const TriangleMesh& mesh) {
@@ -89,12 +89,12 @@ TEST(SurfaceExtraction, PutsVerticesOnTheBallAndNormalsOutwards) {
   double squares = 0.0;
   for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
     const Eigen::Vector3d out = vertex(mesh, i) - center;
-    EXPECT_NEAR(out.norm(), 0.1, 0.5 * voxel);
+    EXPECT_NEAR(out.norm(), 0.1, 0.5 * mesh_voxel);
     EXPECT_GT(out.normalized().dot(normal(mesh, i)), 0.8);
     EXPECT_NEAR(normal(mesh, i).norm(), 1.0, 1e-5);
     squares += std::pow(out.norm() - 0.1, 2);
   }
-  EXPECT_LT(std::sqrt(squares / static_cast<double>(mesh.vertices.rows())), 0.1 * voxel);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(mesh.vertices.rows())), 0.1 * mesh_voxel);
   expect_normals_agree_with_triangles(mesh);
 }
 
@@ -129,8 +129,8 @@ TEST(SurfaceExtraction, PutsVerticesOnATurnedBoxAndClosesItAtItsEdges) {
   for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
     const Eigen::Vector3d p = beyond(i);
     const double distance = p.cwiseMax(0.0).norm() + std::min(p.maxCoeff(), 0.0);
-    EXPECT_LT(std::abs(distance), 2.0 * voxel);
-    off += std::abs(distance) > 0.5 * voxel ? 1 : 0;
+    EXPECT_LT(std::abs(distance), 2.0 * mesh_voxel);
+    off += std::abs(distance) > 0.5 * mesh_voxel ? 1 : 0;
   }
   EXPECT_LT(off, static_cast<std::size_t>(mesh.vertices.rows()) / 10);
 }
@@ -172,7 +172,7 @@ TEST(SurfaceExtraction, HasNoSurfaceAtTheBorderOfUnseenSpace) {
   expect_manifold(mesh);
   for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
     const Eigen::Vector3d out = vertex(mesh, i) - center;
-    EXPECT_NEAR(out.norm(), 0.1, 1.5 * voxel);
+    EXPECT_NEAR(out.norm(), 0.1, 1.5 * mesh_voxel);
     EXPECT_GT(out.dot(pose.translation() - vertex(mesh, i)), 0.0) << "seen from behind";
   }
   EXPECT_EQ(extract_surface(TsdfVolume()).vertices.rows(), 0);
@@ -198,7 +198,7 @@ TEST(SurfaceExtraction, OfOneFrameIsWholeAtAnyDistance) {
          Eigen::Isometry3d::Identity());
     const TriangleMesh mesh = extract_surface(volume);
     const double area = distance * distance * (160.0 / 140.0) * (120.0 / 141.0);
-    const double voxels = static_cast<double>(mesh.vertices.rows()) * voxel * voxel;
+    const double voxels = static_cast<double>(mesh.vertices.rows()) * mesh_voxel * mesh_voxel;
     EXPECT_GT(voxels, 0.85 * area) << distance;
   }
 }

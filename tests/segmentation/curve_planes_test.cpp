@@ -14,7 +14,7 @@ using testing::all_seen;
 using testing::moved;
 using testing::nothing_known;
 
-const Eigen::Vector3d box_size(0.1, 0.16, 0.22);
+const Eigen::Vector3d carton_size(0.1, 0.16, 0.22);
 
 std::vector<EdgeCurve> curves_of(const PointCloud& cloud) {
   const NeighborLists neighbors = voxel_neighbors(cloud.positions, 0.005);
@@ -35,12 +35,12 @@ bool is_found(const std::vector<ReflectionalCandidate>& candidates, const Reflec
 
 /// The mirror planes of the box that is `motion` from where it stands about the z axis.
 ReflectionPlane box_plane(const Eigen::Isometry3d& motion, int axis) {
-  return {motion * Eigen::Vector3d(0.0, 0.0, box_size.z() / 2.0),
+  return {motion * Eigen::Vector3d(0.0, 0.0, carton_size.z() / 2.0),
           motion.linear() * Eigen::Vector3d::Unit(axis)};
 }
 
 TEST(PlanesOfCurves, AreTheMirrorPlanesOfABoxAndMoveWithIt) {
-  const PointCloud box = testing::box(box_size);
+  const PointCloud box = testing::box(carton_size);
   for (const std::uint32_t seed : testing::seeds) {
     std::mt19937 generator(seed);
     const Eigen::Isometry3d motion = testing::random_motion(generator);
@@ -54,7 +54,7 @@ TEST(PlanesOfCurves, AreTheMirrorPlanesOfABoxAndMoveWithIt) {
 }
 
 TEST(PlanesOfCurves, OfABoxOfWhichOneFaceIsSeenComeFromItsOutline) {
-  const PointCloud face = testing::seen_from(testing::box(box_size), {0.0F, 0.0F, 2.0F});
+  const PointCloud face = testing::seen_from(testing::box(carton_size), {0.0F, 0.0F, 2.0F});
   ASSERT_GT(face.positions.col(2).minCoeff(), 0.2F);
   const std::vector<ReflectionalCandidate> planes = planes_of(face, nothing_known(face));
   const Eigen::Vector3d here = centroid(face.positions);
@@ -63,7 +63,7 @@ TEST(PlanesOfCurves, OfABoxOfWhichOneFaceIsSeenComeFromItsOutline) {
 }
 
 TEST(PlanesOfCurves, OfABoxOfWhichThreeFacesAreSeenAreItsMirrorPlanes) {
-  const PointCloud seen = testing::seen_from(testing::box(box_size), {1.0F, 0.8F, 1.0F});
+  const PointCloud seen = testing::seen_from(testing::box(carton_size), {1.0F, 0.8F, 1.0F});
   const std::vector<ReflectionalCandidate> planes = planes_of(seen, nothing_known(seen));
   for (int axis = 0; axis < 3; ++axis) {
     const ReflectionPlane truth = box_plane(Eigen::Isometry3d::Identity(), axis);
@@ -89,13 +89,13 @@ TEST(PlanesOfCurves, OfTheRimsOfAVaseContainItsAxisOrMirrorItsEnds) {
 
 TEST(PlanesOfCurves, RefuseThoseThatReflectCurvesIntoFreeSpace) {
   // The mirror planes reflect the three faces that are seen onto those that are not.
-  const PointCloud seen = testing::seen_from(testing::box(box_size), {1.0F, 0.8F, 1.0F});
+  const PointCloud seen = testing::seen_from(testing::box(carton_size), {1.0F, 0.8F, 1.0F});
   const std::size_t unknown = planes_of(seen, nothing_known(seen)).size();
   EXPECT_LT(planes_of(seen, all_seen(seen)).size(), unknown);
 }
 
 TEST(PlanesOfCurves, AreTheSameForAnyNumberOfThreads) {
-  const PointCloud cloud = testing::box(box_size);
+  const PointCloud cloud = testing::box(carton_size);
   const DistanceField field = nothing_known(cloud);
   std::vector<std::vector<ReflectionalCandidate>> found;
   for (const std::size_t threads : {1U, 8U})
@@ -122,7 +122,7 @@ TEST(PlanesOfCurves, OfABallAreNone) {
 }
 
 TEST(PlanesOfCurves, OfNothingAreNone) {
-  const PointCloud cloud = testing::box(box_size);
+  const PointCloud cloud = testing::box(carton_size);
   EXPECT_TRUE(detect_reflectional_by_curves(cloud, {}, nothing_known(cloud)).candidates.empty());
   EXPECT_TRUE(curves_of(PointCloud{}).empty());
 }

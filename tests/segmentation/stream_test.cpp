@@ -33,7 +33,7 @@ std::vector<Hypothesis> hypotheses_about_z(const PointCloud& cloud,
 }
 
 /// A box about the z axis and a vase beside it, which the plane y = 0 mirrors too.
-struct BoxAndVase {
+struct BoxBesideVase {
   Eigen::Vector3d size{0.1, 0.12, 0.16};
   Index box_size = box(size).size();
   PointCloud cloud = joined(box(size), shifted(vase(), {0.25, 0.0, 0.0}));
@@ -111,7 +111,7 @@ TEST(Judge, NamesTheBoundThatAHypothesisBreaks) {
 }
 
 TEST(SegmentReflectional, CutsTheBoxOutThatHoldsTheFace) {
-  const BoxAndVase scene;
+  const BoxBesideVase scene;
   const SegmentedHypotheses segmented = scene.cut(mirror_of_the_box);
   ASSERT_EQ(segmented.hypotheses.size(), 1U);
   EXPECT_TRUE(segmented.rejected.empty());
@@ -125,7 +125,7 @@ TEST(SegmentReflectional, CutsTheBoxOutThatHoldsTheFace) {
 
 TEST(SegmentReflectional, RejectsAPlaneThatItsSupportContradicts) {
   const ReflectionPlane off_centre{Eigen::Vector3d(0.025, 0.0, 0.0), Eigen::Vector3d::UnitX()};
-  const SegmentedHypotheses segmented = BoxAndVase{}.cut(off_centre);
+  const SegmentedHypotheses segmented = BoxBesideVase{}.cut(off_centre);
   EXPECT_TRUE(segmented.hypotheses.empty());
   ASSERT_EQ(segmented.rejected.size(), 1U);
   EXPECT_EQ(segmented.rejected[0].kind, "reflectional");

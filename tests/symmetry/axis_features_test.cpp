@@ -12,10 +12,10 @@
 namespace symscene {
 namespace {
 
-const Plane table{Eigen::Vector3d::UnitZ(), 0.0};
+const Plane table_below{Eigen::Vector3d::UnitZ(), 0.0};
 
 AxisFeatures features_of(const PointCloud& cloud, const RotationAxis& axis,
-                         const std::optional<Plane>& below = table) {
+                         const std::optional<Plane>& below = table_below) {
   const AxisQuality quality =
       axis_quality(cloud, axis, testing::nothing_known(cloud), RotationalDetectionOptions{});
   return axis_features(cloud, axis, quality, below);

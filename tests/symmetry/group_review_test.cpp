@@ -18,9 +18,9 @@ SymmetryGroup group_of(const TriangleMesh& mesh) {
   return find_symmetry_group(sample_surface(mesh, 12000), options);
 }
 
-SymmetryGroup box() { return group_of(make_box({0.1, 0.16, 0.23}, 0.02)); }
+SymmetryGroup box_group() { return group_of(make_box({0.1, 0.16, 0.23}, 0.02)); }
 
-SymmetryGroup can() {
+SymmetryGroup can_group() {
   const std::vector<ProfilePoint> profile{{0.0, 0.0}, {0.04, 0.0}, {0.04, 0.12}, {0.0, 0.12}};
   return group_of(make_revolution(profile, 64, 0.01));
 }
@@ -71,7 +71,7 @@ TEST(GroupReview, LeavesHalfTurnsAndPlanesOfASquareBarWhoseQuarterTurnIsRejected
 }
 
 TEST(GroupReview, KeepsWhatIsAccepted) {
-  for (const SymmetryGroup& group : {box(), can()}) {
+  for (const SymmetryGroup& group : {box_group(), can_group()}) {
     const RemainingGroup kept = without(group, {});
     EXPECT_EQ(kept.group.axes.size(), group.axes.size());
     EXPECT_EQ(kept.group.planes.size(), group.planes.size());
@@ -82,7 +82,7 @@ TEST(GroupReview, KeepsWhatIsAccepted) {
 }
 
 TEST(GroupReview, NeverMakesARejectedTurnAndStaysClosed) {
-  const SymmetryGroup group = box();
+  const SymmetryGroup group = box_group();
   ASSERT_EQ(group.axes.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k) {
     const RemainingGroup remaining = without(group, {false, only(k, 3), {}});
@@ -98,7 +98,7 @@ TEST(GroupReview, NeverMakesARejectedTurnAndStaysClosed) {
 }
 
 TEST(GroupReview, WithAllPlanesRejectedTheTurnsRemain) {
-  const SymmetryGroup group = box();
+  const SymmetryGroup group = box_group();
   const RemainingGroup remaining = without(group, {false, {}, {true, true, true}});
   EXPECT_TRUE(remaining.group.planes.empty());
   EXPECT_EQ(remaining.group.axes.size(), 3U);
@@ -106,7 +106,7 @@ TEST(GroupReview, WithAllPlanesRejectedTheTurnsRemain) {
 }
 
 TEST(GroupReview, OfASurfaceOfRevolutionFlipAndPlaneGoTogether) {
-  const SymmetryGroup group = can();
+  const SymmetryGroup group = can_group();
   ASSERT_EQ(group.axes.size(), 2U);
   ASSERT_EQ(group.planes.size(), 1U);
   const RemainingGroup without_plane = without(group, {false, {}, {true}});
