@@ -71,12 +71,6 @@ MotionObstacleOptions seen_obstacles(const PickScene& in) {
   return options;
 }
 
-/// With objects that the held one must not meet, as on the straight way of the lift it may.
-ArmCollisionOptions carrying(ArmCollisionOptions options) {
-  options.held_clearance = 0.001;
-  return options;
-}
-
 /// One call of plan_place().
 class PlacePlanner {
  public:
@@ -94,12 +88,13 @@ class PlacePlanner {
         limits_(motion_limits(in.robot.model, in.arm.arm, in.options.pick.speed)),
         obstacles_(in.scene, {}, seen_obstacles(in)),
         collision_(in.robot, in.arm, &in.gripper, grasp.opening, obstacles_, start,
-                   carrying(in.options.pick.collision)),
+                   in.options.pick.collision),
         lifting_(in.robot, in.arm, &in.gripper, grasp.opening, obstacles_, start,
                  in.options.pick.collision),
         planner_{collision_, space_, limits_, in.options.pick.rrt, {grasp.object, grasp.object}} {
     collision_.hold(held_);
     lifting_.hold(held_);
+    lifting_.allow_contacts_at(pick.retreat.at(0.0).position, planner_.ignored);
   }
 
   PlaceMotion plan() const {

@@ -15,6 +15,9 @@ namespace {
 
 /// A body or a pair is this far from what it may not meet.
 constexpr double unbounded = 1e3;
+/// Parts may come this much nearer than their bound between configurations that are looked at; of a
+/// held object, whose completed surface is not known as well, more. [m]
+constexpr double link_step = 0.0005, held_step = 0.002;
 
 std::string name_of(const RobotContact& contact) {
   switch (contact.other.kind) {
@@ -51,6 +54,7 @@ struct ArmCollision::Model {
   ArmCollisionOptions options;
   ArmBodies parts;
   HeldObject held = {};
+  double held_bound = options.held_clearance;
   Eigen::VectorXd held_motion = {};
 
   using Poses = std::vector<Eigen::Isometry3d>;
@@ -83,21 +87,22 @@ struct ArmCollision::Model {
       const ArmBody& b = parts.bodies[pair.b];
       if (!admit(mutual_contact(a, b, at), (a.motion + b.motion).dot(way), finding)) return finding;
     }
-    if (!held.empty() && !admit(held_contact(at, ignored), held_motion.dot(way), finding))
-      return finding;
+    if (!held.empty()) admit(held_contact(at, ignored), held_motion.dot(way), finding, held_step);
     return finding;
   }
 
   /// Lowers the advance by what a part allows; false and a contact if it is too near already.
-  static bool admit(const RobotContact& nearest, double motion, Finding& finding) {
+  static bool admit(const RobotContact& nearest, double motion, Finding& finding,
+                    double least_step = link_step) {
     if (nearest.other.distance < nearest.bound) {
       finding.contact = nearest;
       return false;
     }
     // Between configurations that are looked at, a part may come a little nearer than the bound, or
     // else a motion along it would not advance.
-    const double least = (nearest.bound > 0.0 ? 0.5 : 1.25) * nearest.bound;
-    const double free = nearest.other.distance - least;
+    const double share = nearest.bound > 0.0 ? 0.5 : 0.25;
+    const double nearer = std::max(least_step, share * std::abs(nearest.bound));
+    const double free = nearest.other.distance - nearest.bound + nearer;
     if (motion > 0.0) finding.advance = std::min(finding.advance, free / motion);
     return true;
   }
@@ -186,9 +191,16 @@ struct ArmCollision::Model {
   }
 
   RobotContact held_contact(const Poses& at, const IgnoredObstacles& ignored) const {
-    const double table_depth = options.held_clearance + 0.8 * options.held_depth;
-    return {"held object", held.nearest(obstacles, at[arm.arm.tip_link], ignored, table_depth), "",
-            options.held_clearance};
+    // The table may be nearer than all else by this.
+    const double table_depth = held_bound + 0.8 * options.held_depth;
+    RobotContact contact{"held object",
+                         held.nearest(obstacles, at[arm.arm.tip_link], ignored, table_depth), "",
+                         held_bound};
+    if (contact.other.kind == ObstacleKind::table) {
+      contact.other.distance -= table_depth;
+      contact.bound -= table_depth;
+    }
+    return contact;
   }
 };
 
@@ -215,6 +227,16 @@ void ArmCollision::hold(const std::vector<Eigen::Vector3f>& points_tool) {
   const Arm& arm = model_->arm.arm;
   model_->held_motion =
       greatest_motion(model_->robot.model, arm, arm.tip_link, model_->held.extent());
+}
+
+void ArmCollision::allow_contacts_at(const Eigen::VectorXd& arm_positions,
+                                     const IgnoredObstacles& ignored) {
+  const double far_from_table = unbounded;
+  const Eigen::Isometry3d T_world_tip = model_->poses(arm_positions)[model_->arm.arm.tip_link];
+  const double distance =
+      model_->held.nearest(model_->obstacles, T_world_tip, ignored, far_from_table).distance;
+  model_->held_bound =
+      std::min(model_->options.held_clearance, distance - model_->options.lift_slack);
 }
 
 std::optional<RobotContact> ArmCollision::contact(const Eigen::VectorXd& arm_positions,

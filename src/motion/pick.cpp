@@ -39,7 +39,7 @@ class PickPlanner {
     for (const HandPositions& hand : positions) {
       auto candidate = timer.time("straight ways", [&] {
         std::optional<ArmCollision>& arm = holding.at(hand.is_turned ? 1 : 0);
-        if (!arm) arm.emplace(candidates_.holding_arm(grasp, hand.T_world_tool));
+        if (!arm) arm.emplace(candidates_.holding_arm(grasp, hand));
         return candidates_.candidate(grasp, hand, *arm, why);
       });
       if (!candidate) continue;

@@ -88,11 +88,13 @@ Eigen::Isometry3d PickCandidates::T_base_tip(const Eigen::Isometry3d& T_world_to
   return T_world_base_.inverse() * T_world_tool * arm_.T_tip_tool(gripper_).inverse();
 }
 
-Eigen::Vector3d PickCandidates::retreat_direction(const Eigen::Isometry3d& T_world_tool) const {
+std::vector<Eigen::Vector3d> PickCandidates::retreat_directions(
+    const Eigen::Isometry3d& T_world_tool) const {
   const Eigen::Vector3d up =
       scene_.table ? scene_.table->normal : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d approach = T_world_tool.linear().col(2);
-  return angle_between(approach, -up) <= backwards_tilt ? Eigen::Vector3d(-approach) : up;
+  if (angle_between(approach, -up) > backwards_tilt) return {up};
+  return {-approach, up};
 }
 
 const std::vector<Eigen::Vector3f>& PickCandidates::surface_of(std::size_t object) {
@@ -101,15 +103,15 @@ const std::vector<Eigen::Vector3f>& PickCandidates::surface_of(std::size_t objec
   return known->second;
 }
 
-ArmCollision PickCandidates::holding_arm(const Grasp& grasp,
-                                         const Eigen::Isometry3d& T_world_tool) {
+ArmCollision PickCandidates::holding_arm(const Grasp& grasp, const HandPositions& at_grasp) {
   ArmCollision arm(robot_, arm_, &gripper_, grasp.opening, obstacles_, start_, options_.collision);
   if (grasp.object < 0 || static_cast<std::size_t>(grasp.object) >= scene_.objects.size())
     return arm;
   std::vector<Eigen::Vector3f> points = surface_of(static_cast<std::size_t>(grasp.object));
-  const Eigen::Isometry3f T_tool_world = T_world_tool.inverse().cast<float>();
+  const Eigen::Isometry3f T_tool_world = at_grasp.T_world_tool.inverse().cast<float>();
   for (Eigen::Vector3f& point : points) point = T_tool_world * point;
   arm.hold(one_per_cube(points, held_spacing));
+  arm.allow_contacts_at(at_grasp.positions, {grasp.object, grasp.object});
   return arm;
 }
 
@@ -144,9 +146,12 @@ std::optional<PickCandidate> PickCandidates::candidate(const Grasp& grasp,
   if (collides(open_.contact(approach->front(), at_target)) ||
       collides(first_contact(open_, *approach, with_target)))
     return std::nullopt;
-  auto retreat = straight(gripper_.retreat_distance * retreat_direction(T_world_tool));
-  if (!retreat || collides(first_contact(holding, *retreat, with_target))) return std::nullopt;
-  return PickCandidate{std::move(*approach), std::move(*retreat)};
+  for (const Eigen::Vector3d& direction : retreat_directions(T_world_tool)) {
+    auto retreat = straight(gripper_.retreat_distance * direction);
+    if (retreat && !collides(first_contact(holding, *retreat, with_target)))
+      return PickCandidate{std::move(*approach), std::move(*retreat)};
+  }
+  return std::nullopt;
 }
 
 }  // namespace symscene

@@ -37,8 +37,8 @@ class PickCandidates {
   /// says what stopped the candidate of the grasp that came farthest.
   std::optional<PickCandidate> candidate(const Grasp& grasp, const HandPositions& at_grasp,
                                          const ArmCollision& holding, RejectedPick& why) const;
-  /// With the object of the grasp in the gripper.
-  ArmCollision holding_arm(const Grasp& grasp, const Eigen::Isometry3d& T_world_tool);
+  /// With the object of the grasp in the gripper, which may touch what it touches there.
+  ArmCollision holding_arm(const Grasp& grasp, const HandPositions& at_grasp);
 
   /// With open gripper, for motions to the pre-grasp.
   const ArmCollision& open_arm() const { return open_; }
@@ -51,7 +51,7 @@ class PickCandidates {
                                                    const Eigen::Vector3d& offset_world) const;
   PickRejection reason_unreachable(const Eigen::Isometry3d& T_base_tip) const;
   Eigen::Isometry3d T_base_tip(const Eigen::Isometry3d& T_world_tool) const;
-  Eigen::Vector3d retreat_direction(const Eigen::Isometry3d& T_world_tool) const;
+  std::vector<Eigen::Vector3d> retreat_directions(const Eigen::Isometry3d& T_world_tool) const;
   const std::vector<Eigen::Vector3f>& surface_of(std::size_t object);
 
   const Robot& robot_;

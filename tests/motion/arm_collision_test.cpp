@@ -223,6 +223,32 @@ TEST(ArmCollision, CarriesWhatItHolds) {
   EXPECT_NEAR(met->other.distance, -0.05, 1e-6);
 }
 
+TEST(ArmCollision, WhatIsLiftedMayKeepItsContactsButMeetNoOther) {
+  const Robot robot = small_arm();
+  const Eigen::Isometry3d T_world_tip = link_poses(robot.model, robot.home).back();
+  const Eigen::Vector3d side = T_world_tip.translation() + Eigen::Vector3d(0.0, 0.15, 0.0);
+  // A point is held beside a box: the gap before the lift, and later.
+  const auto is_met = [&](double gap_before, double gap) {
+    const GraspScene scene =
+        scene_with({box_of_points({0.04, 0.04, 0.04}, side + Eigen::Vector3d(0.0, 0.02, 0.0))});
+    const MotionObstacles obstacles(scene);
+    ArmCollision arm(robot, robot.arms[0], nullptr, 0.02, obstacles, robot.home);
+    const auto hold = [&](double y) {
+      const Eigen::Vector3d point = side - Eigen::Vector3d(0.0, y, 0.0);
+      arm.hold({(T_world_tip.inverse() * point).cast<float>()});
+    };
+    hold(gap_before);
+    arm.allow_contacts_at(robot.home, {});
+    hold(gap);
+    return arm.contact(robot.home).has_value();
+  };
+  // Surfaces are balls of 3 mm.
+  EXPECT_FALSE(is_met(0.003, 0.003)) << "touched from the start";
+  EXPECT_TRUE(is_met(0.003, 0.0)) << "pushed into its neighbour";
+  EXPECT_FALSE(is_met(0.02, 0.006));
+  EXPECT_TRUE(is_met(0.02, 0.003)) << "was away from it";
+}
+
 TEST(ArmCollision, OfNeverSeenSpaceSparesTheTargetAndTheStart) {
   GraspScene scene = scene_with({box_of_points({0.06, 0.06, 0.1}, {0.5, 0.0, 0.05})});
   OccupancyGrid space;

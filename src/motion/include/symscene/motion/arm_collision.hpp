@@ -14,7 +14,8 @@ struct ArmCollisionOptions {
   double clearance = 0.005;
   double hand_clearance = 0.001;
   double held_depth = 0.01;
-  double held_clearance = -0.008;
+  double held_clearance = 0.001;
+  double lift_slack = 0.001;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -29,8 +30,10 @@ struct ArmCollisionOptions {
     visit(
         "held_clearance", self.held_clearance, "m", between(-0.1, 0.02),
         "least distance of the held object from obstacles other than the table. Surfaces are balls "
-        "of 3 mm: below -3 mm it may pass through them, as it does in the default between "
-        "neighbours that it touches before the lift");
+        "of 3 mm: below -3 mm it may pass through them");
+    visit("lift_slack", self.lift_slack, "m", above_up_to(0.0, 0.05),
+          "where the held object is nearer than held_clearance to others before the lift, as it is "
+          "to neighbours that it touches: how much nearer it may come in the lift");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
@@ -64,6 +67,9 @@ class ArmCollision {
 
   /// From now on the gripper holds these points of its tool frame. [m]
   void hold(const std::vector<Eigen::Vector3f>& points_tool);
+  /// From now on the held object may be as near to obstacles as it is at these positions, and
+  /// `lift_slack` nearer: it may touch its neighbours before it is lifted.
+  void allow_contacts_at(const Eigen::VectorXd& arm_positions, const IgnoredObstacles& ignored);
 
   /// The first contact at positions of the arm's joints; none if there is no contact.
   std::optional<RobotContact> contact(const Eigen::VectorXd& arm_positions,
