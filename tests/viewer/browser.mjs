@@ -1,8 +1,7 @@
 // A headless Chromium with software WebGL and no network.
-import { mkdtemp, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { resolve } from 'node:path';
+import { after } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
 const require = createRequire(new URL('../../viewer/package.json', import.meta.url));
@@ -14,30 +13,23 @@ const FLAGS = [
   '--disable-component-update', '--disable-sync', '--force-color-profile=srgb',
 ];
 
-/** A browser with a fresh profile, and what closes it. `options` are Playwright's (viewport, colorScheme, ...). */
-export async function launch(options) {
-  const profile = await mkdtemp(join(tmpdir(), 'symscene-chromium-'));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    headless: true,
-    args: FLAGS,
-    reducedMotion: 'reduce',
-    ...options,
-  });
-  const close = async () => {
-    await context.close();
-    await rm(profile, { recursive: true, force: true });
-  };
-  return { context, close };
+let started;
+
+/** One browser for all tests: to start it takes longer than most of them. */
+function browser() {
+  started ??= chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, args: FLAGS });
+  return started;
 }
 
-/** Runs `body(context)` in a browser of its own. */
+after(async () => (await started)?.close());
+
+/** Runs `body(context)` in a context of its own, which shares nothing with others. `options` are Playwright's (viewport, colorScheme, ...). */
 export async function withBrowser(options, body) {
-  const { context, close } = await launch(options);
+  const context = await (await browser()).newContext({ reducedMotion: 'reduce', ...options });
   try {
     return await body(context);
   } finally {
-    await close();
+    await context.close();
   }
 }
 

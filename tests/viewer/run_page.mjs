@@ -4,7 +4,7 @@ import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { launch, openPage } from './browser.mjs';
+import { openPage, withBrowser } from './browser.mjs';
 import { encodeRun, writePage } from './payload.mjs';
 import { recordedRun } from './run_fixture.mjs';
 import { box } from './run_meshes.mjs';
@@ -17,7 +17,6 @@ const HOSTILE = '</title></script><script>window.hacked=1</script><img src=x one
 
 let folder;
 const pages = {};
-const browsers = new Map(); // by their options; a page of its own per test is enough
 
 /** A moment, an object of which no mesh is known, and texts that try to be markup. */
 function hostileRun() {
@@ -46,27 +45,16 @@ before(async () => {
 });
 
 after(async () => {
-  for (const { close } of browsers.values()) await close();
   await rm(folder, { recursive: true, force: true });
 });
 
-async function contextOf(options) {
-  if (!browsers.has(options)) browsers.set(options, await launch(options));
-  return browsers.get(options).context;
-}
-
 function runTest(name, options, body, { hash = '', path = () => pages.run, skip = false } = {}) {
-  test(name, { timeout: 120000, skip }, async () => {
-    const context = await contextOf(options);
+  test(name, { timeout: 120000, skip }, () => withBrowser(options, async (context) => {
     const { page, trouble } = await openPage(context, path(), hash);
-    try {
-      assert.deepEqual(trouble, []);
-      await body(page, context);
-      assert.deepEqual(trouble, []);
-    } finally {
-      await page.close();
-    }
-  });
+    assert.deepEqual(trouble, []);
+    await body(page, context);
+    assert.deepEqual(trouble, []);
+  }));
 }
 
 const hook = (page, expression) => page.evaluate(`window.symscene.${expression}`);
