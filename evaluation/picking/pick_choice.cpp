@@ -47,14 +47,15 @@ std::string nothing_left(const TableBelief& belief) {
   return "the arm can take no grasp";
 }
 
-}  // namespace
-
-Eigen::Vector3d tip_point(const Grasp& grasp, const Gripper& gripper) {
-  return grasp.T_world_tool * Eigen::Vector3d(0.0, 0.0, gripper.finger_depth);
+/// Among objects that stand close a lifted one may push its neighbours aside.
+SimulatedPickOptions crowded(SimulatedPickOptions options) {
+  options.pick.collision.lift_slack = options.crowded_lift_slack;
+  return options;
 }
 
-PickChoice choose_pick(const PickScene& in, const TableBelief& belief, const Eigen::VectorXd& start,
-                       const FailedAttempts& failed, StageTimer& timer) {
+PickChoice choose_pick_with(const PickScene& in, const TableBelief& belief,
+                            const Eigen::VectorXd& start, const FailedAttempts& failed,
+                            StageTimer& timer) {
   constexpr int most_places = 8;  // grasps without a way to the bin before the choice is given up
   PickChoice choice{std::nullopt, fates_of(belief), {}};
   const std::vector<Grasp> grasps = grasps_to_try(in, belief, failed, choice.fates);
@@ -84,6 +85,22 @@ PickChoice choose_pick(const PickScene& in, const TableBelief& belief, const Eig
   }
   choice.no_pick = nothing_left(belief);
   return choice;
+}
+
+}  // namespace
+
+Eigen::Vector3d tip_point(const Grasp& grasp, const Gripper& gripper) {
+  return grasp.T_world_tool * Eigen::Vector3d(0.0, 0.0, gripper.finger_depth);
+}
+
+PickChoice choose_pick(const PickScene& in, const TableBelief& belief, const Eigen::VectorXd& start,
+                       const FailedAttempts& failed, StageTimer& timer) {
+  PickChoice choice = choose_pick_with(in, belief, start, failed, timer);
+  if (choice.planned || belief.grasps.empty()) return choice;
+  const SimulatedPickOptions options = crowded(in.options);
+  const PickScene pushing{in.robot, in.arm, in.gripper, in.scene, in.bin, options};
+  PickChoice second = choose_pick_with(pushing, belief, start, failed, timer);
+  return second.planned ? second : choice;
 }
 
 }  // namespace symscene

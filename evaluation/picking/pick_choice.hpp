@@ -24,7 +24,8 @@ Eigen::Vector3d tip_point(const Grasp& grasp, const Gripper& gripper);
 
 /// The best grasp to which the arm has a motion, and from it one to the bin. Objects on which
 /// attempts failed come after all others, and are given up after `max_object_failures`, a place on
-/// them after `max_failures`. `start`: positions of all moving joints.
+/// them after `max_failures`. Where there is none, a lifted object may push its neighbours by
+/// `crowded_lift_slack`. `start`: positions of all moving joints.
 PickChoice choose_pick(const PickScene& in, const TableBelief& belief, const Eigen::VectorXd& start,
                        const FailedAttempts& failed, StageTimer& timer);
 

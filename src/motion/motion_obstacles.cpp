@@ -188,9 +188,12 @@ std::optional<ObstacleDistance> MotionObstacles::nearest(const Capsule& capsule,
   double least = up_to;
   visit_near(capsule.begin.cwiseMin(capsule.end).array() - reach,
              capsule.begin.cwiseMax(capsule.end).array() + reach, [&](const Ball& ball) {
+               // A never-seen cube has no surface: what keeps clear of its middle only touches it.
+               const double radius =
+                   ball.kind == ObstacleKind::never_seen ? 0.0 : double{ball.radius};
                const double distance =
                    segment_distance(ball.centre.cast<double>(), capsule.begin, capsule.end) -
-                   capsule.radius - double{ball.radius};
+                   capsule.radius - radius;
                if (distance >= least || is_ignored(ball.kind, ball.object, ignored)) return;
                least = distance;
                best = {distance, ball.kind, ball.object};

@@ -55,6 +55,7 @@ struct SimulatedPickOptions {
   int max_failures = 2;
   int max_object_failures = 4;
   int empty_looks = 2;
+  double crowded_lift_slack = 0.008;
   double record_rate = 20.0;
   std::uint64_t seed = 0;
   CameraLookOptions look;
@@ -77,6 +78,8 @@ struct SimulatedPickOptions {
           "failed attempts on an object, wherever on it, after which it is given up");
     visit("empty_looks", self.empty_looks, "", at_least(1),
           "looks in a row without a grasp that the arm can take, after which the run ends");
+    visit("crowded_lift_slack", self.crowded_lift_slack, "m", above_up_to(0.0, 0.05),
+          "pick.collision.lift_slack where no object can be taken otherwise");
     visit("record_rate", self.record_rate, "1/s", between(1.0, 100.0),
           "recorded moments per simulated second");
     visit("seed", self.seed, "", any_value(), "seed of the sensor's noise");
