@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,10 +20,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// CLI11 alone would wrap negative numbers around.
+/// CLI11 alone would wrap negative and large numbers around.
 std::string check_whole(const std::string& text) {
-  const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return whole ? "" : "expected a whole number from 0, found " + text;
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc{} && after == end) return "";
+  return fmt::format("expected a whole number from 0 to {}, found {}",
+                     std::numeric_limits<std::uint64_t>::max(), text);
 }
 
 /// The four numbers of "fx,fy,cx,cy", or the camera of a file; nothing if it is neither.
@@ -45,12 +50,13 @@ bool names_camera_file(const std::string& text) {
   return is_camera_file(text) && fs::is_regular_file(text);
 }
 
-std::string check_positive(const std::string& text) {
+/// Values of depth images per metre: from 10 m to a micrometre per value.
+std::string check_depth_scale(const std::string& text) {
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [after, error] = std::from_chars(text.data(), end, number);
-  const bool positive = error == std::errc{} && after == end && number > 0.0;
-  return positive ? "" : "expected a number above 0, found " + text;
+  const bool is_scale = error == std::errc{} && after == end && number >= 0.1 && number <= 1e6;
+  return is_scale ? "" : "expected a number in [0.1, 1000000], found " + text;
 }
 
 std::string check_intrinsics(const std::string& text) {
@@ -135,7 +141,7 @@ void Arguments::sequence_options(SequenceOptions& options) {
       .add_option("--depth-scale", options.depth_scale,
                   "values of the depth images per metre, e.g. 1000; replaces that of the sequence")
       ->type_name("N")
-      ->check(check_positive);
+      ->check(check_depth_scale);
 }
 
 void Arguments::seed(std::optional<std::uint64_t>& value, std::uint64_t default_seed) {

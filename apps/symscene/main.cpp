@@ -9,6 +9,7 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/io/staging.hpp"
 
 namespace {
 
@@ -118,6 +119,7 @@ ExitCode run(CLI::App& app, int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  symscene::remove_staging_on_signals();
   CLI::App app{"Finds the objects on a cluttered table by their symmetries."};
   symscene::app::CommandLine line{app, {}};
   add_commands(line);

@@ -45,10 +45,14 @@ std::string sort_key(const std::string& name) {
   return key;
 }
 
+/// As the temporary folders of outputs that are being written.
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
 std::vector<fs::path> sorted_children(const fs::path& dir) {
   std::vector<fs::path> children;
-  for (const fs::directory_entry& entry : fs::directory_iterator(dir))
-    children.push_back(entry.path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
+    if (!is_hidden(entry.path())) children.push_back(entry.path());
+  }
   std::sort(children.begin(), children.end(), [](const fs::path& a, const fs::path& b) {
     return std::pair(sort_key(a.filename()), a) < std::pair(sort_key(b.filename()), b);
   });
@@ -236,7 +240,7 @@ bool is_dataset(const fs::path& path) {
   if (fs::exists(path / dataset_file) || has_single_views(path)) return true;
   return std::any_of(
       fs::directory_iterator(path), fs::directory_iterator(), [](const fs::directory_entry& child) {
-        return child.is_directory() &&
+        return child.is_directory() && !is_hidden(child.path()) &&
                (is_scene_folder(child.path()) || is_scene_folder(child.path() / "scene"));
       });
 }

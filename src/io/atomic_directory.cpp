@@ -75,13 +75,22 @@ void swap_folders(const fs::path& staging, const fs::path& target) {
   throw InputError(target.string(), "a folder that can be written", error.code().message());
 }
 
+[[noreturn]] void fail_without_staging(const fs::path& target) {
+  throw InputError(target.string(), "the temporary folder that it is written to",
+                   "that it was removed");
+}
+
 }  // namespace
 
 AtomicDirectory::AtomicDirectory(const fs::path& target, DirectoryLayout layout)
-    : target_(resolved(target)), staging_(temporary_beside(target_)), layout_(std::move(layout)) {
+    : target_(resolved(target)),
+      staging_(temporary_beside(target_)),
+      on_signal_(staging_),
+      layout_(std::move(layout)) {
   try {
     require_replaceable(target_, layout_);
     fs::create_directories(target_.parent_path());
+    remove_stale_staging(target_);
     fs::create_directory(staging_);
   } catch (const fs::filesystem_error& error) {
     fail(target_, error);
@@ -96,6 +105,8 @@ AtomicDirectory::~AtomicDirectory() {
 void AtomicDirectory::write(const fs::path& relative, std::string_view bytes) const {
   const fs::path file = staging_ / relative;
   std::error_code error;
+  // Files that were written before would be missing.
+  if (!fs::exists(staging_, error)) fail_without_staging(target_);
   fs::create_directories(file.parent_path(), error);
   errno = 0;
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
@@ -107,6 +118,7 @@ void AtomicDirectory::write(const fs::path& relative, std::string_view bytes) co
 }
 
 void AtomicDirectory::commit() {
+  if (!fs::exists(staging_)) fail_without_staging(target_);
   try {
     require_replaceable(target_, layout_);
     if (fs::exists(target_)) {

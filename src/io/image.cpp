@@ -13,6 +13,7 @@ namespace {
 
 /// Reads as many bytes of a file as a PNG header has.
 std::string read_head(const std::filesystem::path& path) {
+  require_regular_file(path);
   std::ifstream stream(path, std::ios::binary);
   std::string head(64, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));

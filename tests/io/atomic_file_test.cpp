@@ -1,6 +1,14 @@
 #include "io/atomic_file.hpp"
 
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
 #include "io/io_support.hpp"
+#include "io/temporary_name.hpp"
+#include "symscene/io/staging.hpp"
 
 namespace symscene {
 namespace {
@@ -129,6 +137,77 @@ TEST(AtomicDirectory, AnEmptyFolderIsFilled) {
   fs::create_directory(folder / "out");
   write_folder(folder / "out", "first");
   EXPECT_EQ(read_text(folder / "out/marker"), "first");
+}
+
+TEST(AtomicFile, WhatHasNoEndIsNotRead) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(refusal([&] { read_file(folder / "pipe"); }),
+            (folder / "pipe").string() + ": expected a file, found a pipe");
+  fs::create_symlink("/dev/zero", folder / "zero");
+  EXPECT_EQ(refusal([&] { read_file(folder / "zero"); }),
+            (folder / "zero").string() + ": expected a file, found a device");
+  write_text(folder / "sparse", "x");
+  fs::resize_file(folder / "sparse", std::uintmax_t{1} << 40);
+  EXPECT_NE(refusal([&] { read_file(folder / "sparse"); }).find("at most 4294 MB"),
+            std::string::npos);
+  write_text(folder / "small", "abc");
+  EXPECT_EQ(read_file(folder / "small", 3), "abc");
+  EXPECT_THROW(read_file(folder / "small", 2), InputError);
+}
+
+/// Runs `work` in another process and returns how that ended.
+template <class Work>
+int status_of(const Work& work) {
+  const pid_t process = fork();
+  if (process == 0) {
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(process, &status, 0);
+  return status;
+}
+
+TEST(AtomicDirectory, WhatADeadProcessLeftIsRemovedByTheNextWriter) {
+  const TemporaryFolder folder;
+  write_text(folder / ".out.tmp-1", "not ours");
+  status_of([&] {
+    fs::create_directory(temporary_beside(folder / "out"));
+    write_text(temporary_beside(folder / "other"), "x");
+  });
+  ASSERT_EQ(folder.names().size(), 3U);
+  const fs::path living = temporary_beside(folder / "out");
+  fs::create_directory(living);
+  write_folder(folder / "out", "x");
+  write_file_atomically(folder / "other", "x");
+  EXPECT_EQ(folder.names(), (Names{".out.tmp-1", living.filename().string(), "other", "out"}));
+}
+
+TEST(AtomicDirectory, IsRemovedIfASignalEndsTheProcess) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    const int status = status_of([&] {
+      remove_staging_on_signals();
+      const AtomicDirectory writing(folder / "out", layout());
+      writing.write("marker", "x");
+      writing.write("sub/a", "x");
+      raise(signal);
+    });
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+    EXPECT_EQ(folder.names(), Names{});
+  }
+}
+
+TEST(AtomicDirectory, RefusesToGoOnWithoutWhatWasWrittenBefore) {
+  const TemporaryFolder folder;
+  AtomicDirectory writing(folder / "out", layout());
+  writing.write("marker", "x");
+  fs::remove_all(writing.staging());
+  EXPECT_NE(refusal([&] { writing.write("sub/a", "x"); }).find("found that it was removed"),
+            std::string::npos);
+  EXPECT_THROW(writing.commit(), InputError);
+  EXPECT_EQ(folder.names(), Names{});
 }
 
 }  // namespace

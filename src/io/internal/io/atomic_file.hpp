@@ -1,14 +1,24 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 
+#include "io/staging_paths.hpp"
+
 namespace symscene {
 
-/// Reads a file. Throws InputError if it does not exist, is a folder or cannot be read.
-std::string read_file(const std::filesystem::path& path);
+/// Files of more bytes are not read at once.
+constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;
+
+/// Throws InputError if there is no regular file of this name: a pipe or a device has no end.
+void require_regular_file(const std::filesystem::path& path);
+
+/// Reads a file. Throws InputError if it is not a regular file of at most `largest` bytes or cannot
+/// be read.
+std::string read_file(const std::filesystem::path& path, std::uintmax_t largest = largest_file);
 
 /// Writes a file so that a reader sees either the old or the new content: a temporary file beside
 /// it is renamed when it is complete. The folder must exist. Throws InputError if the file cannot
@@ -38,7 +48,8 @@ class AtomicDirectory {
   /// The folder to write into until commit().
   const std::filesystem::path& staging() const { return staging_; }
 
-  /// Writes one file by its path relative to the folder. Throws InputError if that fails.
+  /// Writes one file by its path relative to the folder. Throws InputError if that fails, also if
+  /// somebody has removed the temporary folder.
   void write(const std::filesystem::path& relative, std::string_view bytes) const;
 
   /// Replaces the old folder by the new one.
@@ -48,6 +59,7 @@ class AtomicDirectory {
  private:
   std::filesystem::path target_;
   std::filesystem::path staging_;
+  StagingPath on_signal_;
   DirectoryLayout layout_;
 };
 

@@ -54,7 +54,7 @@ constexpr Range strictly_between(double low, double high) { return {low, high, t
 /// "in [0, 1]", "of at least 0", "above 0"; empty for any value.
 std::string to_string(const Range& range);
 
-/// Throws InputError naming `option` unless the value lies in the range.
+/// Throws InputError naming `option` unless the value lies in the range, and in that of its unit.
 void require_in_range(const char* option, double value, const char* unit, const Range& range);
 
 /// Calls `visit` for every field of `options`.
