@@ -4,8 +4,16 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "core/random.hpp"
+#include "core/twist.hpp"
 
 namespace symscene {
+namespace {
+
+/// Those of the sensor's noise are the numbers of the images.
+constexpr std::uint64_t first_pose_stream = std::uint64_t{1} << 40;
+
+}  // namespace
 
 CameraMoment LookTaker::moment(const ArmCell& cell) const {
   const RobotState state = cell.state();
@@ -46,6 +54,17 @@ std::vector<CameraMoment> LookTaker::fly(const ArmCell& cell) const {
   return moments;
 }
 
+/// As a robot knows it by its joints.
+Eigen::Isometry3d LookTaker::pose_by_arm(const Eigen::Isometry3d& truth,
+                                         std::uint64_t image) const {
+  Random random(options_.seed, first_pose_stream + image);
+  Vector6d error;
+  for (double& value : error) value = random.normal();
+  error.head<3>() *= options_.look.rotation_deviation;
+  error.tail<3>() *= options_.look.pose_deviation;
+  return truth * motion(error);
+}
+
 TakenLook LookTaker::take(ArmCell& cell, TablePerception& perception) {
   const Tabletop tabletop = cell.tabletop();
   const LookRenderer renderer(tabletop, solids_, bin_, options_);
@@ -60,7 +79,8 @@ TakenLook LookTaker::take(ArmCell& cell, TablePerception& perception) {
     });
     for (std::size_t i = 0; i < images.size(); ++i) {
       covered += images[i].robot_share;
-      perception.add(images[i].frame, moments[begin + i].T_table_camera);
+      const Eigen::Isometry3d& truth = moments[begin + i].T_table_camera;
+      perception.add(images[i].frame, pose_by_arm(truth, images_ + begin + i), truth);
     }
   }
   images_ += moments.size();

@@ -30,6 +30,7 @@ class LookTaker {
   CameraMoment moment(const ArmCell& cell) const;
   std::vector<CameraMoment> move(ArmCell& cell, ContactWatch& watch) const;
   std::vector<CameraMoment> fly(const ArmCell& cell) const;
+  Eigen::Isometry3d pose_by_arm(const Eigen::Isometry3d& truth, std::uint64_t image) const;
 
   const Robot& robot_;
   const RobotSolids& solids_;

@@ -48,6 +48,8 @@ const char* to_string(PickRunEnd end) {
       return "no_pick";
     case PickRunEnd::looks:
       return "looks";
+    case PickRunEnd::no_start:
+      return "no_start";
     case PickRunEnd::no_view:
       return "no_view";
     case PickRunEnd::diverged:
@@ -66,6 +68,8 @@ const char* description(PickRunEnd end) {
       return "no grasp is left that the arm can take";
     case PickRunEnd::looks:
       return "the looks are used up";
+    case PickRunEnd::no_start:
+      return "an arm cannot start";
     case PickRunEnd::no_view:
       return "the camera does not see the table";
     case PickRunEnd::diverged:

@@ -11,6 +11,7 @@
 #include "pick_choice.hpp"
 #include "run_recorder.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/motion/arm_collision.hpp"
 #include "symscene/physics/physics_world.hpp"
 
 namespace symscene {
@@ -62,7 +63,7 @@ class PickLoop {
       cell_.emplace(table_, robot_, arm_, gripper_, bin_, options_,
                     [this](const ArmCell& cell) { recorder_.step(cell); });
       settle();
-      if (plan_camera()) clear();
+      if (can_start() && plan_camera()) clear();
     } catch (const PhysicsDiverged&) {
       end(PickRunEnd::diverged);
     }
@@ -79,6 +80,26 @@ class PickLoop {
     recorder_.add(cell_ ? cell_->time() : 0.0, text, outcome);
   }
 
+  /// Whether no arm meets the robot itself or the table at home.
+  bool can_start() {
+    GraspScene scene;
+    scene.table = Plane{};
+    const MotionObstacles obstacles(scene);
+    for (const RobotArm& arm : robot_.arms) {
+      const Gripper* gripper = &arm == &arm_ ? &gripper_ : nullptr;
+      const ArmCollision collision(robot_, arm, gripper, gripper_.max_opening, obstacles,
+                                   robot_.home);
+      const auto contact = collision.contact(arm_positions(arm.arm, robot_.home));
+      if (!contact) continue;
+      not_looked_ = "the arm cannot start: " + describe(*contact);
+      tell(not_looked_, RecordedOutcome::failure);
+      run_.warnings.clear();  // that no bin is reached follows from it
+      end(PickRunEnd::no_start);
+      return false;
+    }
+    return true;
+  }
+
   /// Whether the camera sees the table.
   bool plan_camera() {
     stage("motion of the camera");
@@ -92,7 +113,7 @@ class PickLoop {
     look_motion_ = std::move(planned.motion);
     if (look_motion_) return true;
     tell(planned.obstacle, RecordedOutcome::failure);
-    no_view_ = planned.obstacle;
+    not_looked_ = planned.obstacle;
     end(PickRunEnd::no_view);
     return false;
   }
@@ -136,10 +157,14 @@ class PickLoop {
   void tell_look(const PickLook& look) {
     tell(fmt::format("look {}: {} {} found, {} grasps", run_.looks.size() + 1, look.found,
                      look.found == 1 ? "object" : "objects", look.grasps));
-    if (look.robot_share > options_.look.max_robot_share)
-      tell(fmt::format("the robot covers {:.0f} % of the images: an arm blocks the camera",
-                       100.0 * look.robot_share),
-           RecordedOutcome::failure);
+    not_looked_.clear();
+    if (look.robot_share > options_.look.max_robot_share) {
+      const std::string blocked =
+          fmt::format("the robot covers {:.0f} % of the images: an arm blocks the camera",
+                      100.0 * look.robot_share);
+      tell(blocked, RecordedOutcome::failure);
+      if (look.found == 0) not_looked_ = blocked;
+    }
     if (!look.touched.empty()) tell(look.touched + " during the look", RecordedOutcome::failure);
     if (look.fused < look.frames)
       tell(fmt::format("the camera was lost in {} of {} images", look.frames - look.fused,
@@ -238,9 +263,8 @@ class PickLoop {
   }
 
   void finish() {
-    const std::string not_looked_at =
-        run_.looks.empty() && no_view_.empty() ? std::string(description(run_.end)) : no_view_;
-    ledger_.finish(run_, not_looked_at);
+    if (run_.looks.empty() && not_looked_.empty()) not_looked_ = description(run_.end);
+    ledger_.finish(run_, not_looked_);
     tell(description(run_.end),
          run_.end == PickRunEnd::cleared ? RecordedOutcome::success : RecordedOutcome::note);
     if (cell_) run_.duration = cell_->time();
@@ -264,7 +288,7 @@ class PickLoop {
   ObjectLedger ledger_;
   std::optional<ArmCell> cell_;
   std::optional<LookMotion> look_motion_;
-  std::string no_view_;
+  std::string not_looked_;  ///< why nothing is known of the table
   TableBelief belief_;
   StageTimer timer_;                    ///< of all that the robot computes
   std::vector<TriangleMesh> surfaces_;  ///< true, at the last look

@@ -1,5 +1,7 @@
 #include "table_belief.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cylinder_belief.hpp"
@@ -20,15 +22,17 @@ std::string label_of(const SceneObject& object) {
 TablePerception::TablePerception(const SimulatedPickOptions& options)
     : options_(options), reconstruction_(options.look.intrinsics(), options.reconstruction) {}
 
-void TablePerception::add(const DepthFrame& frame, const Eigen::Isometry3d& T_table_camera) {
-  // The first image places the scene; from then on the arm only tells where the search begins.
-  const PoseUse use = reconstruction_.empty() ? PoseUse::exact : PoseUse::start;
-  const FrameReport report = timer_.time(
-      "tracking and fusion", [&] { return reconstruction_.add(frame, T_table_camera, use); });
+void TablePerception::add(const DepthFrame& frame, const Eigen::Isometry3d& by_arm,
+                          const Eigen::Isometry3d& truth) {
+  // The first image places the scene; from then on the arm tells about where the camera is.
+  const PoseUse use = reconstruction_.empty() ? PoseUse::exact : PoseUse::prior;
+  const FrameReport report =
+      timer_.time("tracking and fusion", [&] { return reconstruction_.add(frame, by_arm, use); });
   ++frames_;
-  if (!report.fused) return;
+  const auto measured = [](float depth) { return depth > 0.0F; };
+  if (!report.fused || std::none_of(frame.depth.begin(), frame.depth.end(), measured)) return;
   estimated_.push_back(report.tracking.T_world_camera);
-  truth_.push_back(T_table_camera);
+  truth_.push_back(truth);
 }
 
 Scene TablePerception::build(StageTimer& timer) const {

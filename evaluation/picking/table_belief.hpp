@@ -17,15 +17,17 @@ struct TableBelief {
   std::vector<std::string> labels;          ///< the same: what it is taken for
 };
 
-/// Turns the images of a look into a belief. The pose of the first image is the arm's; all others
-/// are found by tracking, which starts from the arm's pose.
+/// Turns the images of a look into a belief. The pose of the first image is the arm's; for all
+/// others tracking corrects the arm's pose.
 class TablePerception {
  public:
   /// The options are kept.
   explicit TablePerception(const SimulatedPickOptions& options);
 
-  /// `T_table_camera`: the pose by the arm's joints; the tracked one is compared with it.
-  void add(const DepthFrame& frame, const Eigen::Isometry3d& T_table_camera);
+  /// `by_arm`: the pose of the camera by the arm's joints. `truth`: the true one, with which that
+  /// which is found is compared.
+  void add(const DepthFrame& frame, const Eigen::Isometry3d& by_arm,
+           const Eigen::Isometry3d& truth);
   /// Reconstructs the surface, finds table and objects, and plans grasps.
   TableBelief finish(const Gripper& gripper);
   /// Frames, errors and wall times so far.

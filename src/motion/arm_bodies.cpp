@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "grasping/gripper_boxes.hpp"
+#include "symscene/core/types.hpp"
 
 namespace symscene {
 namespace {
@@ -45,14 +46,17 @@ double extent_of(const std::vector<Capsule>& capsules) {
   return extent;
 }
 
-/// The axis of a joint in the base frame, if no joint before it can turn it.
+/// A measured table is not perpendicular to an axis on which a robot stands upright.
+constexpr double vertical_tolerance = radians(5.0);
+
+/// Whether a joint that no joint before it moves turns about the vertical.
 bool turns_about(const RobotModel& model, std::size_t joint, const Eigen::Vector3d& up) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   for (const std::size_t above : joints_above(model, model.joints[joint].child)) {
     if (above != joint && model.joints[above].kind != JointKind::fixed) return false;
     turn = model.joints[above].T_parent_joint.linear() * turn;
   }
-  return std::abs((turn * model.joints[joint].axis).dot(up)) > 1.0 - 1e-6;
+  return std::abs((turn * model.joints[joint].axis).dot(up)) > std::cos(vertical_tolerance);
 }
 
 /// Whether some motion of the arm changes a link's height.

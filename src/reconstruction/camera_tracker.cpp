@@ -12,21 +12,30 @@ std::vector<float> depths_of(const SurfaceImage& image) {
   return depth;
 }
 
+/// The outcome for a pose that tracking found and that is not accepted, or was lost before.
+TrackingResult disagreeing(TrackingResult result) {
+  if (result.status != TrackingStatus::lost)
+    result.reason = "the image agrees with the model less than those before it";
+  result.status = TrackingStatus::lost;
+  return result;
+}
+
 }  // namespace
 
 CameraTracker::Located CameraTracker::locate(const Measurement& measurement,
-                                             const std::optional<Eigen::Isometry3d>& guess) {
-  TrackingResult result = follow(measurement, guess);
+                                             const std::optional<Eigen::Isometry3d>& guess,
+                                             bool is_prior) {
+  if (is_prior) lost_ = false;
+  TrackingResult result = follow(measurement, guess, is_prior);
   const bool followed = result.status != TrackingStatus::lost;
   if (!result.searchable || (followed && !lost_ && agrees(result))) return {result, false};
+  if (is_prior) return {disagreeing(std::move(result)), false};
   // Much of a table looks alike from all sides: a lost camera is placed where it fits best, and
   // only if it fits as well there as earlier frames did.
   TrackingResult found = search(measurement);
   if (found.agreement < result.agreement && followed) found = result;
   if (found.status != TrackingStatus::converged || !agrees(found)) {
-    if (followed) result.reason = "the image agrees with the model less than those before it";
-    result.status = TrackingStatus::lost;
-    return {result, false};
+    return {disagreeing(std::move(result)), false};
   }
   return {found, lost_};
 }
@@ -92,19 +101,20 @@ ModelView CameraTracker::smoothed_view(const CameraIntrinsics& camera,
 
 TrackingResult CameraTracker::track(const Measurement& measurement, const ModelView& view,
                                     const Eigen::Isometry3d& T_world_guess,
-                                    const TrackingOptions& options) {
+                                    const TrackingOptions& options, bool is_prior) {
   return clock_->time(StageClock::track, [&] {
-    return track_camera(measurement, view, T_world_guess, options, sensor_);
+    const auto track = is_prior ? track_camera_with_prior : track_camera;
+    return track(measurement, view, T_world_guess, options, sensor_);
   });
 }
 
 /// Tracks from the guess; else from the prediction of the motion model and, failing that, from the
 /// last pose.
 TrackingResult CameraTracker::follow(const Measurement& measurement,
-                                     const std::optional<Eigen::Isometry3d>& guess) {
+                                     const std::optional<Eigen::Isometry3d>& guess, bool is_prior) {
   const CameraIntrinsics& camera = measurement.pyramid.front().camera;
   const TrackingOptions options = lost_ ? when_lost(options_) : options_;
-  if (guess) return track(measurement, predict(camera, *guess), *guess, options);
+  if (guess) return track(measurement, predict(camera, *guess), *guess, options, is_prior);
   if (!view_) view_ = predict_at_last(camera);
   const TrackingResult result = track(measurement, *view_, T_world_last_ * T_last_next_, options);
   if (result.status != TrackingStatus::lost) return result;

@@ -25,8 +25,9 @@ class CameraTracker {
     bool relocalized = false;
   };
   /// The pose of a frame in a model that is not empty, tracked from `guess` or else from the motion
-  /// model.
-  Located locate(const Measurement& measurement, const std::optional<Eigen::Isometry3d>& guess);
+  /// model. `is_prior`: the pose is known as well as that, and no other is searched.
+  Located locate(const Measurement& measurement, const std::optional<Eigen::Isometry3d>& guess,
+                 bool is_prior = false);
 
   /// The frame's pose is accepted and the frame is part of the model. `confirmed` if tracking has
   /// converged against an earlier model: otherwise the motion model is reset.
@@ -37,7 +38,7 @@ class CameraTracker {
 
  private:
   TrackingResult follow(const Measurement& measurement,
-                        const std::optional<Eigen::Isometry3d>& guess);
+                        const std::optional<Eigen::Isometry3d>& guess, bool is_prior);
   TrackingResult search(const Measurement& measurement);
   bool agrees(const TrackingResult& result) const;
   TrackingResult best_around(const Measurement& measurement, const ModelView& view);
@@ -46,7 +47,8 @@ class CameraTracker {
   ModelView smoothed_view(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera,
                           std::span<const float> otherwise);
   TrackingResult track(const Measurement& measurement, const ModelView& view,
-                       const Eigen::Isometry3d& T_world_guess, const TrackingOptions& options);
+                       const Eigen::Isometry3d& T_world_guess, const TrackingOptions& options,
+                       bool is_prior = false);
 
   const TsdfVolume* volume_;
   StageClock* clock_;

@@ -63,7 +63,7 @@ struct Reconstruction::Implementation {
     } else if (volume.empty()) {
       result = first_pose(measurement, T_world_camera, options.tracking);
     } else {
-      auto located = tracker.locate(measurement, T_world_camera);
+      auto located = tracker.locate(measurement, T_world_camera, use == PoseUse::prior);
       result = std::move(located.tracking);
       relocalized = located.relocalized;
     }

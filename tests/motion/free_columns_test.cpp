@@ -39,7 +39,7 @@ GraspScene scene_in(const OccupancyGrid& space) {
 }
 
 bool is_blocked(const GraspScene& scene, const Eigen::Vector3d& point) {
-  const auto met = MotionObstacles(scene).nearest(Capsule{point, point, 0.005}, {});
+  const auto met = MotionObstacles(scene).nearest(Capsule{point, point, 0.009}, {});
   return met && met->distance < 0.0 && met->kind == ObstacleKind::never_seen;
 }
 

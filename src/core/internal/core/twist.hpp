@@ -17,6 +17,14 @@ inline Eigen::Isometry3d motion(const Vector6d& twist) {
   return T;
 }
 
+/// The twist (ω, t) of a motion: the inverse of motion().
+inline Vector6d twist_of(const Eigen::Isometry3d& T) {
+  const Eigen::AngleAxisd turn(T.linear());
+  Vector6d twist;
+  twist << turn.angle() * turn.axis(), T.translation();
+  return twist;
+}
+
 /// The pose with its rotation made orthonormal again, so that rounding errors do not accumulate.
 inline Eigen::Isometry3d orthonormal(Eigen::Isometry3d T) {
   T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();

@@ -17,4 +17,12 @@ TrackingResult track_camera(const Measurement& measurement, const ModelView& vie
                             const Eigen::Isometry3d& T_world_guess, const TrackingOptions& options,
                             const MeasurementOptions& sensor);
 
+/// The same with a guess that is itself a measurement of the pose, with `prior_deviation`: it takes
+/// part in the alignment as the image does. Lost also if the image asks for more than three of
+/// these deviations.
+TrackingResult track_camera_with_prior(const Measurement& measurement, const ModelView& view,
+                                       const Eigen::Isometry3d& T_world_prior,
+                                       const TrackingOptions& options,
+                                       const MeasurementOptions& sensor);
+
 }  // namespace symscene

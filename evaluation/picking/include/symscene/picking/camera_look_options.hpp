@@ -20,6 +20,8 @@ struct CameraLookOptions {
   double keep_out_radius = 0.3;
   double keep_out_height = 0.3;
   double max_robot_share = 0.5;
+  double pose_deviation = 0.001;
+  double rotation_deviation = radians(0.1);
   int width = 640;
   int height = 480;
   double focal_length = 420.0;
@@ -49,6 +51,10 @@ struct CameraLookOptions {
           "height of that cylinder");
     visit("max_robot_share", self.max_robot_share, "", between(0.0, 1.0),
           "greatest share of the images that the robot itself may cover before the run says so");
+    visit("pose_deviation", self.pose_deviation, "m", between(0.0, 0.1),
+          "standard deviation of the camera's position by the arm's joints, for each image anew");
+    visit("rotation_deviation", self.rotation_deviation, "rad", between(0.0, radians(10.0)),
+          "standard deviation of the camera's orientation by the arm's joints, about each axis");
     visit("width", self.width, "px", between(16, 4096), "width of the images");
     visit("height", self.height, "px", between(16, 4096), "height of the images");
     visit("focal_length", self.focal_length, "px", between(1.0, 1e5), "focal length of both axes");

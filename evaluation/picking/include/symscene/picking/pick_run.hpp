@@ -66,6 +66,7 @@ enum class PickRunEnd : std::uint8_t {
   nothing_found,  ///< no object was found on the table
   no_pick,        ///< no grasp was left that the arm can take
   looks,          ///< max_looks are used up
+  no_start,       ///< an arm meets something where the robot stands at first
   no_view,        ///< the arm brings its camera to no pose from which it sees the table
   diverged        ///< the physics diverged
 };

@@ -57,7 +57,7 @@ struct SimulatedPickOptions {
   int empty_looks = 2;
   double crowded_lift_slack = 0.008;
   double record_rate = 20.0;
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 1;
   CameraLookOptions look;
   SensorNoiseOptions sensor = default_sensor();
   ReconstructionOptions reconstruction;

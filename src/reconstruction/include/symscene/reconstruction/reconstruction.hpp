@@ -57,7 +57,9 @@ struct TrackingResult {
 /// How a pose that is given with a frame is used.
 enum class PoseUse {
   exact,  ///< it is the frame's pose
-  start   ///< tracking starts from it
+  start,  ///< tracking starts from it
+  prior   ///< it is known up to tracking.prior_deviation, as a robot's arm knows its camera's: the
+          ///< image corrects it only as far as it says more, and no other pose is searched
 };
 
 /// The outcome of adding a frame.

@@ -14,6 +14,7 @@ struct TrackingOptions {
   double max_angle = 0.6;
   double robust_sigmas = 2.0;
   double model_deviation = 5e-4;
+  double prior_deviation = 0.005;
   int min_matches = 50;
   double min_overlap = 0.3;
   double min_inliers = 0.5;
@@ -69,6 +70,8 @@ struct TrackingOptions {
           "residual in deviations at which Cauchy's weight is one half");
     visit("model_deviation", self.model_deviation, "m", above_up_to(0.0, 1e6),
           "standard deviation of the model's surface");
+    visit("prior_deviation", self.prior_deviation, "m", above_up_to(0.0, 10.0),
+          "standard deviation of poses that are given as a prior, as displacement of the scene");
   }
 
   /// Which poses are accepted.
