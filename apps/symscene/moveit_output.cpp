@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_names.hpp"
 #include "symscene/core/error.hpp"
@@ -88,8 +89,17 @@ void MoveItOutput::check() const {
   if (!finger_joints.empty()) parse_joints(finger_joints);
 }
 
-std::vector<FingerJoint> MoveItOutput::joints_of(const RobotArm& arm) const {
-  return finger_joints.empty() ? arm.finger_joints : parse_joints(finger_joints);
+/// The joints in the robot's description are those of its own gripper.
+std::vector<FingerJoint> MoveItOutput::joints_of(const RobotArm& arm,
+                                                 const Gripper& gripper) const {
+  if (!finger_joints.empty()) return parse_joints(finger_joints);
+  const bool is_own = arm.gripper && GripperChoice{*arm.gripper}.gripper().name == gripper.name;
+  if (is_own || arm.finger_joints.empty()) return arm.finger_joints;
+  throw InputError("--finger-joints",
+                   fmt::format("the joints of the gripper {}, as the robot's description has those "
+                               "of {}",
+                               gripper.name, arm.gripper.value_or("another")),
+                   "none");
 }
 
 std::string MoveItOutput::write(const MoveItContent& content) const {
@@ -103,7 +113,7 @@ std::string MoveItOutput::write(const MoveItContent& content) const {
                              content.arm.T_tip_tool(content.gripper).inverse(),
                              thinned.meshes,
                              content.scene.table,
-                             joints_of(content.arm),
+                             joints_of(content.arm, content.gripper),
                              content.trajectory ? &*content.trajectory : nullptr};
   if (!path.empty())
     write_file_atomically(path, is_yaml(path) ? format_moveit_yaml(messages, version())

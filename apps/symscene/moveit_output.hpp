@@ -40,7 +40,7 @@ struct MoveItOutput {
   std::string write(const MoveItContent& content) const;
 
  private:
-  std::vector<FingerJoint> joints_of(const RobotArm& arm) const;
+  std::vector<FingerJoint> joints_of(const RobotArm& arm, const Gripper& gripper) const;
 };
 
 }  // namespace symscene::app

@@ -111,9 +111,13 @@ struct PlanCommand {
 
   PlanInput read_grasp_file(StageTimer& timer, Session& session, const RobotArm& arm) const {
     GraspFile file = read_grasps(path);
-    if (arm.gripper && GripperChoice{*arm.gripper}.gripper().name != file.gripper.name)
-      session.warn(fmt::format("{}: its grasps are for the gripper {}, the arm has {}",
-                               path.string(), file.gripper.name, *arm.gripper));
+    const bool is_wanted = !gripper.name.empty() && gripper.gripper().name == file.gripper.name;
+    if (!is_wanted && arm.gripper &&
+        GripperChoice{*arm.gripper}.gripper().name != file.gripper.name)
+      throw InputError(
+          path.string() + ": gripper",
+          fmt::format("{}, which the arm has (or --gripper {})", *arm.gripper, file.gripper.name),
+          file.gripper.name);
     SegmentedInput read = input.read(timer, session, options.grasps);
     require_same_objects(file, read.scene);
     return chosen(std::move(read.scene), file.gripper, file.plan.grasps);

@@ -37,14 +37,17 @@ struct PosePrior {
   }
 };
 
-/// An image determines its pose as one pixel would: the errors of model and image are correlated.
+/// The errors of model and image are correlated: of an image, so many parts are independent.
+constexpr double independent_parts = 100.0;
+
 PosePrior pose_prior(const Eigen::Isometry3d& T_view_measured, const Matrix6d& to_twist,
                      double depth, const TrackingOptions& options,
                      const MeasurementOptions& sensor) {
   const double image_deviation =
       std::hypot(options.model_deviation, static_cast<double>(sensor.noise) * depth * depth);
   const double ratio = image_deviation / options.prior_deviation;
-  return {T_view_measured, to_twist.inverse(), ratio * ratio, options.prior_deviation};
+  return {T_view_measured, to_twist.inverse(), ratio * ratio / independent_parts,
+          options.prior_deviation};
 }
 
 /// The pose of a measurement in a view, refined level by level.
