@@ -10,8 +10,10 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <cstdint>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "symscene/io/staging.hpp"
 #include "temporary_name.hpp"
@@ -106,7 +108,7 @@ void remove_stale_staging(const fs::path& path) {
 void remove_staging_on_signals() {
   struct sigaction action {};
   action.sa_handler = remove_and_end;
-  action.sa_flags = SA_RESETHAND;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
     // What the caller ignores, as nohup does, stays ignored.
