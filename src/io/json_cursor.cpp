@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -20,32 +22,39 @@ std::string describe(const Json& value) {
   return value.dump();
 }
 
-/// Refuses objects with very many members while parsing: an ordered object compares every new key
-/// with all previous ones.
-class MemberLimit {
+/// Refuses objects with very many members while parsing, as an ordered object compares every new
+/// key with all previous ones, and members that are given twice.
+class MemberCheck {
  public:
-  explicit MemberLimit(std::string name) : name_(std::move(name)) {}
+  explicit MemberCheck(std::string name) : name_(std::move(name)) {}
 
-  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& /*parsed*/) {
-    if (event == Json::parse_event_t::object_start) members_.push_back(0);
+  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) members_.emplace_back();
     if (event == Json::parse_event_t::object_end) members_.pop_back();
-    if (event == Json::parse_event_t::key && ++members_.back() > limit) {
-      throw InputError(name_, fmt::format("JSON objects of at most {} members", limit), "more");
-    }
+    if (event == Json::parse_event_t::key) add(parsed.get_ref<const std::string&>());
     return true;
   }
 
  private:
   static constexpr std::size_t limit = 1000;
+
+  void add(const std::string& key) {
+    std::set<std::string>& members = members_.back();
+    if (!members.insert(key).second)
+      throw InputError(name_, "each member of a JSON object once", in_quotes(key) + " twice");
+    if (members.size() > limit)
+      throw InputError(name_, fmt::format("JSON objects of at most {} members", limit), "more");
+  }
+
   std::string name_;
-  std::vector<std::size_t> members_;  ///< number per open object
+  std::vector<std::set<std::string>> members_;  ///< of each open object
 };
 
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& name) {
   try {
-    return Json::parse(text, MemberLimit(name));
+    return Json::parse(text, MemberCheck(name));
   } catch (const Json::parse_error& error) {
     throw InputError(name, "JSON", fmt::format("a mistake at byte {}", error.byte));
   } catch (const Json::exception&) {

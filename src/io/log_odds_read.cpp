@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "file_end.hpp"
 #include "io/atomic_file.hpp"
 #include "octomap_header.hpp"
 #include "octomap_log_odds.hpp"
@@ -39,6 +40,8 @@ class LogOddsReader {
   }
 
   std::uint64_t nodes() const { return nodes_; }
+  /// What is left behind the tree.
+  std::string_view rest() const { return body_; }
 
  private:
   struct Inner {
@@ -83,6 +86,7 @@ LogOddsMap parse_log_odds(std::string_view bytes, const std::string& name) {
   LogOddsReader reader(bytes, name);
   map.leaves = reader.read();
   require_nodes(header, reader.nodes(), name);
+  require_end(reader.rest(), name);
   return map;
 }
 

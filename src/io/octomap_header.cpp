@@ -16,6 +16,7 @@ OctomapHeader parse_octomap_header(std::string_view& rest, std::string_view firs
   if (next_line(rest) != first_line) throw InputError(name, kind, in_quotes(begin));
   OctomapHeader header;
   std::optional<std::uint64_t> size;
+  bool has_id = false;
   while (true) {
     const auto line = next_line(rest);
     if (!line) throw InputError(name, "a line \"data\"", "the end of the file");
@@ -25,9 +26,11 @@ OctomapHeader parse_octomap_header(std::string_view& rest, std::string_view firs
     const std::string_view value = words.size() > 1 ? words[1] : "";
     if (words[0] == "id" && value != "OcTree")
       throw InputError(name, "id OcTree", in_quotes(*line));
+    has_id = has_id || words[0] == "id";
     if (words[0] == "size") size = to_number<std::uint64_t>(value);
     if (words[0] == "res") header.resolution = to_number<double>(value).value_or(0.0);
   }
+  if (!has_id) throw InputError(name, "a line id OcTree", "none");
   if (!size) throw InputError(name, "a line size N", "none");
   if (!(header.resolution > 0.0 && std::isfinite(header.resolution))) {
     throw InputError(name, "a positive resolution after res", fmt::format("{}", header.resolution));

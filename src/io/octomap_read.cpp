@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 
+#include "file_end.hpp"
 #include "io/atomic_file.hpp"
 #include "octomap_header.hpp"
 #include "octree_keys.hpp"
@@ -39,6 +40,8 @@ class TreeReader {
   }
 
   std::uint64_t nodes() const { return nodes_; }
+  /// What is left behind the tree.
+  std::string_view rest() const { return body_; }
 
  private:
   /// The children of a node that are still to be read, one mask bit per child, at the even bits.
@@ -99,6 +102,7 @@ OccupancyMap parse_octomap(std::string_view bytes, const std::string& name) {
   TreeReader reader(bytes, name);
   map.leaves = reader.read(header.size);
   require_nodes(header, reader.nodes(), name);
+  require_end(reader.rest(), name);
   return map;
 }
 

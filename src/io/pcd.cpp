@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cloud_checks.hpp"
+#include "file_end.hpp"
 #include "io/atomic_file.hpp"
 #include "lzf.hpp"
 #include "pcd_header.hpp"
@@ -65,6 +66,8 @@ class AsciiBody : public PcdBody {
       if (!value) throw InputError(name, "a number", in_quotes(word));
       values_.push_back(*value);
     }
+    if (!next_word(bytes).empty())
+      throw InputError(name, fmt::format("the values of {} points", header.points), "more");
   }
 
   void copy(const PcdField& field, float* out) const override {
@@ -160,6 +163,7 @@ PointCloud parse_pcd(std::string_view bytes, const std::string& name) {
       return cloud_of(header, AsciiBody(body, header, name));
     case PcdEncoding::binary:
       require_bytes(header.points, header.point_bytes, body.size(), name);
+      require_end(body.substr(header.points * header.point_bytes), name);
       return cloud_of(header, BinaryBody(body, header, false));
     case PcdEncoding::binary_compressed:
       break;

@@ -41,7 +41,8 @@ class PcdLines {
       Words words = words_of(*line);
       if (words.empty() || words[0].starts_with('#')) continue;
       if (!known(words[0])) throw InputError(name_, "a line of a PCD header", in_quotes(*line));
-      lines_[words[0]] = Words(words.begin() + 1, words.end());
+      if (!lines_.emplace(words[0], Words(words.begin() + 1, words.end())).second)
+        throw InputError(name_, "each line of a PCD header once", in_quotes(words[0]) + " twice");
     }
   }
 
@@ -103,13 +104,21 @@ void parse_fields(const PcdLines& lines, const std::string& name, PcdHeader& hea
   }
 }
 
-std::uint64_t parse_points(const PcdLines& lines, const std::string& name) {
-  std::uint64_t points = 0;
-  if (lines.has("POINTS")) {
-    points = lines.number("POINTS");
-  } else {
-    points = lines.number("WIDTH") * lines.number("HEIGHT");
+void require_known_version(const PcdLines& lines, const std::string& name) {
+  if (!lines.has("VERSION")) return;
+  const std::string_view word = lines.words("VERSION", 1).front();
+  for (const std::string_view known : {"0.5", ".5", "0.6", ".6", "0.7", ".7"}) {
+    if (word == known) return;
   }
+  throw InputError(name, "a PCD file of version 0.5, 0.6 or 0.7", in_quotes(word));
+}
+
+std::uint64_t parse_points(const PcdLines& lines, const std::string& name) {
+  const bool has_size = lines.has("WIDTH") && lines.has("HEIGHT");
+  const std::uint64_t points =
+      lines.has("POINTS") ? lines.number("POINTS") : lines.number("WIDTH") * lines.number("HEIGHT");
+  if (has_size && points != lines.number("WIDTH") * lines.number("HEIGHT"))
+    throw InputError(name, "as many POINTS as WIDTH times HEIGHT", std::to_string(points));
   if (points <= std::numeric_limits<Index>::max()) return points;
   throw InputError(name, "fewer than 2^32 points", std::to_string(points));
 }
@@ -148,6 +157,7 @@ const PcdField* PcdHeader::find(std::string_view field) const {
 PcdHeader parse_pcd_header(std::string_view bytes, const std::string& name) {
   std::string_view rest = bytes;
   const PcdLines lines(rest, name);
+  require_known_version(lines, name);
   PcdHeader header;
   parse_fields(lines, name, header);
   header.points = parse_points(lines, name);

@@ -137,8 +137,14 @@ TEST(Octomap, RefusalsNameFileExpectedAndFound) {
   const std::string first = "# Octomap OcTree binary file\n";
   EXPECT_EQ(refusal([&] { parse_octomap(first + "id ColorOcTree\ndata\n", "a.bt"); }),
             "a.bt: expected id OcTree, found \"id ColorOcTree\"");
-  EXPECT_EQ(refusal([&] { parse_octomap(first + "size 1\nres -1\ndata\n", "a.bt"); }),
+  EXPECT_EQ(refusal([&] { parse_octomap(first + "id OcTree\nsize 1\nres -1\ndata\n", "a.bt"); }),
             "a.bt: expected a positive resolution after res, found -1");
+  EXPECT_EQ(refusal([&] { parse_octomap(first + "size 1\nres 1\ndata\n", "a.bt"); }),
+            "a.bt: expected a line id OcTree, found none");
+  OccupancyMap map;
+  map.leaves = {{{32768, 32768, 32768}, 0, VoxelState::free}};
+  EXPECT_EQ(refusal([&] { parse_octomap(format_octomap(map) + "abc", "a.bt"); }),
+            "a.bt: expected the end of the file, found 3 bytes more");
 }
 
 TEST(Octomap, DamagedFilesAreReadOrRefused) {

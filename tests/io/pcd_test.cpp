@@ -189,6 +189,26 @@ TEST(Pcd, RefusalsNameFileExpectedAndFound) {
             "a.pcd: expected fields x, y and z, found other fields");
 }
 
+TEST(Pcd, HeadersThatContradictThemselvesAreRefused) {
+  const auto refused = [](const std::string& lines, const std::string& body = "0 0 0\n1 0 0\n") {
+    return refusal([&] {
+      parse_pcd("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n" + lines + "DATA ascii\n" + body, "a.pcd");
+    });
+  };
+  EXPECT_EQ(refused("VERSION .7\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n"), "nothing was refused");
+  EXPECT_EQ(refused("VERSION 99\nPOINTS 2\n"),
+            "a.pcd: expected a PCD file of version 0.5, 0.6 or 0.7, found \"99\"");
+  EXPECT_EQ(refused("WIDTH 3\nHEIGHT 1\nPOINTS 2\n"),
+            "a.pcd: expected as many POINTS as WIDTH times HEIGHT, found 2");
+  EXPECT_EQ(refused("POINTS 2\nPOINTS 1\n"),
+            "a.pcd: expected each line of a PCD header once, found \"POINTS\" twice");
+  EXPECT_EQ(refused("POINTS 1\n"), "a.pcd: expected the values of 1 points, found more");
+  PointCloud cloud;
+  cloud.positions = Points::Zero(2, 3);
+  EXPECT_EQ(refusal([&] { parse_pcd(format_pcd(cloud) + "abc", "a.pcd"); }),
+            "a.pcd: expected the end of the file, found 3 bytes more");
+}
+
 TEST(Cloud, TheFormatIsRecognisedByTheFirstBytesWhateverTheExtension) {
   const TemporaryFolder folder;
   const PointCloud cloud = random_cloud(20, 4);

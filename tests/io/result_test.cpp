@@ -311,6 +311,12 @@ TEST(Result, InconsistentFilesAreRefused) {
                 "of that name");
 }
 
+TEST(Result, MembersThatAreGivenTwiceAreRefused) {
+  const std::string twice = replaced(format_objects_json(small_result()), "{", "{\"version\": 1,");
+  EXPECT_EQ(refusal([&] { parse_objects_json(twice, "objects.json", 40); }),
+            "objects.json: expected each member of a JSON object once, found \"version\" twice");
+}
+
 TEST(Result, RefusalsNameFileAndPath) {
   const std::string text = format_objects_json(small_result());
   const auto message = [&](const std::string& from, const std::string& to) {
