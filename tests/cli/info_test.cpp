@@ -40,7 +40,8 @@ TEST_F(Command, DescribesASequenceAndItsUnreadableFrames) {
   expect_refusal("info sequence", 1,
                  "pass --intrinsics fx,fy,cx,cy (or a camera.yaml), found none");
   expect_refusal("info sequence --intrinsics 1,2,3", 2, "expected fx,fy,cx,cy");
-  expect_refusal("info sequence --depth-scale 0", 2, "expected a number above 0, found 0");
+  expect_refusal("info sequence --depth-scale 0", 2,
+                 "expected a number in [0.1, 1000000], found 0");
   const Outcome described = run("info sequence --json --intrinsics 5,5,1.5,0.5");
   ASSERT_EQ(described.code, 0) << described.err;
   EXPECT_NE(described.out.find("sequence/depth/000001.png: expected a whole PNG image"),
