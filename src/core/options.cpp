@@ -21,12 +21,12 @@ struct UnitBounds {
   std::string_view unit;
   double least, most;
 };
-constexpr std::array unit_bounds{UnitBounds{"m", 1e-9, 1e3},      UnitBounds{"m^2", 1e-12, 1e6},
-                                 UnitBounds{"m/s", 1e-9, 1e3},    UnitBounds{"rad", 1e-9, 7.0},
-                                 UnitBounds{"px", 1e-3, 1e5},     UnitBounds{"s", 1e-9, 1e6},
-                                 UnitBounds{"Hz", 1e-6, 1e6},     UnitBounds{"1/s", 1e-6, 1e6},
-                                 UnitBounds{"N/m", 1e-9, 1e15},   UnitBounds{"1/m", 1e-12, 1e12},
-                                 UnitBounds{"1/m²", 1e-12, 1e12}, UnitBounds{"points", 1.0, 1e9}};
+constexpr std::array unit_bounds{
+    UnitBounds{"m", 1e-9, 1e3},    UnitBounds{"m^2", 1e-12, 1e6},  UnitBounds{"m/s", 1e-9, 1e3},
+    UnitBounds{"rad", 1e-9, 7.0},  UnitBounds{"px", 1e-3, 1e5},    UnitBounds{"s", 1e-9, 1e6},
+    UnitBounds{"Hz", 1e-6, 1e6},   UnitBounds{"1/s", 1e-6, 1e6},   UnitBounds{"N", 1e-12, 1e15},
+    UnitBounds{"N/m", 1e-9, 1e15}, UnitBounds{"1/m", 1e-12, 1e12}, UnitBounds{"1/m²", 1e-12, 1e12},
+    UnitBounds{"points", 1.0, 1e9}};
 constexpr UnitBounds other_unit{"", 1e-12, 1e7};
 
 const UnitBounds& bounds_of(std::string_view unit) {
