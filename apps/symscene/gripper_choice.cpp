@@ -25,4 +25,8 @@ Gripper GripperChoice::gripper() const {
   }
 }
 
+bool has_gripper(const RobotArm& arm, const Gripper& gripper) {
+  return arm.gripper && GripperChoice{*arm.gripper}.gripper().name == gripper.name;
+}
+
 }  // namespace symscene::app

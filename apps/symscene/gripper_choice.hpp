@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "symscene/core/gripper.hpp"
+#include "symscene/robots/robot.hpp"
 
 namespace symscene::app {
 
@@ -16,5 +17,8 @@ struct GripperChoice {
   /// file is invalid.
   Gripper gripper() const;
 };
+
+/// Whether the arm's description has a gripper, and that one by its name.
+bool has_gripper(const RobotArm& arm, const Gripper& gripper);
 
 }  // namespace symscene::app

@@ -93,8 +93,7 @@ void MoveItOutput::check() const {
 std::vector<FingerJoint> MoveItOutput::joints_of(const RobotArm& arm,
                                                  const Gripper& gripper) const {
   if (!finger_joints.empty()) return parse_joints(finger_joints);
-  const bool is_own = arm.gripper && GripperChoice{*arm.gripper}.gripper().name == gripper.name;
-  if (is_own || arm.finger_joints.empty()) return arm.finger_joints;
+  if (has_gripper(arm, gripper) || arm.finger_joints.empty()) return arm.finger_joints;
   throw InputError("--finger-joints",
                    fmt::format("the joints of the gripper {}, as the robot's description has those "
                                "of {}",

@@ -112,8 +112,7 @@ struct PlanCommand {
   PlanInput read_grasp_file(StageTimer& timer, Session& session, const RobotArm& arm) const {
     GraspFile file = read_grasps(path);
     const bool is_wanted = !gripper.name.empty() && gripper.gripper().name == file.gripper.name;
-    if (!is_wanted && arm.gripper &&
-        GripperChoice{*arm.gripper}.gripper().name != file.gripper.name)
+    if (!is_wanted && arm.gripper && !has_gripper(arm, file.gripper))
       throw InputError(
           path.string() + ": gripper",
           fmt::format("{}, which the arm has (or --gripper {})", *arm.gripper, file.gripper.name),

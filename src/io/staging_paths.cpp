@@ -1,6 +1,5 @@
 #include "io/staging_paths.hpp"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/syscall.h>
