@@ -1,13 +1,20 @@
 #include "symscene/clutter/graspability.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "core/surface_sampling.hpp"
+#include "grasping/gripper_boxes.hpp"
 
 namespace symscene {
 namespace {
 
 constexpr std::size_t line_starts = 300;
+constexpr std::size_t fit_samples = 6000;  // of the surface, which the open hand must not enter
+constexpr int approach_directions = 12;    // around a line
+constexpr double contact_depth = 0.01;     // of the line behind the fingertips [m]
 
 /// A point at which a line leaves a solid.
 struct LineExit {
@@ -37,11 +44,62 @@ void for_each_exit(const TriangleMesh& mesh, const Eigen::Vector3d& start,
   }
 }
 
-/// Whether a fingertip has room between the table and its contact, from which it extends outwards.
-bool tip_has_room(const Plane& table, const Eigen::Vector3d& contact,
-                  const Eigen::Vector3d& outward, double thickness) {
-  return table.signed_distance(contact + thickness * outward) >= 0.0;
-}
+/// The open hand, tried around lines through an object.
+class OpenHand {
+ public:
+  OpenHand(const TriangleMesh& mesh, const Plane& table, const Gripper& gripper)
+      : table_(table),
+        surface_(sample_surface(mesh, fit_samples).positions.cast<double>().transpose()),
+        boxes_(gripper_boxes(gripper, gripper.max_opening)),
+        // The point of the tool frame that lies on the middle of the line.
+        middle_(0.0, 0.0,
+                gripper.finger_depth - std::min(contact_depth, gripper.finger_depth / 2)) {
+    for (Eigen::AlignedBox3d& box : boxes_) box.min().z() -= gripper.approach_distance;
+  }
+
+  /// Adds what one line through the object allows: the hand closes along `closing` about `middle`.
+  void try_around(const Eigen::Vector3d& middle, const Eigen::Vector3d& closing,
+                  Graspability& result) const {
+    const Eigen::Vector3d side = closing.unitOrthogonal();
+    for (int i = 0; i < approach_directions && !result.as_it_lies; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / approach_directions;
+      const Eigen::Vector3d approach = Eigen::AngleAxisd(angle, closing) * side;
+      Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+      T_world_tool.linear() << closing.cross(approach), closing, approach;
+      T_world_tool.translation() = middle - T_world_tool.linear() * middle_;
+      const bool is_above = is_above_table(T_world_tool);
+      if ((result.at_all && !is_above) || enters_object(T_world_tool)) continue;
+      result.at_all = true;
+      result.as_it_lies = is_above;
+    }
+  }
+
+ private:
+  bool is_above_table(const Eigen::Isometry3d& T_world_tool) const {
+    for (const Eigen::AlignedBox3d& box : boxes_) {
+      for (int corner = 0; corner < 8; ++corner) {
+        const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+        if (table_.signed_distance(T_world_tool * box.corner(type)) < 0.0) return false;
+      }
+    }
+    return true;
+  }
+
+  bool enters_object(const Eigen::Isometry3d& T_world_tool) const {
+    const Eigen::Matrix3Xd points = T_world_tool.inverse() * surface_;
+    for (const Eigen::AlignedBox3d& box : boxes_) {
+      const auto inside = (points.array() >= box.min().array().replicate(1, points.cols())) &&
+                          (points.array() <= box.max().array().replicate(1, points.cols()));
+      if (inside.colwise().all().any()) return true;
+    }
+    return false;
+  }
+
+  Plane table_;
+  Eigen::Matrix3Xd surface_;
+  std::vector<Eigen::AlignedBox3d> boxes_;  ///< swept by the approach
+  Eigen::Vector3d middle_;
+};
 
 }  // namespace
 
@@ -49,6 +107,7 @@ Graspability graspability(const TriangleMesh& mesh, const Plane& table, const Gr
                           double min_width) {
   const PointCloud starts = sample_surface(mesh, line_starts);
   const double least_cosine = std::cos(std::atan(gripper.friction));
+  const OpenHand hand(mesh, table, gripper);
   Graspability result;
   for (Index i = 0; i < starts.size() && !result.as_it_lies; ++i) {
     const Eigen::Vector3d start = starts.position(i).cast<double>();
@@ -56,11 +115,7 @@ Graspability graspability(const TriangleMesh& mesh, const Plane& table, const Gr
     for_each_exit(mesh, start, inward, [&](const LineExit& exit) {
       if (exit.distance < min_width || exit.distance > gripper.max_opening) return;
       if (exit.cosine < least_cosine) return;
-      result.at_all = true;
-      const Eigen::Vector3d end = start + exit.distance * inward;
-      if (tip_has_room(table, start, -inward, gripper.tip_thickness) &&
-          tip_has_room(table, end, inward, gripper.tip_thickness))
-        result.as_it_lies = true;
+      hand.try_around(start + 0.5 * exit.distance * inward, inward, result);
     });
   }
   return result;

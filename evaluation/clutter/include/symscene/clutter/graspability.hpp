@@ -6,16 +6,17 @@
 
 namespace symscene {
 
-/// Whether an object has two opposite places that a hand can close on, which is necessary for a
-/// grasp and not sufficient: whether there is a way to them is not asked.
+/// Whether a hand can close on an object that stands alone.
 struct Graspability {
   bool at_all = false;      ///< in some pose
-  bool as_it_lies = false;  ///< and the fingertips have room above the table
+  bool as_it_lies = false;  ///< and the hand has room above the table
 };
 
 /// Draws lines from points of a closed surface along their inward normals. A line is a grasp if it
 /// leaves the solid again between `min_width` and the gripper's opening from its start, at a normal
-/// within the friction angle of the gripper. `mesh` and `table` in one frame. [m]
+/// within the friction angle of the gripper, and if the open hand can come straight to it, from one
+/// of twelve directions around it, without entering the solid. No clearance is asked for. `mesh`
+/// and `table` in one frame. [m]
 Graspability graspability(const TriangleMesh& mesh, const Plane& table, const Gripper& gripper,
                           double min_width = 0.001);
 
