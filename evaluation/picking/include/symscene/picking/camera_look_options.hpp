@@ -8,7 +8,7 @@ namespace symscene {
 
 /// The motion of a camera on an arm past a table, and its images.
 struct CameraLookOptions {
-  int frames = 30;
+  int frames = 20;
   int stations = 9;
   double arc = radians(140.0);
   double min_elevation = radians(35.0);
