@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -15,6 +16,7 @@ constexpr std::size_t line_starts = 300;
 constexpr std::size_t fit_samples = 6000;  // of the surface, which the open hand must not enter
 constexpr int approach_directions = 12;    // around a line
 constexpr double contact_depth = 0.01;     // of the line behind the fingertips [m]
+constexpr double contact_give = 0.001;     // depth of the surface that a pad touches [m]
 
 /// A point at which a line leaves a solid.
 struct LineExit {
@@ -48,9 +50,17 @@ void for_each_exit(const TriangleMesh& mesh, const Eigen::Vector3d& start,
 class OpenHand {
  public:
   OpenHand(const TriangleMesh& mesh, const Plane& table, const Gripper& gripper)
+      : OpenHand(sample_surface(mesh, fit_samples), table, gripper) {}
+
+  /// `surface`: samples of the object's.
+  OpenHand(const PointCloud& surface, const Plane& table, const Gripper& gripper)
       : table_(table),
-        surface_(sample_surface(mesh, fit_samples).positions.cast<double>().transpose()),
+        surface_(surface.positions.cast<double>().transpose()),
+        normals_(surface.normals.cast<double>().transpose()),
         boxes_(gripper_boxes(gripper, gripper.max_opening)),
+        half_width_(0.5 * gripper.finger_width),
+        finger_depth_(gripper.finger_depth),
+        least_cosine_(std::cos(std::atan(gripper.friction))),
         // The point of the tool frame that lies on the middle of the line.
         middle_(0.0, 0.0,
                 gripper.finger_depth - std::min(contact_depth, gripper.finger_depth / 2)) {
@@ -68,7 +78,9 @@ class OpenHand {
       T_world_tool.linear() << closing.cross(approach), closing, approach;
       T_world_tool.translation() = middle - T_world_tool.linear() * middle_;
       const bool is_above = is_above_table(T_world_tool);
-      if ((result.at_all && !is_above) || enters_object(T_world_tool)) continue;
+      if (result.at_all && !is_above) continue;
+      const Eigen::Matrix3Xd points = T_world_tool.inverse() * surface_;
+      if (enters_object(points) || !can_close(points, closing)) continue;
       result.at_all = true;
       result.as_it_lies = is_above;
     }
@@ -85,8 +97,8 @@ class OpenHand {
     return true;
   }
 
-  bool enters_object(const Eigen::Isometry3d& T_world_tool) const {
-    const Eigen::Matrix3Xd points = T_world_tool.inverse() * surface_;
+  /// `points`: the surface in the tool frame.
+  bool enters_object(const Eigen::Matrix3Xd& points) const {
     for (const Eigen::AlignedBox3d& box : boxes_) {
       const auto inside = (points.array() >= box.min().array().replicate(1, points.cols())) &&
                           (points.array() <= box.max().array().replicate(1, points.cols()));
@@ -95,9 +107,31 @@ class OpenHand {
     return false;
   }
 
+  /// Whether what both pads touch first faces them within the friction angle.
+  bool can_close(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& closing) const {
+    const auto is_between = (points.row(0).array().abs() <= half_width_ &&
+                             points.row(2).array() >= 0.0 && points.row(2).array() <= finger_depth_)
+                                .eval();
+    const auto faces_pad = [&](double side) {
+      double foremost = -std::numeric_limits<double>::infinity();
+      for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        if (is_between[i]) foremost = std::max(foremost, side * points(1, i));
+      }
+      Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+      for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        if (is_between[i] && side * points(1, i) >= foremost - contact_give)
+          normal += normals_.col(i);
+      }
+      return side * closing.dot(normal) > least_cosine_ * normal.norm();
+    };
+    return faces_pad(1.0) && faces_pad(-1.0);
+  }
+
   Plane table_;
-  Eigen::Matrix3Xd surface_;
+  Eigen::Matrix3Xd surface_, normals_;
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< swept by the approach
+  double half_width_, finger_depth_;
+  double least_cosine_;
   Eigen::Vector3d middle_;
 };
 
