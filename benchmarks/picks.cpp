@@ -93,9 +93,7 @@ struct Tally {
   }
 
   static void print_share(const char* what, const std::vector<ShareCounts>& counts) {
-    const RoundShare share = share_with_interval(counts);
-    fmt::print("{}: {:.1f} % ({:.1f} to {:.1f}), {} of {}\n", what, 100.0 * share.value,
-               100.0 * share.low, 100.0 * share.high, share.part, share.whole);
+    fmt::print("{}: {}\n", what, share_with_interval(counts).text());
   }
   static void print_counts(const char* what, const std::map<std::string, int>& counts) {
     fmt::print("{}\n", what);

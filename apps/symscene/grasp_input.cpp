@@ -77,6 +77,10 @@ void GraspInput::warn_without_surfaces(const SegmentationResult& result, Session
 /// The objects of a result, with the free space of its scene if that is given.
 SegmentedInput GraspInput::of_result(StageTimer& timer, Session& session,
                                      const GraspOptions& options) const {
+  // A result tells its table itself.
+  if (source.table.any_up || source.table.is_told())
+    throw InputError("--plane, --no-table, --any-up", "a scene, cloud or depth image as input",
+                     "a result");
   return timer.time("read", [&] {
     SegmentedInput input;
     input.result = read_result(source.path);

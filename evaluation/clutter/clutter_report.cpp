@@ -79,9 +79,7 @@ std::string penetration_label(const ClutterAttempt* attempt) {
 }
 
 void append_share(std::string& text, const char* name, const RoundShare& share) {
-  fmt::format_to(
-      std::back_inserter(text), "{} {:.1f} % (95 % interval {:.1f} to {:.1f}), {} of {}\n", name,
-      100.0 * share.value, 100.0 * share.low, 100.0 * share.high, share.part, share.whole);
+  fmt::format_to(std::back_inserter(text), "{} {}\n", name, share.text());
 }
 
 void append_times(std::string& text, const std::vector<const ClutterAttempt*>& attempts) {

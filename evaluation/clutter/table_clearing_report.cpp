@@ -81,9 +81,7 @@ RoundShare share_of_cleared(std::span<const TableClearing> tables) {
 }
 
 void append_figure(std::string& text, const char* name, const RoundShare& share) {
-  fmt::format_to(std::back_inserter(text), "{:<62}{:>6.1f} % ({:.1f} to {:.1f}), {} of {}\n", name,
-                 100.0 * share.value, 100.0 * share.low, 100.0 * share.high, share.part,
-                 share.whole);
+  fmt::format_to(std::back_inserter(text), "{:<62} {}\n", name, share.text());
 }
 
 /// How often each label occurs.

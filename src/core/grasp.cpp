@@ -17,6 +17,7 @@ constexpr std::array<RejectionText, grasp_rejections> rejection_texts{
      {"too_thin", "too thin for the gripper"},
      {"no_contact", "the pads touch too little of it"},
      {"friction", "the fingers would slip off"},
+     {"weight", "too heavy for the grip"},
      {"torque", "its weight would turn it between the pads"},
      {"table", "the gripper would hit the table"},
      {"own_shape", "the gripper would hit the object on its way"},

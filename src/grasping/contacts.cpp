@@ -1,6 +1,7 @@
 #include "contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -46,7 +47,7 @@ std::vector<Between> samples_between(const SurfaceSamples& samples,
   return between;
 }
 
-/// A finger's side and extent along x.
+/// The extent along x of the fingers of one side.
 struct Pad {
   float side;  ///< 1 at +y, −1 at −y
   float half_width;
@@ -114,11 +115,17 @@ class TouchedArea {
 std::optional<PadContact> pad_contact(const SurfaceSamples& samples,
                                       const std::vector<Between>& between, const Pad& pad,
                                       TouchedArea touched, float give) {
-  float foremost = -std::numeric_limits<float>::infinity();
+  constexpr float nothing = -std::numeric_limits<float>::infinity();
+  std::array<float, 2> first{nothing, nothing};  // met by the finger at −x, and at +x
   for (const Between& sample : between) {
-    const float y = pad.side * sample.position.y();
-    if (y > foremost && pad.faces(sample.position)) foremost = y;
+    float& y = first.at(sample.position.x() > 0.0F ? 1 : 0);
+    if (pad.side * sample.position.y() > y && pad.faces(sample.position))
+      y = pad.side * sample.position.y();
   }
+  const float foremost = std::max(first[0], first[1]);
+  // Two fingers that close together both hold only what both meet.
+  const bool is_pair = pad.half_spacing > 0.0F;
+  if (is_pair && !(std::min(first[0], first[1]) >= foremost - give)) return std::nullopt;
   for (const auto& [position, i] : between) {
     if (pad.side * position.y() < foremost - give || !pad.faces(position)) continue;
     touched.add(position, samples.normals.row(i).transpose(), samples.areas[i],

@@ -112,6 +112,12 @@ class ReachableSamples {
   std::vector<Eigen::Index> ends_;
 };
 
+/// How far from its pose at the grasp a gripper reaches on its way there and away.
+float reach_on_way(const Gripper& gripper, const HandShape& swept) {
+  const HandShape open = hand_shape(gripper, gripper.max_opening, 0.0);
+  return std::max(swept.reach, open.reach + static_cast<float>(gripper.retreat_distance));
+}
+
 /// What a hand of that reach can meet at the object, besides the object.
 SurfaceSamples reachable_obstacles(const GraspSurroundings& around, const GraspTarget& target,
                                    float hand_reach) {
@@ -139,7 +145,7 @@ GraspJudge::GraspJudge(const GraspSurroundings& around, const GraspTarget& targe
       between_(space_between(gripper, gripper.max_opening)),
       finger_points_(sample_boxes(swept_.fingers(), hand_spacing)),
       palm_points_(sample_boxes(swept_.palm(), hand_spacing)),
-      obstacles_(reachable_obstacles(around, target, swept_.reach)) {}
+      obstacles_(reachable_obstacles(around, target, reach_on_way(gripper, swept_))) {}
 
 GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose, Search search) const {
   Verdict verdict;
@@ -173,7 +179,7 @@ void GraspJudge::require_contact(Verdict& verdict, Search) const {
   grasp.opening = contacts->opening();
   const double shift = 0.5 * (contacts->positive.y + contacts->negative.y);
   judge_contacts(verdict, *contacts);
-  if (!verdict.reason) judge_torque(verdict, *contacts);
+  if (!verdict.reason) judge_weight(verdict, *contacts);
   grasp.T_world_tool.translation() += shift * grasp.T_world_tool.linear().col(1);
 }
 
@@ -208,8 +214,9 @@ void GraspJudge::judge_contacts(Verdict& verdict, const Contacts& contacts) cons
   }
 }
 
-void GraspJudge::judge_torque(Verdict& verdict, const Contacts& contacts) const {
+void GraspJudge::judge_weight(Verdict& verdict, const Contacts& contacts) const {
   GraspFeatures& features = verdict.grasp.features;
+  const Eigen::Vector3d closing = verdict.grasp.T_world_tool.linear().col(1);
   const Eigen::Vector3d arm =
       target_.solid.centre_of_mass - verdict.grasp.T_world_tool * contacts.middle();
   const Eigen::Vector3d torque = arm.cross(-target_.up);  // per weight
@@ -218,8 +225,12 @@ void GraspJudge::judge_torque(Verdict& verdict, const Contacts& contacts) const 
   const double held =
       4.0 / 3.0 * gripper_.friction * gripper_.force * (gripper_.finger_width / 2.0);
   const double weight = options_.bounds.density * target_.solid.volume * gravity;
-  features.torque_ratio =
-      weight * std::abs(torque.dot(verdict.grasp.T_world_tool.linear().col(1))) / held;
+  features.torque_ratio = weight * std::abs(torque.dot(closing)) / held;
+  // What acts along the closing direction, the fingers carry without friction.
+  const double along_pads = weight * target_.up.cross(closing).norm();
+  const double weight_ratio = along_pads / (2.0 * gripper_.friction * gripper_.force);
+  if (weight_ratio > options_.bounds.max_weight_ratio)
+    return fail(verdict, GraspRejection::weight, weight_ratio, options_.bounds.max_weight_ratio);
   if (features.torque_ratio > options_.bounds.max_torque_ratio)
     fail(verdict, GraspRejection::torque, features.torque_ratio, options_.bounds.max_torque_ratio);
 }
@@ -279,17 +290,29 @@ void GraspJudge::require_seen_space(Verdict& verdict, Search) const {
     fail(verdict, GraspRejection::never_seen, share, options_.bounds.max_unknown);
 }
 
-void GraspJudge::require_clear_lift(Verdict& verdict, Search search) const {
-  // A steep approach retreats the way that it came.
-  if (verdict.grasp.features.tilt <= backwards_tilt) return;
-  constexpr double step = 0.01;
+void GraspJudge::require_clear_of_others(Verdict& verdict, const Eigen::Isometry3d& T_world_tool,
+                                         std::span<const HandBox> boxes, Search search) const {
   const double bound = options_.bounds.object_clearance;
-  const HandShape closed = hand_shape(gripper_, verdict.grasp.opening, 0.0);
+  const double others = distance_from(obstacles_, T_world_tool, boxes, bound, search);
+  if (others < bound) fail(verdict, GraspRejection::other_object, others, bound);
+}
+
+void GraspJudge::require_clear_lift(Verdict& verdict, Search search) const {
+  const double opening = verdict.grasp.opening, retreat = gripper_.retreat_distance;
+  if (verdict.grasp.features.tilt <= backwards_tilt) {  // back the way that it came
+    const HandShape swept = hand_shape(gripper_, opening, retreat);
+    return require_clear_of_others(verdict, verdict.grasp.T_world_tool, swept.boxes, search);
+  }
+  const HandShape closed = hand_shape(gripper_, opening, 0.0);
+  // No finger passes over an obstacle between two steps.
+  const double thinnest = std::min(gripper_.finger_width, gripper_.tip_thickness);
+  const double step =
+      std::min(0.01, thinnest + 2.0 * std::max(options_.bounds.object_clearance, 0.0));
   Eigen::Isometry3d pose = verdict.grasp.T_world_tool;
-  for (double height = step; height <= gripper_.retreat_distance; height += step) {
-    pose.translation() += step * target_.up;
-    const double others = distance_from(obstacles_, pose, closed.boxes, bound, search);
-    if (others < bound) return fail(verdict, GraspRejection::other_object, others, bound);
+  for (double height = step; height < retreat + step && !verdict.reason; height += step) {
+    pose.translation() =
+        verdict.grasp.T_world_tool.translation() + std::min(height, retreat) * target_.up;
+    require_clear_of_others(verdict, pose, closed.boxes, search);
   }
 }
 

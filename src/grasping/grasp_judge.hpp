@@ -45,9 +45,12 @@ class GraspJudge {
  private:
   void require_contact(Verdict& verdict, Search search) const;
   void judge_contacts(Verdict& verdict, const Contacts& contacts) const;
-  void judge_torque(Verdict& verdict, const Contacts& contacts) const;
+  void judge_weight(Verdict& verdict, const Contacts& contacts) const;
   void require_clear_way(Verdict& verdict, Search search) const;
   void require_clear_lift(Verdict& verdict, Search search) const;
+  /// Adds a rejection if the boxes are too near to other objects.
+  void require_clear_of_others(Verdict& verdict, const Eigen::Isometry3d& T_world_tool,
+                               std::span<const HandBox> boxes, Search search) const;
   void require_seen_space(Verdict& verdict, Search search) const;
   double unknown_share(const Eigen::Matrix3Xf& points, const Eigen::Isometry3f& T_world_tool) const;
   /// The least height of the open gripper over the table on its way, or greatest_distance. [m]

@@ -212,6 +212,17 @@ Eigen::Vector3d mean_seen_normal(std::span<const SurfaceSamples> surfaces) {
   return sum.norm() > least_mean * area ? sum.normalized() : Eigen::Vector3d::Zero();
 }
 
+namespace {
+
+/// Away from the table; without one towards the camera, from where a hand can come, as the frame of
+/// a single image says nothing about up.
+Eigen::Vector3d up_direction(const GraspScene& scene, const Eigen::Vector3d& seen_from) {
+  if (scene.table) return scene.table->normal;
+  return seen_from.isZero() ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : seen_from;
+}
+
+}  // namespace
+
 GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples,
                          const Eigen::Vector3d& seen_from) {
   const GraspObject& object = scene.objects[id];
@@ -219,7 +230,7 @@ GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceS
           object,
           samples,
           object.solid ? *object.solid : solid_properties(object.surface.mesh),
-          scene.table ? scene.table->normal : Eigen::Vector3d::UnitZ(),
+          up_direction(scene, seen_from),
           seen_from};
 }
 

@@ -58,7 +58,11 @@ std::vector<std::string> table_warnings(const TableScene& table) {
     const std::vector<SupportPlane> others = alternatives(supports);
     if (!others.empty()) warnings.push_back(other_tables(others));
   }
-  if (table.objects.cloud.empty()) warnings.emplace_back("the table is bare: nothing stands on it");
+  if (table.objects.cloud.empty())
+    warnings.push_back(fmt::format(
+        "the table is bare: nothing stands on the plane {}; if something does, it is not the plane "
+        "of the table",
+        plane_text(supports.front().plane)));
   return warnings;
 }
 

@@ -180,6 +180,19 @@ TEST(ClutterReport, RatesCountAttemptsAndObjectsOfAllRounds) {
   EXPECT_DOUBLE_EQ(success.high, 4.0 / 5.0);
 }
 
+TEST(ClutterReport, ThatNothingFailedDoesNotMakeTheIntervalEmpty) {
+  const std::vector<ClutterRound> rounds(3, made_round(3, 3, 3));
+  const RoundShare success = grasp_success_rate(rounds);
+  EXPECT_DOUBLE_EQ(success.value, 1.0);
+  EXPECT_NEAR(success.low, 9.0 / (9.0 + 1.96 * 1.96), 1e-9);  // Wilson's for 9 of 9
+  EXPECT_DOUBLE_EQ(success.high, 1.0);
+}
+
+TEST(ClutterReport, AShareOfNothingIsSaidToBeNone) {
+  const RoundShare success = grasp_success_rate(std::vector{made_round(3, 0, 0)});
+  EXPECT_EQ(success.text(), "none");
+}
+
 TEST(ClutterReport, TheIntervalNarrowsWithTheRounds) {
   std::vector<ClutterRound> few, many;
   for (int i = 0; i < 10; ++i) few.push_back(made_round(5, i % 2 == 0 ? 5 : 2, 5));
@@ -201,7 +214,7 @@ TEST(ClutterReport, ObjectsThatAreHalfHiddenAreCountedApart) {
     EXPECT_NE(text.find(line), std::string::npos) << line << " in\n" << text;
   };
   const std::string hidden = report.substr(0, less), others = report.substr(less);
-  expect(hidden, "  grasp success rate 100.0 % (95 % interval 100.0 to 100.0), 1 of 1\n");
+  expect(hidden, "  grasp success rate 100.0 % (95 % interval 20.7 to 100.0), 1 of 1\n");
   expect(hidden, "  declutter rate, by occlusion at the start 50.0 %");
   expect(hidden, "  objects with a grasp 66.7 %");
   expect(hidden, "  success of their best grasp 50.0 %");

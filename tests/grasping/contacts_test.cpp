@@ -49,6 +49,18 @@ TEST(Contacts, AreNoneWhereAPadMeetsNothing) {
   EXPECT_FALSE(find_contacts(samples, from_above(gripper, 0.1, 0.0, 0.03), gripper, 0.002));
 }
 
+TEST(Contacts, OfAPairOfFingersAreNoneWhereOneOfThemMeetsNothing) {
+  const Gripper gripper = reflex_gripper();
+  const double reach = 0.5 * gripper.finger_spacing + gripper.finger_width;
+  const auto touch = [&](double x, double width) {
+    const SurfaceSamples samples =
+        surface_samples(testing::box_at({width, 0.04, 0.06}, x, 0.0).surface);
+    return find_contacts(samples, from_above(gripper, 0.0, 0.0, 0.03), gripper, 0.002).has_value();
+  };
+  EXPECT_TRUE(touch(0.0, 2.0 * reach));
+  EXPECT_FALSE(touch(0.5 * reach, reach));  // below one finger of the pair and the thumb
+}
+
 TEST(SurfaceSamples, StandForTheAreaOfTheSurface) {
   const GraspObject box = testing::box_at({0.1, 0.04, 0.06}, 0.0, 0.0);
   const SurfaceSamples samples = surface_samples(box.surface);

@@ -9,6 +9,7 @@
 #include "grasp_scenes.hpp"
 #include "grasping/hand_collision.hpp"
 #include "grasping/hand_shape.hpp"
+#include "grasping/target.hpp"
 #include "symscene/core/error.hpp"
 #include "threads.hpp"
 
@@ -133,6 +134,64 @@ TEST(PlanGrasps, PenetratesNeitherTableNorObjects) {
   }
 }
 
+TEST(PlanGrasps, LeavesRoomForTheHandToRetreat) {
+  GraspScene scene = on_table({cylinder_at(0.03, 0.12, 0.0, 0.0)});
+  const Gripper gripper = panda_hand();
+  ASSERT_LT(gripper.approach_distance, gripper.retreat_distance);
+  constexpr double board = 0.31;  // [m] above the way there of a hand from above
+  for (int i = -60; i <= 60; ++i) {
+    for (int j = -60; j <= 60; ++j) {
+      scene.obstacles.conservativeResize(scene.obstacles.rows() + 1, 3);
+      scene.obstacles.row(scene.obstacles.rows() - 1) << static_cast<float>(0.004 * i),
+          static_cast<float>(0.004 * j), static_cast<float>(board);
+    }
+  }
+  for (const Grasp& grasp : plan_grasps(scene, gripper).grasps) {
+    const bool is_backwards = grasp.features.tilt <= backwards_tilt;
+    const Eigen::Vector3d away = is_backwards ? Eigen::Vector3d(-grasp.T_world_tool.linear().col(2))
+                                              : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+    Eigen::Isometry3d retreated = grasp.T_world_tool;
+    retreated.translation() += gripper.retreat_distance * away;
+    const Plane below_board{-Eigen::Vector3d::UnitZ(), board};
+    EXPECT_GE(height_over(below_board, retreated, hand_shape(gripper, grasp.opening, 0.0).boxes),
+              0.0)
+        << to_string(grasp.source);
+  }
+  scene.obstacles.resize(0, 3);
+  EXPECT_FALSE(plan_grasps(scene, gripper).grasps.empty());
+}
+
+TEST(PlanGrasps, RefusesAnObjectThatIsTooHeavyForTheGrip) {
+  const GraspScene scene = on_table({box_at({0.05, 0.1, 0.12}, 0.0, 0.0)});
+  Gripper gripper = panda_hand();
+  gripper.force = 1.0;  // friction holds 2 μ F = 2 N, the weight of 0.6 l is 2.9 N
+  gripper.friction = 1.0;
+  const GraspPlan plan = plan_grasps(scene, gripper);
+  EXPECT_TRUE(plan.grasps.empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::weight);
+  gripper.force = 2.0;
+  EXPECT_FALSE(plan_grasps(scene, gripper).grasps.empty());
+}
+
+TEST(PlanGrasps, ListsGraspsFromAboveAndFromTheSide) {
+  const GraspPlan plan = plan_grasps(on_table({cylinder_at(0.03, 0.2, 0.0, 0.0)}), panda_hand());
+  EXPECT_EQ(plan.grasps.size(), static_cast<std::size_t>(GraspOptions{}.max_grasps));
+  for (const GraspSource source : {GraspSource::axis_top, GraspSource::axis_side}) {
+    EXPECT_TRUE(std::any_of(plan.grasps.begin(), plan.grasps.end(), [&](const Grasp& grasp) {
+      return grasp.source == source;
+    })) << to_string(source);
+  }
+}
+
+TEST(GraspTarget, IsUprightTowardsTheCameraWhereNoTableIsKnown) {
+  GraspScene scene = on_table({box_at({0.05, 0.1, 0.12}, 0.0, 0.0)});
+  const SurfaceSamples samples = surface_samples(scene.objects[0].surface);
+  const Eigen::Vector3d to_camera(0.0, 0.6, -0.8);
+  EXPECT_EQ(grasp_target(scene, 0, samples, to_camera).up, Eigen::Vector3d::UnitZ());
+  scene.table.reset();
+  EXPECT_EQ(grasp_target(scene, 0, samples, to_camera).up, to_camera);
+}
+
 TEST(PlanGrasps, TriesBothSidesForTheSingleFingerOfThree) {
   Gripper symmetric = reflex_gripper();
   symmetric.kind = GripperKind::parallel;
@@ -219,6 +278,16 @@ TEST(PlanGrasps, SaysThatAnObjectIsTooWide) {
       plan_grasps(on_table({box_at({0.12, 0.12, 0.12}, 0.0, 0.0)}), panda_hand());
   EXPECT_TRUE(plan.grasps.empty());
   EXPECT_EQ(plan.objects[0].reason, GraspRejection::too_wide);
+}
+
+TEST(PlanGrasps, SaysWhatIsInTheWayOfAPlaceThatCanBeHeld) {
+  // 20 cm long and 5 cm wide: candidates along it are too wide, those across it meet two walls.
+  const GraspPlan plan =
+      plan_grasps(on_table({box_at({0.2, 0.05, 0.2}, 0.0, 0.0), box_at({0.3, 0.05, 0.3}, 0.0, 0.06),
+                            box_at({0.3, 0.05, 0.3}, 0.0, -0.06)}),
+                  panda_hand());
+  EXPECT_TRUE(grasps_of(plan, 0).empty());
+  EXPECT_EQ(plan.objects[0].reason, GraspRejection::other_object);
 }
 
 TEST(PlanGrasps, SaysThatAFlatObjectLiesTooLow) {

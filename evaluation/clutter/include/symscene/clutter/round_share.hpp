@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace symscene {
@@ -22,13 +23,18 @@ struct ShareCounts {
 };
 
 /// A share with its 95 % interval by resampling whole rounds, as attempts of one round depend on
-/// each other.
+/// each other. Where all samples have the same share, as when nothing failed, they say nothing
+/// about its uncertainty: the interval is then that of Wilson (1927) for independent attempts. Of
+/// nothing it is 0 to 1.
 struct RoundShare {
   double value = 0.0;
   double low = 0.0;
   double high = 0.0;
   std::size_t part = 0;
   std::size_t whole = 0;
+
+  /// "98.0 % (95 % interval 95.1 to 100.0), 49 of 50", or "none" of nothing.
+  std::string text() const;
 };
 
 /// The share of all rounds together, from the counts of each.

@@ -87,6 +87,7 @@ enum class GraspRejection : std::uint8_t {
   too_thin,       ///< thinner than the gripper closes [m]
   no_contact,     ///< a pad touches too little of the object [as contact_area]
   friction,       ///< a contact's normal is outside the friction cone [rad]
+  weight,         ///< the weight pulls the object out of the pads [share of what friction holds]
   torque,         ///< the weight turns the object between the pads [share of what friction holds]
   table,          ///< the gripper reaches into the table [m]
   own_shape,      ///< the open gripper meets the object on its way [m]
@@ -96,7 +97,7 @@ enum class GraspRejection : std::uint8_t {
   low_quality,    ///< the quality is too low
   outranked       ///< valid, but a better grasp of the object is near, or there are enough of them
 };
-constexpr std::size_t grasp_rejections = 14;
+constexpr std::size_t grasp_rejections = 15;
 /// The name of the enumerator, and a phrase for people.
 const char* to_string(GraspRejection reason);
 const char* description(GraspRejection reason);

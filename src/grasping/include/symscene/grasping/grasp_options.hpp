@@ -60,6 +60,7 @@ struct GraspBoundOptions {
   double contact_give = 0.002;
   double min_contact_area = 0.05;
   double density = 500.0;
+  double max_weight_ratio = 1.0;
   double max_torque_ratio = 3.0;
   double table_clearance = 0.002;
   double object_clearance = 0.002;
@@ -77,7 +78,9 @@ struct GraspBoundOptions {
     visit("min_contact_area", self.min_contact_area, "", between(0.0, 1.0),
           "least touched area of a pad, relative to the square of the finger's width");
     visit("density", self.density, "kg/m3", at_least(0.0),
-          "assumed mean density of objects, for the torque of their weight");
+          "assumed mean density of objects, for their weight");
+    visit("max_weight_ratio", self.max_weight_ratio, "", at_least(0.0),
+          "greatest part of the weight along the pads, relative to what their friction holds");
     visit(
         "max_torque_ratio", self.max_torque_ratio, "", at_least(0.0),
         "greatest torque of the weight about the closing direction, relative to what the friction "
