@@ -1,6 +1,7 @@
 #include "segment_input.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +21,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* an_input =
     "a scene folder, a depth image, a folder with one frame, or a cloud (.ply, .pcd)";
+
+/// Whether the cloud is a bare table: a plane too large to be a face of an object, and little else.
+bool is_all_table(const PointCloud& cloud, const TableScene& found,
+                  const SupportPlaneOptions& options) {
+  constexpr double nearly_all = 0.98;
+  if (!found.objects.cloud.empty() || found.planes.supports[0].area < options.wall_area)
+    return false;
+  Index on_plane = 0;
+  for (Index i = 0; i < cloud.size(); ++i) {
+    const double height =
+        found.planes.supports[0].plane.signed_distance(cloud.position(i).cast<double>());
+    on_plane += std::abs(height) < options.inlier_distance ? 1 : 0;
+  }
+  return static_cast<double>(on_plane) > nearly_all * static_cast<double>(cloud.size());
+}
 
 /// Reads a file if it exists. An invalid file gives a warning and an empty value.
 template <class Value, class Read>
@@ -92,7 +108,9 @@ void SegmentSource::crop_table(Scene& scene, const SegmentOptions& options,
     });
   });
   if (!built.scene.table && !table.plane.empty()) return;
-  if (!built.scene.table || built.scene.cloud.empty()) {
+  const bool is_bare =
+      built.scene.table && is_all_table(scene.cloud, built.table, options.view.scene.table.plane);
+  if (!is_bare && (!built.scene.table || built.scene.cloud.empty())) {
     scene.warnings.push_back(
         fmt::format("{} is missing, and no table with objects on it is found in the cloud",
                     (path / "table_plane.txt").string()));

@@ -103,6 +103,15 @@ TEST_F(GraspCommand, NamesAReasonForAnObjectThatIsTooLarge) {
   }
 }
 
+TEST_F(GraspCommand, OfABareTableAreNone) {
+  write_box_scene("flat", 0.8, 0.0);
+  fs::remove(file("flat") / "table_plane.txt");
+  const Outcome outcome = run("grasp flat -o flat.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(json_of("flat.json").at("grasps").empty());
+  EXPECT_NE(outcome.err.find("the table is bare"), std::string::npos) << outcome.err;
+}
+
 TEST_F(GraspCommand, TakesAResultOfAnEarlierVersion) {
   copy("result", "earlier");
   auto json = json_of("earlier/objects.json");
@@ -170,6 +179,8 @@ TEST_F(GraspCommand, RefusesGrippersThatItCannotUse) {
 TEST_F(GraspCommand, RefusesInputsThatItCannotUse) {
   expect_refusal("grasp nowhere -o new.json", 1, "nowhere");
   expect_refusal("grasp scene --scene scene -o new.json", 1, "a result folder as input");
+  expect_refusal("grasp result --plane 0,0,1,0 -o new.json", 1, "found a result");
+  expect_refusal("grasp result --no-table -o new.json", 1, "found a result");
   expect_refusal("grasp result -o result/grasps.json", 1, "outside the input");
 }
 
