@@ -135,14 +135,19 @@ void plan_scene(const Arguments& arguments, int scene_number, const Robot& robot
   tally.add(pick, time.processor);
   bench::compare_paths(robot, gripper, scene, arguments.options, options.tabletop.seed,
                        arguments.oracle, tally.paths);
+  bench::PickChecks checks;
   if (arguments.check && pick.motion) {
-    tally.checks += bench::check_pick(*pick.motion, robot, robot.grasping_arm(), gripper,
-                                      grasps.grasps[pick.motion->grasp].opening, simulated.tabletop,
-                                      arguments.options);
+    checks = bench::check_pick(*pick.motion, robot, robot.grasping_arm(), gripper,
+                               grasps.grasps[pick.motion->grasp].opening, simulated.tabletop,
+                               arguments.options);
+    tally.checks += checks;
   }
   fmt::print("seed {}: {} grasps, {}{}\n", options.tabletop.seed, grasps.grasps.size(),
              pick.motion ? fmt::format("grasp {} taken", pick.motion->grasp) : "no pick",
              pick.start_contact.empty() ? "" : ": " + pick.start_contact);
+  if (checks.objects + checks.held > 0)
+    fmt::print("  true meshes are met by the arm in {} states, by the held object in {}\n",
+               checks.objects, checks.held);
   if (!pick.motion && !pick.rejected.empty())
     fmt::print("  the first: {} {}\n", description(pick.rejected[0].reason),
                pick.rejected[0].detail);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/surface_sampling.hpp"
 #include "grasping/gripper_boxes.hpp"
 #include "symscene/motion/joint_space.hpp"
 
@@ -37,6 +38,9 @@ void check_limits(const TimedPath& motion, const RobotModel& model, const Arm& a
 }
 
 #ifdef SYMSCENE_HAS_FCL
+
+constexpr std::size_t no_object = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t surface_samples = 5000;  // per object
 
 using FclMesh = fcl::BVHModel<fcl::OBBRSSd>;
 
@@ -143,18 +147,24 @@ class MeshCheck {
     return count;
   }
 
-  /// The object with a vertex nearest to the tool.
-  std::size_t object_at(const Eigen::VectorXd& positions) const {
-    const Eigen::RowVector3f tool = T_world_tool(positions).translation().cast<float>().transpose();
-    std::size_t nearest = 0;
-    float least = std::numeric_limits<float>::infinity();
+  /// The object with most of its surface between the open fingers; `no_object` if none is there.
+  std::size_t object_between_fingers(const Eigen::VectorXd& positions) const {
+    const Eigen::Isometry3f T_tool_world = T_world_tool(positions).inverse().cast<float>();
+    const Eigen::Vector3d half(0.5 * gripper_.finger_width, 0.5 * gripper_.max_opening, 0.0);
+    const Eigen::AlignedBox3f between(
+        (-half).cast<float>(),
+        (half + gripper_.finger_depth * Eigen::Vector3d::UnitZ()).cast<float>());
+    std::size_t held = no_object, most = 0;
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
-      const float distance = (meshes_[i].vertices.rowwise() - tool).rowwise().norm().minCoeff();
-      if (distance >= least) continue;
-      least = distance;
-      nearest = i;
+      const PointCloud points = sample_surface(meshes_[i], surface_samples);
+      std::size_t inside = 0;
+      for (Index k = 0; k < points.size(); ++k)
+        inside += between.contains(T_tool_world * points.position(k)) ? 1 : 0;
+      if (inside <= most) continue;
+      most = inside;
+      held = i;
     }
-    return nearest;
+    return held;
   }
 
  private:
@@ -226,15 +236,14 @@ PickChecks check_pick(const PickMotion& motion, const Robot& robot, const RobotA
   check_limits(motion.approach, robot.model, arm.arm, slow, checks);
   check_limits(motion.retreat, robot.model, arm.arm, slow, checks);
 #ifdef SYMSCENE_HAS_FCL
-  constexpr std::size_t no_target = std::numeric_limits<std::size_t>::max();
   MeshCheck open(robot, arm, gripper, gripper.max_opening, tabletop);
   MeshCheck closed(robot, arm, gripper, opening, tabletop);
   const std::size_t target =
-      open.object_at(motion.approach.at(motion.approach.duration()).position);
-  checks.objects = open.violations(motion.to_pre_grasp, no_target) +
+      open.object_between_fingers(motion.approach.at(motion.approach.duration()).position);
+  checks.objects = open.violations(motion.to_pre_grasp, no_object) +
                    open.violations(motion.approach, target) +
                    closed.violations(motion.retreat, target);
-  checks.held = closed.held_violations(motion.retreat, target);
+  if (target != no_object) checks.held = closed.held_violations(motion.retreat, target);
 #else
   static_cast<void>(gripper);
 #endif

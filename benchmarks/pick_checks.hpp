@@ -24,10 +24,10 @@ bool checks_meshes();
 
 /// Checks every motion of a pick against the limits of the joints, and by FCL against the true
 /// meshes: capsules of the links that the arm moves and boxes of the gripper, open on the way there
-/// and at `opening` [m] on the retreat. From the approach on, the object that is nearest to the
-/// tool at the grasp may be touched. On the retreat it moves with the tool and is checked against
-/// the other objects; those that it touches where it stands are left out. `options`: those of the
-/// plan.
+/// and at `opening` [m] on the retreat. From the approach on, the object with most of its
+/// surface between the fingers at the grasp may be touched. On the retreat it moves with the tool
+/// and is checked against the other objects; those that it touches where it stands are left out.
+/// `options`: those of the plan.
 PickChecks check_pick(const PickMotion& motion, const Robot& robot, const RobotArm& arm,
                       const Gripper& gripper, double opening, const Tabletop& tabletop,
                       const PickOptions& options);

@@ -78,9 +78,9 @@ void GraspInput::warn_without_surfaces(const SegmentationResult& result, Session
 SegmentedInput GraspInput::of_result(StageTimer& timer, Session& session,
                                      const GraspOptions& options) const {
   // A result tells its table itself.
-  if (source.table.any_up || source.table.is_told())
-    throw InputError("--plane, --no-table, --any-up", "a scene, cloud or depth image as input",
-                     "a result");
+  if (const char* given = source.table.given())
+    throw InputError(given, "a scene, cloud or depth image as input", "a result");
+  source.require_no_camera("a result");
   return timer.time("read", [&] {
     SegmentedInput input;
     input.result = read_result(source.path);

@@ -42,6 +42,13 @@ struct TableArguments {
   /// Whether the command line tells where the table is, or that there is none.
   bool is_told() const { return none || !plane.empty(); }
 
+  /// One of the options that is given; nullptr if none is.
+  const char* given() const {
+    if (!plane.empty()) return "--plane";
+    if (none) return "--no-table";
+    return any_up ? "--any-up" : nullptr;
+  }
+
   /// What is known about the table, from the command line and the cameras.
   TablePrior known(TablePrior from_cameras) const;
 };

@@ -96,8 +96,9 @@ bool SegmentSource::is_cloud() const {
   return is_scene_folder(path) || (fs::is_regular_file(path) && has_points(path));
 }
 
-/// Takes the table, if one with objects on it is found, from the cloud of a scene folder. The
-/// occupancy stays. Where no point is on the plane of --plane, the cloud is that of the objects.
+/// Takes the table, if one with objects on it is found or it is all there is, from the cloud of a
+/// scene folder. The occupancy stays. Where no point is on the plane of --plane, the cloud is that
+/// of the objects.
 void SegmentSource::crop_table(Scene& scene, const SegmentOptions& options,
                                Session& session) const {
   const fs::path file = path / (fs::exists(path / "cloud.ply") ? "cloud.ply" : "cloud.pcd");

@@ -35,9 +35,10 @@ struct SegmentSource {
   /// Whether the path is a scene folder or a cloud, which have no depth image.
   bool is_cloud() const;
 
- private:
   /// Throws InputError if an option is given that only depth images have a use for.
   void require_no_camera(const char* kind) const;
+
+ private:
   SegmentInput read_folder(const SegmentOptions& options, Session& session) const;
   bool may_hold_table() const;
   void crop_table(Scene& scene, const SegmentOptions& options, Session& session) const;

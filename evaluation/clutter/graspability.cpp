@@ -1,6 +1,7 @@
 #include "symscene/clutter/graspability.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,6 +9,7 @@
 
 #include "core/surface_sampling.hpp"
 #include "grasping/gripper_boxes.hpp"
+#include "symscene/core/error.hpp"
 
 namespace symscene {
 namespace {
@@ -15,8 +17,9 @@ namespace {
 constexpr std::size_t line_starts = 300;
 constexpr std::size_t fit_samples = 6000;  // of the surface, which the open hand must not enter
 constexpr int approach_directions = 12;    // around a line
-constexpr double contact_depth = 0.01;     // of the line behind the fingertips [m]
-constexpr double contact_give = 0.001;     // depth of the surface that a pad touches [m]
+constexpr std::array<double, 3> contact_depths{0.01, 0.005, 0.0};  // of lines behind the tips [m]
+constexpr double least_contact = 0.002;  // extent of what a pad touches along the finger [m]
+constexpr double contact_give = 0.001;   // depth of the surface that a pad touches [m]
 
 /// A point at which a line leaves a solid.
 struct LineExit {
@@ -60,41 +63,48 @@ class OpenHand {
         boxes_(gripper_boxes(gripper, gripper.max_opening)),
         half_width_(0.5 * gripper.finger_width),
         finger_depth_(gripper.finger_depth),
-        least_cosine_(std::cos(std::atan(gripper.friction))),
-        // The point of the tool frame that lies on the middle of the line.
-        middle_(0.0, 0.0,
-                gripper.finger_depth - std::min(contact_depth, gripper.finger_depth / 2)) {
+        least_cosine_(std::cos(std::atan(gripper.friction))) {
     for (Eigen::AlignedBox3d& box : boxes_) box.min().z() -= gripper.approach_distance;
   }
 
   /// Adds what one line through the object allows: the hand closes along `closing` about `middle`.
   void try_around(const Eigen::Vector3d& middle, const Eigen::Vector3d& closing,
                   Graspability& result) const {
-    const Eigen::Vector3d side = closing.unitOrthogonal();
+    // Straight down, or as steeply as the line allows.
+    const Eigen::Vector3d down = -table_.normal + table_.normal.dot(closing) * closing;
+    const Eigen::Vector3d first =
+        down.norm() > 1e-3 ? Eigen::Vector3d(down.normalized()) : closing.unitOrthogonal();
     for (int i = 0; i < approach_directions && !result.as_it_lies; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / approach_directions;
-      const Eigen::Vector3d approach = Eigen::AngleAxisd(angle, closing) * side;
-      Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
-      T_world_tool.linear() << closing.cross(approach), closing, approach;
-      T_world_tool.translation() = middle - T_world_tool.linear() * middle_;
-      const bool is_above = is_above_table(T_world_tool);
-      if (result.at_all && !is_above) continue;
-      const Eigen::Matrix3Xd points = T_world_tool.inverse() * surface_;
-      if (enters_object(points) || !can_close(points, closing)) continue;
-      result.at_all = true;
-      result.as_it_lies = is_above;
+      try_from(Eigen::AngleAxisd(angle, closing) * first, middle, closing, result);
     }
   }
 
  private:
+  /// Tries one direction of approach, as deep as the table allows.
+  void try_from(const Eigen::Vector3d& approach, const Eigen::Vector3d& middle,
+                const Eigen::Vector3d& closing, Graspability& result) const {
+    Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
+    T_world_tool.linear() << closing.cross(approach), closing, approach;
+    const auto place = [&](double depth) {
+      T_world_tool.translation() = middle - std::max(finger_depth_ - depth, 0.0) * approach;
+      return is_above_table(T_world_tool);
+    };
+    const bool is_above = std::any_of(contact_depths.begin(), contact_depths.end(), place);
+    if (!is_above) place(contact_depths.front());
+    if (result.at_all && !is_above) return;
+    const Eigen::Matrix3Xd points = T_world_tool.inverse() * surface_;
+    if (enters_object(points) || !can_close(points, closing)) return;
+    result.at_all = true;
+    result.as_it_lies = is_above;
+  }
+
   bool is_above_table(const Eigen::Isometry3d& T_world_tool) const {
-    for (const Eigen::AlignedBox3d& box : boxes_) {
-      for (int corner = 0; corner < 8; ++corner) {
-        const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
-        if (table_.signed_distance(T_world_tool * box.corner(type)) < 0.0) return false;
-      }
-    }
-    return true;
+    const Eigen::Vector3d normal = T_world_tool.linear().transpose() * table_.normal;
+    const double origin = table_.signed_distance(T_world_tool.translation());
+    return std::all_of(boxes_.begin(), boxes_.end(), [&](const Eigen::AlignedBox3d& box) {
+      return origin + normal.dot(box.center()) >= 0.5 * normal.cwiseAbs().dot(box.sizes());
+    });
   }
 
   /// `points`: the surface in the tool frame.
@@ -107,7 +117,7 @@ class OpenHand {
     return false;
   }
 
-  /// Whether what both pads touch first faces them within the friction angle.
+  /// Whether what both pads touch first is no mere edge and faces them within the friction angle.
   bool can_close(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& closing) const {
     const auto is_between = (points.row(0).array().abs() <= half_width_ &&
                              points.row(2).array() >= 0.0 && points.row(2).array() <= finger_depth_)
@@ -118,11 +128,15 @@ class OpenHand {
         if (is_between[i]) foremost = std::max(foremost, side * points(1, i));
       }
       Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+      double low = finger_depth_, high = 0.0;
       for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        if (is_between[i] && side * points(1, i) >= foremost - contact_give)
-          normal += normals_.col(i);
+        if (!is_between[i] || side * points(1, i) < foremost - contact_give) continue;
+        normal += normals_.col(i);
+        low = std::min(low, points(2, i));
+        high = std::max(high, points(2, i));
       }
-      return side * closing.dot(normal) > least_cosine_ * normal.norm();
+      return high - low >= least_contact &&
+             side * closing.dot(normal) > least_cosine_ * normal.norm();
     };
     return faces_pad(1.0) && faces_pad(-1.0);
   }
@@ -132,13 +146,14 @@ class OpenHand {
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< swept by the approach
   double half_width_, finger_depth_;
   double least_cosine_;
-  Eigen::Vector3d middle_;
 };
 
 }  // namespace
 
 Graspability graspability(const TriangleMesh& mesh, const Plane& table, const Gripper& gripper,
                           double min_width) {
+  if (gripper.kind != GripperKind::parallel)
+    throw InputError(gripper.name, "a parallel gripper", to_string(gripper.kind));
   const PointCloud starts = sample_surface(mesh, line_starts);
   const double least_cosine = std::cos(std::atan(gripper.friction));
   const OpenHand hand(mesh, table, gripper);

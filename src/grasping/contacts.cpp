@@ -123,7 +123,7 @@ std::optional<PadContact> pad_contact(const SurfaceSamples& samples,
       y = pad.side * sample.position.y();
   }
   const float foremost = std::max(first[0], first[1]);
-  // Two fingers that close together both hold only what both meet.
+  // The fingers of a pair close by the same distance: both must touch.
   const bool is_pair = pad.half_spacing > 0.0F;
   if (is_pair && !(std::min(first[0], first[1]) >= foremost - give)) return std::nullopt;
   for (const auto& [position, i] : between) {

@@ -27,7 +27,8 @@ struct Contacts {
   Eigen::Vector3d middle() const { return 0.5 * (positive.centre + negative.centre); }
 };
 
-/// The contacts of an open gripper that closes at this pose; none if a pad meets nothing. A pad
+/// The contacts of an open gripper that closes at this pose; none if a pad meets nothing, or one
+/// finger of a pair nothing within `give` of what the other meets. A pad
 /// touches what faces it within `give` behind the first point that it meets, as pads and objects
 /// give way. [m]
 std::optional<Contacts> find_contacts(const SurfaceSamples& samples,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <span>
 #include <vector>
 
 #include "object_plan.hpp"
@@ -23,66 +25,63 @@ bool is_near(const Grasp& a, const Grasp& b, GripperKind kind, const GraspOption
   return distance < options.distinct_distance && turned_by(a, b, kind) < options.distinct_angle;
 }
 
-/// The source of a grasp and whether it comes from above.
-std::size_t kind_of(const Grasp& grasp) {
+/// The group of a grasp: its source and whether it comes from above.
+std::size_t group_of(const Grasp& grasp) {
   constexpr double from_above = radians(45.0);
   return 2 * static_cast<std::size_t>(grasp.source) + (grasp.features.tilt < from_above ? 0 : 1);
 }
 
-/// Which of the grasps, in descending order of quality, are kept where there is room for `room`:
-/// the best of each kind up to an equal share of it, then the best of the others.
-std::vector<bool> kept_of_each_kind(const std::vector<Grasp>& grasps, std::size_t room) {
-  std::array<std::size_t, 2 * grasp_sources> counts{}, taken{};
-  for (const Grasp& grasp : grasps) ++counts.at(kind_of(grasp));
-  const auto kinds = static_cast<std::size_t>(
-      std::count_if(counts.begin(), counts.end(), [](std::size_t n) { return n > 0; }));
-  std::vector<bool> kept(grasps.size(), false);
-  std::size_t left = room;
-  const auto keep = [&](std::size_t i) {
-    kept[i] = true;
-    --left;
-  };
-  for (std::size_t i = 0; i < grasps.size() && left > 0; ++i) {
-    std::size_t& of_kind = taken.at(kind_of(grasps[i]));
-    if (of_kind < std::max<std::size_t>(room / kinds, 1)) {
-      ++of_kind;
-      keep(i);
+/// Keeps grasps that are near no kept one.
+class Choice {
+ public:
+  Choice(std::span<const Grasp> grasps, GripperKind kind, const GraspOptions& options)
+      : grasps_(grasps), kind_(kind), options_(options), is_kept_(grasps.size(), false) {}
+
+  /// Keeps further grasps, in their order, up to `most_per_group` of each group.
+  void keep(std::size_t most_per_group) {
+    for (std::size_t i = 0; i < grasps_.size(); ++i) {
+      if (kept_.size() == static_cast<std::size_t>(options_.max_grasps)) return;
+      std::size_t& of_group = counts_.at(group_of(grasps_[i]));
+      if (is_kept_[i] || of_group >= most_per_group || is_near_kept(grasps_[i])) continue;
+      ++of_group;
+      is_kept_[i] = true;
+      kept_.push_back(i);
     }
   }
-  for (std::size_t i = 0; i < grasps.size() && left > 0; ++i) {
-    if (!kept[i]) keep(i);
+
+  DistinctGrasps result() const {
+    DistinctGrasps result;
+    for (std::size_t i = 0; i < grasps_.size(); ++i)
+      (is_kept_[i] ? result.kept : result.outranked).push_back(grasps_[i]);
+    return result;
   }
-  return kept;
-}
+
+ private:
+  bool is_near_kept(const Grasp& grasp) const {
+    return std::any_of(kept_.begin(), kept_.end(),
+                       [&](std::size_t k) { return is_near(grasp, grasps_[k], kind_, options_); });
+  }
+
+  std::span<const Grasp> grasps_;
+  GripperKind kind_;
+  const GraspOptions& options_;
+  std::vector<bool> is_kept_;
+  std::vector<std::size_t> kept_;
+  std::array<std::size_t, 2 * grasp_sources> counts_{};
+};
 
 }  // namespace
 
 DistinctGrasps distinct_grasps(std::vector<Grasp> grasps, GripperKind kind,
                                const GraspOptions& options) {
   std::stable_sort(grasps.begin(), grasps.end(), is_better);
-  std::vector<Grasp> distinct;
+  std::set<std::size_t> groups;
+  for (const Grasp& grasp : grasps) groups.insert(group_of(grasp));
   const auto room = static_cast<std::size_t>(options.max_grasps);
-  std::array<std::size_t, 2 * grasp_sources> counts{};
-  DistinctGrasps result;
-  for (const Grasp& grasp : grasps) {
-    std::size_t& of_kind = counts.at(kind_of(grasp));
-    const auto is_repeated = [&] {
-      return std::any_of(distinct.begin(), distinct.end(), [&](const Grasp& better) {
-        return is_near(grasp, better, kind, options);
-      });
-    };
-    if (of_kind == room || is_repeated()) {
-      result.outranked.push_back(grasp);
-      continue;
-    }
-    ++of_kind;
-    distinct.push_back(grasp);
-  }
-  const std::vector<bool> kept = kept_of_each_kind(distinct, room);
-  for (std::size_t i = 0; i < distinct.size(); ++i)
-    (kept[i] ? result.kept : result.outranked).push_back(distinct[i]);
-  std::stable_sort(result.outranked.begin(), result.outranked.end(), is_better);
-  return result;
+  Choice choice(grasps, kind, options);
+  choice.keep(std::max<std::size_t>(room / std::max<std::size_t>(groups.size(), 1), 1));
+  choice.keep(room);
+  return choice.result();
 }
 
 }  // namespace symscene

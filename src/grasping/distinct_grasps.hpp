@@ -14,9 +14,10 @@ struct DistinctGrasps {
   std::vector<Grasp> outranked;  ///< a better one is near, or there are enough of them
 };
 
-/// The best grasps that differ from each other, at most `max_grasps`. Where there are more, each
-/// kind of grasp (its source, from above or from the side) keeps its best ones up to an equal share
-/// of `max_grasps`: an arm that does not reach one kind may reach another.
+/// The best grasps that differ from each other, at most `max_grasps`. First each group (of one
+/// source, from above or from the side) keeps its best ones up to an equal share of `max_grasps`,
+/// as an arm that does not reach one group may reach another; then the best of the others follow. A
+/// kept grasp may have a better one near that is not kept.
 DistinctGrasps distinct_grasps(std::vector<Grasp> grasps, GripperKind kind,
                                const GraspOptions& options);
 

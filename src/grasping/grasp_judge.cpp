@@ -112,10 +112,11 @@ class ReachableSamples {
   std::vector<Eigen::Index> ends_;
 };
 
-/// How far from its pose at the grasp a gripper reaches on its way there and away.
+/// How far beyond an object a gripper reaches on its way to a grasp and away.
 float reach_on_way(const Gripper& gripper, const HandShape& swept) {
   const HandShape open = hand_shape(gripper, gripper.max_opening, 0.0);
-  return std::max(swept.reach, open.reach + static_cast<float>(gripper.retreat_distance));
+  return static_cast<float>(gripper.finger_depth) +
+         std::max(swept.reach, open.reach + static_cast<float>(gripper.retreat_distance));
 }
 
 /// What a hand of that reach can meet at the object, besides the object.
@@ -158,7 +159,7 @@ GraspJudge::Verdict GraspJudge::judge(const ApproachPose& pose, Search search) c
   using Step = void (GraspJudge::*)(Verdict&, Search) const;
   constexpr std::array<Step, 4> steps{&GraspJudge::require_contact, &GraspJudge::require_clear_way,
                                       &GraspJudge::require_seen_space,
-                                      &GraspJudge::require_clear_lift};
+                                      &GraspJudge::require_clear_retreat};
   for (const Step step : steps) {
     if (verdict.reason) return verdict;
     (this->*step)(verdict, search);
@@ -226,8 +227,10 @@ void GraspJudge::judge_weight(Verdict& verdict, const Contacts& contacts) const 
       4.0 / 3.0 * gripper_.friction * gripper_.force * (gripper_.finger_width / 2.0);
   const double weight = options_.bounds.density * target_.solid.volume * gravity;
   features.torque_ratio = weight * std::abs(torque.dot(closing)) / held;
-  // What acts along the closing direction, the fingers carry without friction.
-  const double along_pads = weight * target_.up.cross(closing).norm();
+  // What acts along the closing direction, the fingers carry without friction. Without a table the
+  // direction of gravity is not known.
+  const double along_pads =
+      around_.scene.table ? weight * target_.up.cross(closing).norm() : weight;
   const double weight_ratio = along_pads / (2.0 * gripper_.friction * gripper_.force);
   if (weight_ratio > options_.bounds.max_weight_ratio)
     return fail(verdict, GraspRejection::weight, weight_ratio, options_.bounds.max_weight_ratio);
@@ -297,17 +300,18 @@ void GraspJudge::require_clear_of_others(Verdict& verdict, const Eigen::Isometry
   if (others < bound) fail(verdict, GraspRejection::other_object, others, bound);
 }
 
-void GraspJudge::require_clear_lift(Verdict& verdict, Search search) const {
+void GraspJudge::require_clear_retreat(Verdict& verdict, Search search) const {
   const double opening = verdict.grasp.opening, retreat = gripper_.retreat_distance;
-  if (verdict.grasp.features.tilt <= backwards_tilt) {  // back the way that it came
+  // Back the way that it came, also where no table tells what is up.
+  if (!around_.scene.table || verdict.grasp.features.tilt <= backwards_tilt) {
     const HandShape swept = hand_shape(gripper_, opening, retreat);
     return require_clear_of_others(verdict, verdict.grasp.T_world_tool, swept.boxes, search);
   }
   const HandShape closed = hand_shape(gripper_, opening, 0.0);
-  // No finger passes over an obstacle between two steps.
-  const double thinnest = std::min(gripper_.finger_width, gripper_.tip_thickness);
-  const double step =
-      std::min(0.01, thinnest + 2.0 * std::max(options_.bounds.object_clearance, 0.0));
+  // A step is at most as long as a finger with its clearance is thick, so that it misses no sample.
+  const double thickness = 0.5 * (gripper_.finger_thickness + gripper_.tip_thickness);
+  const double thinnest = std::min(gripper_.finger_width, thickness);
+  const double step = std::clamp(thinnest + 2.0 * options_.bounds.object_clearance, 0.001, 0.01);
   Eigen::Isometry3d pose = verdict.grasp.T_world_tool;
   for (double height = step; height < retreat + step && !verdict.reason; height += step) {
     pose.translation() =

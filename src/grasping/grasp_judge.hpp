@@ -47,7 +47,7 @@ class GraspJudge {
   void judge_contacts(Verdict& verdict, const Contacts& contacts) const;
   void judge_weight(Verdict& verdict, const Contacts& contacts) const;
   void require_clear_way(Verdict& verdict, Search search) const;
-  void require_clear_lift(Verdict& verdict, Search search) const;
+  void require_clear_retreat(Verdict& verdict, Search search) const;
   /// Adds a rejection if the boxes are too near to other objects.
   void require_clear_of_others(Verdict& verdict, const Eigen::Isometry3d& T_world_tool,
                                std::span<const HandBox> boxes, Search search) const;

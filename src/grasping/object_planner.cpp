@@ -27,16 +27,16 @@ void append(JudgedLines& all, const JudgedLines& more) {
   for (std::size_t i = 0; i < all.level.size(); ++i) all.level[i] += more.level[i];
 }
 
-/// Whether a candidate that failed this bound can be held: only its way there or away is not free.
-/// The table is judged before that.
-bool is_of_way(std::size_t reason) {
+/// Whether candidates with this reason had contacts that hold. Of those at the table that is not
+/// known.
+bool is_after_contact(std::size_t reason) {
   const auto rejection = static_cast<GraspRejection>(reason);
   return rejection > GraspRejection::table && rejection <= GraspRejection::low_quality;
 }
 
 /// Without a grasp: the bound that most candidates failed. Those that close steeply count only if
 /// there are no others, as under an object there is the table. If more than a few places can be
-/// held, what is in the way counts, not that others are too wide.
+/// held, that others cannot does not count.
 GraspRejection main_reason(const JudgedLines& judged, const ObjectGraspSummary& summary) {
   constexpr std::size_t few = 20;  // of the candidates, one in so many
   const bool has_level =
@@ -45,10 +45,10 @@ GraspRejection main_reason(const JudgedLines& judged, const ObjectGraspSummary& 
   std::size_t all = 0, held = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     all += counts[i];
-    if (is_of_way(i)) held += counts[i];
+    if (is_after_contact(i)) held += counts[i];
   }
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (few * held > all && !is_of_way(i)) counts[i] = 0;
+    if (few * held > all && static_cast<GraspRejection>(i) < GraspRejection::table) counts[i] = 0;
   }
   const auto most = std::max_element(counts.begin(), counts.end());
   return *most == 0 ? GraspRejection::no_contact

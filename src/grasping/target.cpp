@@ -172,6 +172,13 @@ SurfaceSamples as_samples(const std::vector<Sample>& list) {
   return samples;
 }
 
+/// Away from the table; without one the mean normal of what was seen, which points roughly to the
+/// camera, as the frame of a single image says nothing about up.
+Eigen::Vector3d up_direction(const GraspScene& scene, const Eigen::Vector3d& seen_from) {
+  if (scene.table) return scene.table->normal;
+  return seen_from.isZero() ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : seen_from;
+}
+
 }  // namespace
 
 SurfaceSamples surface_samples(const ObjectSurface& surface) {
@@ -211,17 +218,6 @@ Eigen::Vector3d mean_seen_normal(std::span<const SurfaceSamples> surfaces) {
   constexpr double least_mean = 0.25;
   return sum.norm() > least_mean * area ? sum.normalized() : Eigen::Vector3d::Zero();
 }
-
-namespace {
-
-/// Away from the table; without one towards the camera, from where a hand can come, as the frame of
-/// a single image says nothing about up.
-Eigen::Vector3d up_direction(const GraspScene& scene, const Eigen::Vector3d& seen_from) {
-  if (scene.table) return scene.table->normal;
-  return seen_from.isZero() ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : seen_from;
-}
-
-}  // namespace
 
 GraspTarget grasp_target(const GraspScene& scene, std::size_t id, const SurfaceSamples& samples,
                          const Eigen::Vector3d& seen_from) {

@@ -45,7 +45,7 @@ struct GraspTarget {
   const GraspObject& description;
   const SurfaceSamples& samples;
   SolidProperties solid;
-  /// Away from the table; without a table towards the camera, or along z if that is not known.
+  /// Away from the table; without a table `seen_from`, or along z if that is not known.
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   /// From where the object was seen, a unit vector; zero if that is not known.
   Eigen::Vector3d seen_from = Eigen::Vector3d::Zero();

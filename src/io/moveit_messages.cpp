@@ -41,28 +41,30 @@ Json MoveItMessages::translation(const Eigen::Vector3d& direction_world, double 
           {"min_distance", ros_.number(std::min(distance, scene_.gripper.finger_depth))}};
 }
 
-Eigen::Vector3d MoveItMessages::up() const {
-  return scene_.table ? scene_.table->normal : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+/// Back the way that the hand came if that is steep or no table tells what is up, else upwards.
+Eigen::Vector3d MoveItMessages::retreat_direction(const Eigen::Vector3d& approach) const {
+  if (!scene_.table) return -approach;
+  const Eigen::Vector3d up = scene_.table->normal;
+  return angle_between(approach, -up) <= backwards_tilt ? Eigen::Vector3d(-approach) : up;
 }
 
 Json MoveItMessages::grasp(std::size_t id) const {
   const Grasp& grasp = scene_.grasps[id];
   const Eigen::Vector3d approach = grasp.T_world_tool.linear().col(2);
-  const bool is_steep = angle_between(approach, -up()) <= backwards_tilt;
   const Gripper& gripper = scene_.gripper;
-  return {{"id", fmt::format("grasp_{}", id)},
-          {"pre_grasp_posture", posture(gripper.max_opening)},
-          {"grasp_posture", posture(grasp.opening)},
-          {"grasp_pose",
-           {{"header", ros_.header(scene_.frame)},
-            {"pose", ros_.pose(scene_.T_frame_world * grasp.T_world_tool * scene_.T_tool_link)}}},
-          {"grasp_quality", ros_.number(grasp.quality)},
-          {"pre_grasp_approach", translation(approach, gripper.approach_distance)},
-          {"post_grasp_retreat",
-           translation(is_steep ? Eigen::Vector3d(-approach) : up(), gripper.retreat_distance)},
-          {"post_place_retreat", translation(-approach, gripper.approach_distance)},
-          {"max_contact_force", ros_.number(gripper.force)},
-          {"allowed_touch_objects", Json::array({message_name(grasp.object)})}};
+  return {
+      {"id", fmt::format("grasp_{}", id)},
+      {"pre_grasp_posture", posture(gripper.max_opening)},
+      {"grasp_posture", posture(grasp.opening)},
+      {"grasp_pose",
+       {{"header", ros_.header(scene_.frame)},
+        {"pose", ros_.pose(scene_.T_frame_world * grasp.T_world_tool * scene_.T_tool_link)}}},
+      {"grasp_quality", ros_.number(grasp.quality)},
+      {"pre_grasp_approach", translation(approach, gripper.approach_distance)},
+      {"post_grasp_retreat", translation(retreat_direction(approach), gripper.retreat_distance)},
+      {"post_place_retreat", translation(-approach, gripper.approach_distance)},
+      {"max_contact_force", ros_.number(gripper.force)},
+      {"allowed_touch_objects", Json::array({message_name(grasp.object)})}};
 }
 
 Json MoveItMessages::mesh(const TriangleMesh& surface) const {

@@ -35,7 +35,7 @@ class MoveItMessages {
  private:
   Json posture(double opening) const;
   Json translation(const Eigen::Vector3d& direction_world, double distance) const;
-  Eigen::Vector3d up() const;
+  Eigen::Vector3d retreat_direction(const Eigen::Vector3d& approach) const;
   Eigen::Isometry3d T_world_table() const;
   std::optional<Eigen::AlignedBox3d> bounds_on_table() const;
 

@@ -90,9 +90,9 @@ Eigen::Isometry3d PickCandidates::T_base_tip(const Eigen::Isometry3d& T_world_to
 
 std::vector<Eigen::Vector3d> PickCandidates::retreat_directions(
     const Eigen::Isometry3d& T_world_tool) const {
-  const Eigen::Vector3d up =
-      scene_.table ? scene_.table->normal : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d approach = T_world_tool.linear().col(2);
+  if (!scene_.table) return {-approach};  // what is up is not known
+  const Eigen::Vector3d up = scene_.table->normal;
   if (angle_between(approach, -up) > backwards_tilt) return {up};
   return {-approach, up};
 }

@@ -108,8 +108,15 @@ TEST_F(GraspCommand, OfABareTableAreNone) {
   fs::remove(file("flat") / "table_plane.txt");
   const Outcome outcome = run("grasp flat -o flat.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_TRUE(json_of("flat.json").at("grasps").empty());
+  EXPECT_TRUE(json_of("flat.json").at("objects").empty());
   EXPECT_NE(outcome.err.find("the table is bare"), std::string::npos) << outcome.err;
+}
+
+TEST_F(GraspCommand, TakesAFaceThatIsTooSmallForATableAsAnObject) {
+  write_box_scene("face", 0.2, 0.0);
+  fs::remove(file("face") / "table_plane.txt");
+  ASSERT_EQ(run("grasp face -o face.json").code, 0);
+  EXPECT_EQ(json_of("face.json").at("objects").size(), 1U);
 }
 
 TEST_F(GraspCommand, TakesAResultOfAnEarlierVersion) {
@@ -180,7 +187,8 @@ TEST_F(GraspCommand, RefusesInputsThatItCannotUse) {
   expect_refusal("grasp nowhere -o new.json", 1, "nowhere");
   expect_refusal("grasp scene --scene scene -o new.json", 1, "a result folder as input");
   expect_refusal("grasp result --plane 0,0,1,0 -o new.json", 1, "found a result");
-  expect_refusal("grasp result --no-table -o new.json", 1, "found a result");
+  expect_refusal("grasp result --no-table -o new.json", 1, "--no-table");
+  expect_refusal("grasp result --depth-scale 1000 -o new.json", 1, "--depth-scale");
   expect_refusal("grasp result -o result/grasps.json", 1, "outside the input");
 }
 

@@ -7,6 +7,7 @@
 
 #include "clutter_scenes.hpp"
 #include "core/rigid_motion.hpp"
+#include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
 
 namespace symscene {
@@ -66,6 +67,22 @@ TEST(GraspabilityTest, AFlatWideBoxNeedsRoomBeneath) {
   EXPECT_FALSE(of_box(slab, 0.02).as_it_lies) << "the palm would enter the table";
   EXPECT_TRUE(of_box(slab, 0.12).as_it_lies);
   EXPECT_TRUE(of_box({0.12F, 0.03F, 0.12F}).as_it_lies);
+}
+
+TEST(GraspabilityTest, ALowBoxCanBeHeldHoweverItIsTurned) {
+  const TriangleMesh box = box_surface({0.03F, 0.09F, 0.008F});
+  for (const double angle : {0.0, 15.0, 40.0}) {
+    const Eigen::Isometry3d T =
+        Eigen::Translation3d(0.0, 0.0, 0.004) *
+        Eigen::Isometry3d(Eigen::AngleAxisd(radians(angle), Eigen::Vector3d::UnitZ()));
+    EXPECT_TRUE(graspability(transformed(box, T), table, panda_hand(), min_width).as_it_lies)
+        << angle;
+  }
+}
+
+TEST(GraspabilityTest, IsOfParallelGrippersOnly) {
+  EXPECT_THROW(graspability(box_surface({0.05F, 0.05F, 0.05F}), table, reflex_gripper()),
+               InputError);
 }
 
 TEST(GraspabilityTest, AWallThinnerThanAClosedHandCannotBeHeld) {

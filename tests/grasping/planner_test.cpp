@@ -138,7 +138,7 @@ TEST(PlanGrasps, LeavesRoomForTheHandToRetreat) {
   GraspScene scene = on_table({cylinder_at(0.03, 0.12, 0.0, 0.0)});
   const Gripper gripper = panda_hand();
   ASSERT_LT(gripper.approach_distance, gripper.retreat_distance);
-  constexpr double board = 0.31;  // [m] above the way there of a hand from above
+  constexpr double board = 0.33;  // [m] above the way there of a hand from above
   for (int i = -60; i <= 60; ++i) {
     for (int j = -60; j <= 60; ++j) {
       scene.obstacles.conservativeResize(scene.obstacles.rows() + 1, 3);
@@ -146,7 +146,9 @@ TEST(PlanGrasps, LeavesRoomForTheHandToRetreat) {
           static_cast<float>(0.004 * j), static_cast<float>(board);
     }
   }
-  for (const Grasp& grasp : plan_grasps(scene, gripper).grasps) {
+  const GraspPlan plan = plan_grasps(scene, gripper);
+  ASSERT_FALSE(plan.grasps.empty());
+  for (const Grasp& grasp : plan.grasps) {
     const bool is_backwards = grasp.features.tilt <= backwards_tilt;
     const Eigen::Vector3d away = is_backwards ? Eigen::Vector3d(-grasp.T_world_tool.linear().col(2))
                                               : Eigen::Vector3d(Eigen::Vector3d::UnitZ());

@@ -180,6 +180,15 @@ TEST_F(MoveItTest, GivesThePoseOfTheWristInTheFrame) {
   EXPECT_EQ(grasp.at("allowed_touch_objects"), Json::array({"object_1"}));
 }
 
+TEST_F(MoveItTest, RetreatsTheWayThatTheHandCameWhereNoTableTellsWhatIsUp) {
+  grasps[0].T_world_tool = Eigen::Isometry3d::Identity();  // along z, as a camera looks
+  MoveItScene without = scene();
+  without.table.reset();
+  const Json grasp = Json::parse(format_moveit_json(without)).at("grasps")[0];
+  const Json& retreat = grasp.at("post_grasp_retreat").at("direction").at("vector");
+  EXPECT_TRUE(vector_of(retreat).isApprox(-Eigen::Vector3d::UnitZ(), 1e-9));
+}
+
 TEST_F(MoveItTest, PutsObjectsIntoTheFrameAndTheTableBelowThem) {
   const Json objects = Json::parse(format_moveit_json(scene())).at("collision_objects");
   EXPECT_EQ(objects[0].at("id"), "object_1");

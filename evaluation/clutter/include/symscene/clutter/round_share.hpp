@@ -24,8 +24,8 @@ struct ShareCounts {
 
 /// A share with its 95 % interval by resampling whole rounds, as attempts of one round depend on
 /// each other. Where all samples have the same share, as when nothing failed, they say nothing
-/// about its uncertainty: the interval is then that of Wilson (1927) for independent attempts. Of
-/// nothing it is 0 to 1.
+/// about its uncertainty: the interval is then that of Wilson (1927) for independent attempts. If
+/// nothing was counted, the interval is 0 to 1.
 struct RoundShare {
   double value = 0.0;
   double low = 0.0;
