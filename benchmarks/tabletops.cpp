@@ -123,7 +123,7 @@ void print_table(const TableClearing& table) {
 
 /// Which of the meshes that are thick enough the hand could hold nowhere.
 void print_models(const std::vector<ObjectModel>& models, const TableClearingOptions& options) {
-  // Far below, so that it takes no room from the fingertips.
+  // Far below, so that it takes no room from the hand.
   const Plane table{Eigen::Vector3d::UnitZ(), 1e3};
   Gripper gripper = panda_hand();
   gripper.friction = options.physics.finger_friction;
