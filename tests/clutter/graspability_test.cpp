@@ -36,8 +36,8 @@ TriangleMesh rough_cylinder(float radius, float height) {
     const float angle =
         2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(facets);
     const float r = i % 2 == 0 ? radius : 0.95F * radius;
-    const auto next = static_cast<int>((i + 1) % facets), here = static_cast<int>(i);
-    const int top = static_cast<int>(facets);
+    const auto next = static_cast<Index>((i + 1) % facets), here = static_cast<Index>(i);
+    const auto top = static_cast<Index>(facets);
     mesh.vertices.row(i) << r * std::cos(angle), r * std::sin(angle), 0.0F;
     mesh.vertices.row(facets + i) << r * std::cos(angle), r * std::sin(angle), height;
     mesh.triangles.row(4 * i) << here, next, top + next;
