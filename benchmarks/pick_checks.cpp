@@ -149,17 +149,14 @@ class MeshCheck {
 
   /// The object with most of its surface between the open fingers; `no_object` if none is there.
   std::size_t object_between_fingers(const Eigen::VectorXd& positions) const {
-    const Eigen::Isometry3f T_tool_world = T_world_tool(positions).inverse().cast<float>();
-    const Eigen::Vector3d half(0.5 * gripper_.finger_width, 0.5 * gripper_.max_opening, 0.0);
-    const Eigen::AlignedBox3f between(
-        (-half).cast<float>(),
-        (half + gripper_.finger_depth * Eigen::Vector3d::UnitZ()).cast<float>());
+    const Eigen::Isometry3d T_tool_world = T_world_tool(positions).inverse();
+    const Eigen::AlignedBox3d between = box_between_fingers(gripper_, gripper_.max_opening);
     std::size_t held = no_object, most = 0;
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
       const PointCloud points = sample_surface(meshes_[i], surface_samples);
       std::size_t inside = 0;
       for (Index k = 0; k < points.size(); ++k)
-        inside += between.contains(T_tool_world * points.position(k)) ? 1 : 0;
+        inside += between.contains(T_tool_world * points.position(k).cast<double>()) ? 1 : 0;
       if (inside <= most) continue;
       most = inside;
       held = i;

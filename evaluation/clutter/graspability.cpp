@@ -61,7 +61,7 @@ class OpenHand {
         surface_(surface.positions.cast<double>().transpose()),
         normals_(surface.normals.cast<double>().transpose()),
         boxes_(gripper_boxes(gripper, gripper.max_opening)),
-        half_width_(0.5 * gripper.finger_width),
+        between_(box_between_fingers(gripper, gripper.max_opening)),
         finger_depth_(gripper.finger_depth),
         least_cosine_(std::cos(std::atan(gripper.friction))) {
     for (Eigen::AlignedBox3d& box : boxes_) box.min().z() -= gripper.approach_distance;
@@ -109,28 +109,27 @@ class OpenHand {
 
   /// `points`: the surface in the tool frame.
   bool enters_object(const Eigen::Matrix3Xd& points) const {
-    for (const Eigen::AlignedBox3d& box : boxes_) {
-      const auto inside = (points.array() >= box.min().array().replicate(1, points.cols())) &&
-                          (points.array() <= box.max().array().replicate(1, points.cols()));
-      if (inside.colwise().all().any()) return true;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      for (const Eigen::AlignedBox3d& box : boxes_) {
+        if (box.contains(points.col(i))) return true;
+      }
     }
     return false;
   }
 
   /// Whether what both pads touch first is no mere edge and faces them within the friction angle.
   bool can_close(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& closing) const {
-    const auto is_between = (points.row(0).array().abs() <= half_width_ &&
-                             points.row(2).array() >= 0.0 && points.row(2).array() <= finger_depth_)
-                                .eval();
+    std::vector<Eigen::Index> between;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      if (between_.contains(points.col(i))) between.push_back(i);
+    }
     const auto faces_pad = [&](double side) {
       double foremost = -std::numeric_limits<double>::infinity();
-      for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        if (is_between[i]) foremost = std::max(foremost, side * points(1, i));
-      }
+      for (const Eigen::Index i : between) foremost = std::max(foremost, side * points(1, i));
       Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-      double low = finger_depth_, high = 0.0;
-      for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        if (!is_between[i] || side * points(1, i) < foremost - contact_give) continue;
+      double low = between_.max().z(), high = 0.0;
+      for (const Eigen::Index i : between) {
+        if (side * points(1, i) < foremost - contact_give) continue;
         normal += normals_.col(i);
         low = std::min(low, points(2, i));
         high = std::max(high, points(2, i));
@@ -144,8 +143,8 @@ class OpenHand {
   Plane table_;
   Eigen::Matrix3Xd surface_, normals_;
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< swept by the approach
-  double half_width_, finger_depth_;
-  double least_cosine_;
+  Eigen::AlignedBox3d between_;
+  double finger_depth_, least_cosine_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/retreat.hpp"
 #include "grasping/quality.hpp"
 #include "hand_collision.hpp"
 #include "squared_distances.hpp"
@@ -302,8 +303,7 @@ void GraspJudge::require_clear_of_others(Verdict& verdict, const Eigen::Isometry
 
 void GraspJudge::require_clear_retreat(Verdict& verdict, Search search) const {
   const double opening = verdict.grasp.opening, retreat = gripper_.retreat_distance;
-  // Back the way that it came, also where no table tells what is up.
-  if (!around_.scene.table || verdict.grasp.features.tilt <= backwards_tilt) {
+  if (retreats_backwards(verdict.grasp.T_world_tool.linear().col(2), around_.scene.table)) {
     const HandShape swept = hand_shape(gripper_, opening, retreat);
     return require_clear_of_others(verdict, verdict.grasp.T_world_tool, swept.boxes, search);
   }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/retreat.hpp"
+
 namespace symscene {
 namespace {
 
@@ -41,11 +43,9 @@ Json MoveItMessages::translation(const Eigen::Vector3d& direction_world, double 
           {"min_distance", ros_.number(std::min(distance, scene_.gripper.finger_depth))}};
 }
 
-/// Back the way that the hand came if that is steep or no table tells what is up, else upwards.
 Eigen::Vector3d MoveItMessages::retreat_direction(const Eigen::Vector3d& approach) const {
-  if (!scene_.table) return -approach;
-  const Eigen::Vector3d up = scene_.table->normal;
-  return angle_between(approach, -up) <= backwards_tilt ? Eigen::Vector3d(-approach) : up;
+  if (retreats_backwards(approach, scene_.table)) return -approach;
+  return scene_.table->normal;
 }
 
 Json MoveItMessages::grasp(std::size_t id) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/retreat.hpp"
 #include "straight_way.hpp"
 #include "surface_points.hpp"
 #include "symscene/core/geometry.hpp"
@@ -91,9 +92,9 @@ Eigen::Isometry3d PickCandidates::T_base_tip(const Eigen::Isometry3d& T_world_to
 std::vector<Eigen::Vector3d> PickCandidates::retreat_directions(
     const Eigen::Isometry3d& T_world_tool) const {
   const Eigen::Vector3d approach = T_world_tool.linear().col(2);
-  if (!scene_.table) return {-approach};  // what is up is not known
+  if (!scene_.table) return {-approach};
   const Eigen::Vector3d up = scene_.table->normal;
-  if (angle_between(approach, -up) > backwards_tilt) return {up};
+  if (!retreats_backwards(approach, scene_.table)) return {up};
   return {-approach, up};
 }
 

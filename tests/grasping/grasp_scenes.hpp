@@ -61,6 +61,14 @@ inline GraspScene clutter() {
                    box_at({0.03, 0.15, 0.04}, 0.1, -0.15)});
 }
 
+inline std::vector<Grasp> grasps_of(const GraspPlan& plan, int object) {
+  std::vector<Grasp> grasps;
+  for (const Grasp& grasp : plan.grasps) {
+    if (grasp.object == object) grasps.push_back(grasp);
+  }
+  return grasps;
+}
+
 /// The boxes that the open gripper sweeps on its way to a grasp.
 inline std::vector<HandBox> swept_boxes(const Gripper& gripper) {
   return hand_shape(gripper, gripper.max_opening, gripper.approach_distance).boxes;

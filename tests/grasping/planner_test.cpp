@@ -10,7 +10,6 @@
 #include "grasping/hand_collision.hpp"
 #include "grasping/hand_shape.hpp"
 #include "grasping/target.hpp"
-#include "symscene/core/error.hpp"
 #include "threads.hpp"
 
 namespace symscene {
@@ -19,16 +18,9 @@ namespace {
 using testing::box_at;
 using testing::clutter;
 using testing::cylinder_at;
+using testing::grasps_of;
 using testing::on_table;
 using testing::swept_boxes;
-
-std::vector<Grasp> grasps_of(const GraspPlan& plan, int object) {
-  std::vector<Grasp> grasps;
-  for (const Grasp& grasp : plan.grasps) {
-    if (grasp.object == object) grasps.push_back(grasp);
-  }
-  return grasps;
-}
 
 /// How deep a point of the surface lies in the boxes. [m]
 double penetration(const TriangleMesh& mesh, const Grasp& grasp,
@@ -139,13 +131,11 @@ TEST(PlanGrasps, LeavesRoomForTheHandToRetreat) {
   const Gripper gripper = panda_hand();
   ASSERT_LT(gripper.approach_distance, gripper.retreat_distance);
   constexpr double board = 0.33;  // [m] above the way there of a hand from above
-  for (int i = -60; i <= 60; ++i) {
-    for (int j = -60; j <= 60; ++j) {
-      scene.obstacles.conservativeResize(scene.obstacles.rows() + 1, 3);
-      scene.obstacles.row(scene.obstacles.rows() - 1) << static_cast<float>(0.004 * i),
-          static_cast<float>(0.004 * j), static_cast<float>(board);
-    }
-  }
+  constexpr int across = 121;
+  scene.obstacles.resize(across * across, 3);
+  for (int i = 0; i < across * across; ++i)
+    scene.obstacles.row(i) << 0.004F * static_cast<float>(i % across - across / 2),
+        0.004F * static_cast<float>(i / across - across / 2), static_cast<float>(board);
   const GraspPlan plan = plan_grasps(scene, gripper);
   ASSERT_FALSE(plan.grasps.empty());
   for (const Grasp& grasp : plan.grasps) {
@@ -275,157 +265,12 @@ TEST(PlanGrasps, TellsHowDeepARejectedGripperWouldReach) {
   EXPECT_GT(own, 0);
 }
 
-TEST(PlanGrasps, SaysThatAnObjectIsTooWide) {
-  const GraspPlan plan =
-      plan_grasps(on_table({box_at({0.12, 0.12, 0.12}, 0.0, 0.0)}), panda_hand());
-  EXPECT_TRUE(plan.grasps.empty());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::too_wide);
-}
-
-TEST(PlanGrasps, SaysWhatIsInTheWayOfAPlaceThatCanBeHeld) {
-  // 20 cm long and 5 cm wide: candidates along it are too wide, those across it meet two walls.
-  const GraspPlan plan =
-      plan_grasps(on_table({box_at({0.2, 0.05, 0.2}, 0.0, 0.0), box_at({0.3, 0.05, 0.3}, 0.0, 0.06),
-                            box_at({0.3, 0.05, 0.3}, 0.0, -0.06)}),
-                  panda_hand());
-  EXPECT_TRUE(grasps_of(plan, 0).empty());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::other_object);
-}
-
-TEST(PlanGrasps, SaysThatAFlatObjectLiesTooLow) {
-  const GraspPlan plan =
-      plan_grasps(on_table({box_at({0.05, 0.2, 0.003}, 0.0, 0.0)}), panda_hand());
-  EXPECT_TRUE(plan.grasps.empty());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::table);
-}
-
-TEST(PlanGrasps, SaysThatAnObjectIsBuriedAmongOthers) {
-  const GraspPlan plan = plan_grasps(
-      on_table({box_at({0.05, 0.05, 0.05}, 0.0, 0.0), box_at({0.2, 0.06, 0.2}, 0.0, 0.06),
-                box_at({0.2, 0.06, 0.2}, 0.0, -0.06), box_at({0.06, 0.05, 0.2}, 0.06, 0.0),
-                box_at({0.06, 0.05, 0.2}, -0.06, 0.0)}),
-      panda_hand());
-  EXPECT_TRUE(grasps_of(plan, 0).empty());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::other_object);
-}
-
-TEST(PlanGrasps, SaysThatAnObjectHasNoSurface) {
-  const GraspPlan plan = plan_grasps(on_table({GraspObject{}}), panda_hand());
-  EXPECT_TRUE(plan.grasps.empty());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::no_surface);
-}
-
-/// An inside-out surface has no volume and no centre of mass.
-TEST(PlanGrasps, SaysThatASurfaceHasNoVolume) {
-  GraspObject object = box_at({0.05, 0.05, 0.1}, 0.0, 0.0);
-  object.surface.mesh.triangles.col(1).swap(object.surface.mesh.triangles.col(2));
-  const GraspPlan plan = plan_grasps(on_table({object}), panda_hand());
-  EXPECT_TRUE(plan.grasps.empty());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::no_surface);
-}
-
-/// Its samples, millimetres apart, would fill the memory.
-TEST(PlanGrasps, RefusesSurfacesInMillimetres) {
-  const GraspScene scene = on_table({box_at({0.05, 0.05, 0.1}, 0.0, 0.0),
-                                     testing::seen_all_over(make_box({50.0, 50.0, 100.0}, 10.0))});
-  EXPECT_THROW(plan_grasps(scene, panda_hand()), InputError);
-}
-
-TEST(PlanGrasps, TakesSurfacesOfFurniture) {
-  const GraspScene scene = on_table({testing::seen_all_over(make_box({0.8, 0.4, 0.4}, 0.3)),
-                                     box_at({0.05, 0.05, 0.1}, 1.0, 0.0)});
-  const GraspPlan plan = plan_grasps(scene, panda_hand());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::too_wide);
-  EXPECT_FALSE(grasps_of(plan, 1).empty());
-}
-
-TEST(PlanGrasps, OfNoObjectIsEmpty) {
-  const GraspPlan plan = plan_grasps(GraspScene{}, panda_hand());
-  EXPECT_TRUE(plan.grasps.empty());
-  EXPECT_TRUE(plan.objects.empty());
-}
-
-/// The table says so: nothing can be approached from below it.
-TEST(PlanGrasps, FindsNoGraspBelowTheTable) {
-  GraspScene scene = clutter();
-  scene.table = transformed(Plane{}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.5)));
-  const GraspPlan plan = plan_grasps(scene, panda_hand());
-  EXPECT_TRUE(plan.grasps.empty());
-  for (const ObjectGraspSummary& object : plan.objects)
-    EXPECT_EQ(object.reason, GraspRejection::table);
-}
-
 TEST(PlanGrasps, OpensTheThreeFingerHandForWiderObjects) {
   const GraspScene scene = on_table({cylinder_at(0.06, 0.15, 0.0, 0.0)});
   EXPECT_TRUE(plan_grasps(scene, panda_hand()).grasps.empty());
   const GraspPlan plan = plan_grasps(scene, reflex_gripper());
   ASSERT_FALSE(plan.grasps.empty());
   EXPECT_NEAR(plan.grasps.front().opening, 0.12, 0.01);
-}
-
-TEST(PlanGrasps, RefusesAGripperThatContradictsItself) {
-  Gripper gripper = panda_hand();
-  gripper.min_opening = 0.1;
-  EXPECT_THROW(plan_grasps(clutter(), gripper), InputError);
-}
-
-/// 0.8 m wide around the origin, all in one state.
-OccupancyGrid space(VoxelState state) {
-  OccupancyGrid grid;
-  grid.frame.origin = {-0.4F, -0.4F, -0.05F};
-  grid.frame.resolution = 0.005F;
-  grid.frame.size = {160, 160, 90};
-  grid.states.assign(grid.frame.voxels(), state);
-  return grid;
-}
-
-/// Makes the voxels between two values of x never seen, up to a height. [m]
-void hide(OccupancyGrid& grid, float from, float to, float height) {
-  for (std::size_t i = 0; i < grid.states.size(); ++i) {
-    const auto along = [&](std::size_t index, int axis) {
-      return grid.frame.origin[axis] + (static_cast<float>(index) + 0.5F) * grid.frame.resolution;
-    };
-    const float x = along(i % grid.frame.row_length(), 0);
-    if (x > from && x < to && along(i / grid.frame.slice_length(), 2) < height)
-      grid.states[i] = VoxelState::never_seen;
-  }
-}
-
-TEST(PlanGrasps, TreatsSpaceThatWasNeverSeenAsOccupied) {
-  GraspScene scene = on_table({box_at({0.05, 0.05, 0.1}, 0.0, 0.0)});
-  scene.space = space(VoxelState::free);
-  EXPECT_FALSE(plan_grasps(scene, panda_hand()).grasps.empty());
-  // Only the face towards −x and what is before it was seen.
-  hide(*scene.space, -0.02F, 1.0F, 1.0F);
-  GraspOptions options;
-  options.bounds.own_reach = 0.0;
-  const GraspPlan plan = plan_grasps(scene, panda_hand(), options);
-  EXPECT_TRUE(plan.grasps.empty());
-  EXPECT_GT(plan.objects[0].rejected.at(static_cast<std::size_t>(GraspRejection::never_seen)), 0);
-}
-
-TEST(PlanGrasps, ReachesIntoTheSpaceThatTheObjectItselfHides) {
-  GraspScene scene = on_table({box_at({0.05, 0.05, 0.1}, 0.0, 0.0)});
-  scene.space = space(VoxelState::free);
-  hide(*scene.space, 0.02F, 0.06F, 0.1F);  // behind the object
-  const auto has_finger_behind = [&](const GraspOptions& options) {
-    const GraspPlan plan = plan_grasps(scene, panda_hand(), options);
-    return std::any_of(plan.grasps.begin(), plan.grasps.end(), [](const Grasp& grasp) {
-      return std::abs(grasp.T_world_tool.linear()(0, 1)) > 0.9;
-    });
-  };
-  EXPECT_TRUE(has_finger_behind({}));
-  GraspOptions options;
-  options.bounds.own_reach = 0.0;
-  EXPECT_FALSE(has_finger_behind(options));
-}
-
-TEST(PlanGrasps, SaysThatAnObjectIsOutsideTheMappedSpace) {
-  GraspScene scene = on_table({box_at({0.05, 0.05, 0.1}, 0.0, 0.0)});
-  scene.space = space(VoxelState::never_seen);
-  const GraspPlan plan = plan_grasps(scene, panda_hand());
-  EXPECT_TRUE(plan.grasps.empty());
-  EXPECT_EQ(plan.objects[0].reason, GraspRejection::outside_space);
 }
 
 }  // namespace
