@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,21 +13,12 @@
 #include "symscene/core/error.hpp"
 #include "symscene/io/camera_file.hpp"
 #include "symscene/io/intrinsics.hpp"
+#include "value_checks.hpp"
 
 namespace symscene::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// CLI11 alone would wrap negative and large numbers around.
-std::string check_whole(const std::string& text) {
-  std::uint64_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, number);
-  if (error == std::errc{} && after == end) return "";
-  return fmt::format("expected a whole number from 0 to {}, found {}",
-                     std::numeric_limits<std::uint64_t>::max(), text);
-}
 
 /// The four numbers of "fx,fy,cx,cy", or the camera of a file; nothing if it is neither.
 std::optional<CameraIntrinsics> parse_intrinsics_option(const std::string& text) {
@@ -50,15 +40,6 @@ bool names_camera_file(const std::string& text) {
   return is_camera_file(text) && fs::is_regular_file(text);
 }
 
-/// Values of depth images per metre: from 10 m to a micrometre per value.
-std::string check_depth_scale(const std::string& text) {
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, number);
-  const bool is_scale = error == std::errc{} && after == end && number >= 0.1 && number <= 1e6;
-  return is_scale ? "" : "expected a number in [0.1, 1000000], found " + text;
-}
-
 std::string check_intrinsics(const std::string& text) {
   try {
     if (names_camera_file(text)) return read_camera_model(text), "";
@@ -71,6 +52,14 @@ std::string check_intrinsics(const std::string& text) {
 }
 
 }  // namespace
+
+void add_options_of_all(CommandLine& line, SharedOptions& before) {
+  Arguments arguments(line);
+  arguments.threads(before);
+  arguments.reporting(before);
+}
+
+Arguments::Arguments(CommandLine& line) : line_(line), command_(line.parser) {}
 
 Arguments::Arguments(CommandLine& line, const char* name, const char* summary, const char* example)
     : line_(line), command_(*line.parser.add_subcommand(name, summary)) {
@@ -85,12 +74,28 @@ void Arguments::inputs(std::vector<fs::path>& values, const char* name, const st
   command_.add_option(name, values, help)->required()->type_name("");
 }
 
-void Arguments::required_output(SharedOptions& shared, const std::string& help) {
-  command_.add_option("-o,--output", shared.output, help)->required()->type_name("OUT");
+void Arguments::optional_input(fs::path& value, const char* name, const std::string& help) {
+  command_.add_option(name, value, help)->type_name("");
 }
 
-void Arguments::optional_output(SharedOptions& shared, const std::string& help) {
-  command_.add_option("-o,--output", shared.output, help)->type_name("OUT");
+void Arguments::words(std::vector<std::string>& values, const char* name, const std::string& help) {
+  command_.add_option(name, values, help)->type_name("");
+}
+
+void Arguments::output_folder(SharedOptions& shared, const std::string& help) {
+  command_.add_option("-o,--output", shared.output, help)->required()->type_name("FOLDER");
+}
+
+void Arguments::optional_output_folder(SharedOptions& shared, const std::string& help) {
+  command_.add_option("-o,--output", shared.output, help)->type_name("FOLDER");
+}
+
+void Arguments::output_file(SharedOptions& shared, const std::string& help) {
+  command_.add_option("-o,--output", shared.output, help)->required()->type_name("FILE");
+}
+
+void Arguments::optional_output_file(SharedOptions& shared, const std::string& help) {
+  command_.add_option("-o,--output", shared.output, help)->type_name("FILE");
 }
 
 void Arguments::file(const char* flag, fs::path& value, const std::string& help) {
@@ -102,24 +107,30 @@ void Arguments::folder(const char* flag, fs::path& value, const std::string& hel
 }
 
 void Arguments::flag(const char* name, bool& value, const std::string& help) {
-  command_.add_flag(name, value, help);
+  command_.add_flag(name, value, help)->disable_flag_override();
 }
 
 void Arguments::choice(const char* flag, std::string& value,
                        const std::vector<std::string>& choices, const std::string& help) {
   command_.add_option(flag, value, help)
       ->type_name(fmt::format("{}", fmt::join(choices, "|")))
-      ->check(CLI::IsMember(choices).description(""));
+      ->check([choices](const std::string& text) { return check_choice(text, choices); });
 }
 
-void Arguments::text(const char* flag, std::string& value, const std::string& help) {
-  command_.add_option(flag, value, help)->type_name("TEXT");
+void Arguments::text(const char* flag, const char* kind, std::string& value,
+                     const std::string& help) {
+  command_.add_option(flag, value, help)->type_name(kind);
 }
 
-void Arguments::count(const char* flag, std::optional<int>& value, const std::string& help) {
+void Arguments::count(const char* flag, std::optional<int>& value, const Range& range,
+                      const std::string& help) {
   command_.add_option(flag, value, help)
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000).description(""));
+      ->type_name("NUMBER")
+      ->check([range](const std::string& text) { return check_whole_number(text, range); });
+}
+
+void Arguments::every(std::optional<int>& value, const std::string& help) {
+  count("--every", value, between(1, 1000000), help);
 }
 
 void Arguments::sequence_options(SequenceOptions& options) {
@@ -140,7 +151,7 @@ void Arguments::sequence_options(SequenceOptions& options) {
   command_
       .add_option("--depth-scale", options.depth_scale,
                   "values of the depth images per metre, e.g. 1000; replaces that of the sequence")
-      ->type_name("N")
+      ->type_name("NUMBER")
       ->check(check_depth_scale);
 }
 
@@ -148,33 +159,43 @@ void Arguments::seed(std::optional<std::uint64_t>& value, std::uint64_t default_
   command_
       .add_option("--seed", value,
                   fmt::format("seed of all random numbers (default {})", default_seed))
-      ->type_name("S")
-      ->check(check_whole);
+      ->type_name("NUMBER")
+      ->check([](const std::string& text) { return check_whole_number(text, at_least(0)); });
 }
 
 void Arguments::threads(SharedOptions& shared) {
   command_
       .add_option("--threads", shared.threads,
                   "maximal number of threads, 0 for all cores; results do not depend on it")
-      ->type_name("N")
-      ->check(CLI::Range(0, 4096).description(""));
+      ->type_name("NUMBER")
+      ->check([](const std::string& text) { return check_whole_number(text, between(0, 4096)); });
 }
 
 void Arguments::reporting(SharedOptions& shared) {
-  command_.add_flag("-v,--verbose", shared.verbose, "print the time of each stage");
-  command_.add_flag("--quiet", shared.quiet, "print nothing but warnings and errors");
-  command_.add_flag("--json", shared.json, "print a line of JSON at the end");
+  flag("-v,--verbose", shared.verbose, "print the time of each stage");
+  flag("-q,--quiet", shared.quiet, "print nothing but warnings and errors");
+  flag("--json", shared.json,
+       "print a line of JSON, and nothing else, on standard output; what people read "
+       "goes to standard error");
 }
 
 void Arguments::config(SharedOptions& shared, const std::function<OptionFields()>& configure) {
   file("--config", shared.config, "JSON file with options of the stages, see `symscene options`");
-  command_.add_flag_callback(
-      "--dump-config",
-      [configure] {
-        print_output(format_config(configure()));
-        throw CLI::Success();
-      },
-      "print all options of the stages in the format of --config, with unit, range and help");
+  const auto dump = [configure](const CLI::results_t& values) {
+    const std::string& form = values.back();
+    if (form != "true" && form != "annotated")
+      throw CLI::ValidationError("--dump-config", "expected nothing or annotated, found " + form);
+    print_output(format_config(configure(), form == "annotated"));
+    throw CLI::Success();
+    return true;
+  };
+  command_
+      .add_option("--dump-config", dump,
+                  "print all options of the stages as JSON in the format of --config; "
+                  "--dump-config=annotated adds unit, range and help as comments, which --config "
+                  "reads too")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->expected(0);
   line_.configurable.push_back({command_.get_name(), configure});
 }
 

@@ -43,26 +43,38 @@ struct CommandLine {
 class Arguments {
  public:
   Arguments(CommandLine& line, const char* name, const char* summary, const char* example);
+  /// Adds options to the whole command.
+  explicit Arguments(CommandLine& line);
 
   void input(std::filesystem::path& value, const char* name, const std::string& help);
   /// One or more.
   void inputs(std::vector<std::filesystem::path>& values, const char* name,
               const std::string& help);
-  void required_output(SharedOptions& shared, const std::string& help);
-  void optional_output(SharedOptions& shared, const std::string& help);
+  void optional_input(std::filesystem::path& value, const char* name, const std::string& help);
+  /// None, one or more.
+  void words(std::vector<std::string>& values, const char* name, const std::string& help);
+  void output_folder(SharedOptions& shared, const std::string& help);
+  void optional_output_folder(SharedOptions& shared, const std::string& help);
+  void output_file(SharedOptions& shared, const std::string& help);
+  void optional_output_file(SharedOptions& shared, const std::string& help);
   void file(const char* flag, std::filesystem::path& value, const std::string& help);
   void folder(const char* flag, std::filesystem::path& value, const std::string& help);
   void flag(const char* name, bool& value, const std::string& help);
   /// One of `choices`, or none.
   void choice(const char* flag, std::string& value, const std::vector<std::string>& choices,
               const std::string& help);
-  void text(const char* flag, std::string& value, const std::string& help);
-  void count(const char* flag, std::optional<int>& value, const std::string& help);
+  /// `kind` says in the help what the text is: NAME, X,Y,Z.
+  void text(const char* flag, const char* kind, std::string& value, const std::string& help);
+  /// A whole number; `range` is that of the option of a stage that it sets, see range_of().
+  void count(const char* flag, std::optional<int>& value, const Range& range,
+             const std::string& help);
+  /// --every, which takes every N-th frame.
+  void every(std::optional<int>& value, const std::string& help);
   /// --intrinsics and --depth-scale, for sequences whose files do not give them.
   void sequence_options(SequenceOptions& options);
   void seed(std::optional<std::uint64_t>& value, std::uint64_t default_seed);
   void threads(SharedOptions& shared);
-  /// -v, --quiet and --json.
+  /// -v, -q and --json.
   void reporting(SharedOptions& shared);
   /// --config and --dump-config. `configure` returns the fields with file and flags applied; add
   /// the flags that it reads before.
@@ -76,6 +88,10 @@ class Arguments {
   CommandLine& line_;
   CLI::App& command_;
 };
+
+/// Adds --threads, -v, -q and --json to the whole command, where they may stand before the
+/// subcommand. main() moves them behind it; `before` gets them where there is none.
+void add_options_of_all(CommandLine& line, SharedOptions& before);
 
 /// Throws InputError if writing `output` would change the file or folder `input` or its contents.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);

@@ -24,9 +24,9 @@ std::optional<Number> number_at_front(std::string_view& text) {
 }  // namespace
 
 void BoardArguments::add_to(Arguments& arguments) {
-  arguments.text("--board", size,
+  arguments.text("--board", "COLUMNSxROWS", size,
                  "corners of the checkerboard where four squares meet, along both edges, e.g. 8x6");
-  arguments.text("--square", square, "edge of a square [m], e.g. 0.0245");
+  arguments.text("--square", "METRES", square, "edge of a square [m], e.g. 0.0245");
 }
 
 Board BoardArguments::board() const {

@@ -177,7 +177,7 @@ void add_calibrate_depth(CommandLine& line) {
                   "depth images of a flat wall from the nearest to the farthest distance of use, a "
                   "sequence in any layout that reconstruct reads; with --board also infrared or "
                   "registered colour images");
-  arguments.required_output(state->shared, "camera.yaml to write");
+  arguments.output_file(state->shared, "camera.yaml to write");
   arguments.sequence_options(state->source);
   arguments.flag("--wall", state->wall,
                  "the images show a flat wall or board at several distances; what is not on it is "

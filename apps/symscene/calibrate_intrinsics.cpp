@@ -193,7 +193,7 @@ void add_calibrate_intrinsics(CommandLine& line) {
                       "-o camera.yaml --page camera.html");
   arguments.inputs(state->paths, "IMAGES",
                    "infrared or colour images of the camera, or folders of them, one resolution");
-  arguments.required_output(state->shared, "camera.yaml to write");
+  arguments.output_file(state->shared, "camera.yaml to write");
   state->board_arguments.add_to(arguments);
   arguments.folder("--color", state->color,
                    "images of the colour camera taken at the same moments, in the same order: its "

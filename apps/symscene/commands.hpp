@@ -14,7 +14,8 @@
   SUBCOMMAND(symmetry)                   \
   SUBCOMMAND(view)                       \
   SUBCOMMAND(info)                       \
-  SUBCOMMAND(options)
+  SUBCOMMAND(options)                    \
+  SUBCOMMAND(help)
 
 // Those of the evaluation's wing. The simulation's need SYMSCENE_BUILD_SIMULATION or
 // SYMSCENE_BUILD_EVALUATION, the others SYMSCENE_BUILD_EVALUATION.

@@ -176,7 +176,8 @@ void validate_with(const std::filesystem::path& file, const std::function<void()
   }
 }
 
-std::string format_config(const OptionFields& fields) {
+std::string format_config(const OptionFields& fields, bool annotated) {
+  if (!annotated) return config_values(fields).dump(2) + "\n";
   constexpr std::size_t column = 44;
   std::string text;
   auto field = fields.begin();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -48,6 +49,15 @@ OptionFields option_fields(Options& options) {
   OptionFields fields;
   Options::visit_fields(options, FieldCollector(fields, ""));
   return fields;
+}
+
+/// The range of the option of that name.
+template <class Options>
+Range range_of(Options options, const std::string& name) {
+  for (const OptionField& field : option_fields(options)) {
+    if (field.name == name) return field.range;
+  }
+  throw std::logic_error("no option " + name);
 }
 
 /// Sets the fields that a JSON file names, nested by group; // comments are allowed.

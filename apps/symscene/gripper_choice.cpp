@@ -11,7 +11,7 @@
 namespace symscene::app {
 
 void GripperChoice::add_to(Arguments& arguments) {
-  arguments.text("--gripper", name,
+  arguments.text("--gripper", "NAME|FILE", name,
                  fmt::format("{}, or a JSON or YAML file that describes a gripper (default panda)",
                              fmt::join(gripper_names(), ", ")));
 }
@@ -21,7 +21,7 @@ Gripper GripperChoice::gripper() const {
   try {
     return named_gripper(name);
   } catch (const InputError& error) {
-    throw InputError(error.where(), error.expected() + " or a .json or .yaml file", error.found());
+    throw InputError("--gripper", error.expected() + " or a .json or .yaml file", error.found());
   }
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "commands.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/staging.hpp"
+#include "usage.hpp"
 
 namespace {
 
@@ -17,14 +19,8 @@ using symscene::InputError;
 
 enum ExitCode { ok = 0, bad_input = 1, bad_usage = 2, internal_error = 3 };
 
-/// "symscene" and the names of the subcommands.
 std::string name_of(const CLI::App& app) {
-  std::string name = "symscene";
-  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
-    at = at->get_subcommands().front();
-    name += " " + at->get_name();
-  }
-  return name;
+  return symscene::app::full_name(symscene::app::chosen_command(app));
 }
 
 /// Prints one line on standard error, whatever characters the sentence has.
@@ -37,7 +33,15 @@ ExitCode fail(ExitCode code, const CLI::App& app, std::string sentence) {
 }
 
 ExitCode fail_usage(const CLI::App& app, const CLI::ParseError& error) {
-  return fail(bad_usage, app, fmt::format("{} (see {} --help)", error.what(), name_of(app)));
+  return fail(
+      bad_usage, app,
+      fmt::format("{} (see {} --help)", symscene::app::usage_sentence(app, error), name_of(app)));
+}
+
+/// The value of an option is wrong in itself or beside another one; the rest is bad input.
+ExitCode fail_input(const CLI::App& app, const InputError& error) {
+  const bool names_option = std::string_view(error.where()).starts_with("--");
+  return fail(names_option ? bad_usage : bad_input, app, error.what());
 }
 
 #if !defined(SYMSCENE_HAS_SIMULATION) || !defined(SYMSCENE_HAS_EVALUATION)
@@ -52,11 +56,13 @@ void add_missing(CLI::App& app, const std::string& name) {
 }
 #endif
 
-void add_commands(symscene::app::CommandLine& line) {
+/// `before`: options that stand before the subcommand.
+void add_commands(symscene::app::CommandLine& line, symscene::app::SharedOptions& before) {
   CLI::App& app = line.parser;
   app.name("symscene");
   app.set_version_flag("--version", "symscene " SYMSCENE_VERSION);
   app.require_subcommand(1);
+  symscene::app::add_options_of_all(line, before);
   app.footer(
       "Example:\n"
       "  symscene simulate -o scene && symscene segment scene -o result &&\n"
@@ -87,10 +93,13 @@ void flush_output() {
 /// CLI11 reports help, version and --dump-config by exceptions.
 void parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   try {
-    app.parse(argc, argv);
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    std::vector<std::string> ordered =
+        symscene::app::with_options_behind_subcommand(app, arguments);
+    std::reverse(ordered.begin(), ordered.end());  // as the parser wants them
+    app.parse(std::move(ordered));
   } catch (const CLI::CallForHelp&) {
-    const auto commands = app.get_subcommands();
-    fmt::print("{}", commands.empty() ? app.help() : commands.front()->help("symscene"));
+    fmt::print("{}", symscene::app::help_of(symscene::app::chosen_command(app)));
   } catch (const CLI::CallForVersion& version) {
     fmt::print("{}\n", version.what());
   } catch (const CLI::Success&) {
@@ -105,7 +114,7 @@ ExitCode run(CLI::App& app, int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return fail_usage(app, error);
   } catch (const InputError& error) {
-    return fail(bad_input, app, error.what());
+    return fail_input(app, error);
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(bad_input, app,
                 fmt::format("{}: {}", error.path1().string(), error.code().message()));
@@ -122,6 +131,7 @@ int main(int argc, char** argv) {
   symscene::remove_staging_on_signals();
   CLI::App app{"Finds the objects on a cluttered table by their symmetries."};
   symscene::app::CommandLine line{app, {}};
-  add_commands(line);
+  symscene::app::SharedOptions before;
+  add_commands(line, before);
   return run(app, argc, argv);
 }

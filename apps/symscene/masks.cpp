@@ -135,8 +135,8 @@ void add_masks(CommandLine& line) {
                       "symscene masks result sweep -o masks");
   arguments.input(state->result, "RESULT", "result folder");
   arguments.input(state->frames, "FRAMES", "sequence from which the scene of the result was made");
-  arguments.required_output(state->shared, "masks folder to write");
-  arguments.count("--every", state->every, "label every N-th frame (default 1)");
+  arguments.output_folder(state->shared, "masks folder to write");
+  arguments.every(state->every, "label every N-th frame (default 1)");
   arguments.sequence_options(state->source);
   arguments.threads(state->shared);
   arguments.reporting(state->shared);

@@ -73,7 +73,7 @@ void MoveItOutput::add_to(Arguments& arguments) {
   arguments.file("--grasping-msgs", grasping_path,
                  "also write objects with their grasps as grasping_msgs/GraspableObject: .json or "
                  ".yaml");
-  arguments.text("--finger-joints", finger_joints,
+  arguments.text("--finger-joints", "NAMES", finger_joints,
                  "joints of the fingers in these messages, separated by commas: NAME, which stands "
                  "at an equal share of the opening, or NAME=SHARE (default: those of the robot's "
                  "description)");

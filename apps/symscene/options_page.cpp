@@ -14,7 +14,7 @@ constexpr const char* introduction = R"(# Options
 This page lists the options that a `--config` file of each subcommand may set, with default, unit and range. For example:
 
 ```sh
-symscene segment --dump-config > options.json             # all options of segment, as a file to edit
+symscene segment --dump-config=annotated > options.json   # all options of segment with comments, as a file to edit
 echo '{"selection": {"min_score": 0.5}}' > options.json   # a file needs only the options that it changes
 symscene segment scene -o result --config options.json
 ```

@@ -262,12 +262,13 @@ void add_plan(CommandLine& line) {
   arguments.input(state->path, "INPUT",
                   "grasps.json of symscene grasp; or a scene or result, whose grasps are planned "
                   "first");
-  arguments.required_output(state->shared, "trajectory to write: .csv, else JSON");
+  arguments.output_file(state->shared, "trajectory to write: .csv, else JSON");
   state->robot.add_to(arguments);
-  arguments.text("--object", state->object, "number of the object to pick (default: any)");
+  arguments.text("--object", "NUMBER", state->object,
+                 "number of the object to pick (default: any)");
   arguments.flag("--all", state->all,
                  "judge every grasp, not only up to the first that the arm reaches");
-  arguments.text("--gripper", state->gripper.name,
+  arguments.text("--gripper", "NAME|FILE", state->gripper.name,
                  "gripper of the grasps that are planned first (default: that of the arm)");
   arguments.folder("--result", state->result, "of grasps: the result folder that they are of");
   state->input.add_to(arguments,

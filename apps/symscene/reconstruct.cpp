@@ -250,7 +250,7 @@ void add_reconstruct(CommandLine& line) {
       "  symscene reconstruct tum_fr1_xyz -o desk --intrinsics 517.3,516.5,318.6,255.3");
   arguments.input(state->path, "SEQUENCE",
                   "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or ROS 1 bag");
-  arguments.required_output(state->shared, "scene folder to write");
+  arguments.output_folder(state->shared, "scene folder to write");
   arguments.sequence_options(state->source);
   arguments.choice("--poses", state->poses, {"exact", "start"},
                    "use the sequence's poses as they are, or as initial poses of tracking");

@@ -29,6 +29,14 @@ double number_of(std::string_view text, const std::string& where) {
   throw InputError(where, "numbers", fmt::format("\"{}\"", text));
 }
 
+std::size_t joint_named(const RobotModel& model, const std::string& name) {
+  try {
+    return model.joint_index(name);
+  } catch (const InputError& error) {
+    throw InputError("--start", error.expected(), error.found());
+  }
+}
+
 void set_position(const RobotModel& model, std::size_t joint_index, double value,
                   Eigen::VectorXd& positions) {
   const Joint& joint = model.joints[joint_index];
@@ -71,14 +79,14 @@ Robot named_robot(const std::string& name) {
 }
 
 void RobotChoice::add_to(Arguments& arguments) {
-  arguments.text("--robot", name,
+  arguments.text("--robot", "NAME|FILE", name,
                  fmt::format("{}, or a YAML file that describes a robot (default panda)",
                              fmt::join(robot_names(), ", ")));
-  arguments.text("--arm", arm_name, "name of the arm (default: the first with a gripper)");
-  arguments.text("--base", base,
+  arguments.text("--arm", "NAME", arm_name, "name of the arm (default: the first with a gripper)");
+  arguments.text("--base", "POSE", base,
                  "pose of the robot's root link in the frame of the scene: x,y,z,yaw [m, degrees] "
                  "or x,y,z,qx,qy,qz,qw (default: base_pose of the robot's description)");
-  arguments.text("--start", start,
+  arguments.text("--start", "POSITIONS", start,
                  "where the joints are [rad or m]: one number per joint of the arm, in its order, "
                  "or NAME=NUMBER of any joints; separated by commas (default: home)");
 }
@@ -107,7 +115,12 @@ std::optional<std::string> RobotChoice::check_stand(const Robot& robot,
 }
 
 const RobotArm& RobotChoice::arm(const Robot& robot) const {
-  return arm_name.empty() ? robot.grasping_arm() : robot.arm(arm_name);
+  if (arm_name.empty()) return robot.grasping_arm();
+  try {
+    return robot.arm(arm_name);
+  } catch (const InputError& error) {
+    throw InputError("--arm", error.expected(), error.found());
+  }
 }
 
 Eigen::VectorXd RobotChoice::start_positions(const Robot& robot, const Arm& arm) const {
@@ -123,7 +136,7 @@ Eigen::VectorXd RobotChoice::start_positions(const Robot& robot, const Arm& arm)
     const std::size_t equals = items[i].find('=');
     if (is_named && equals == std::string::npos)
       throw InputError("--start", "NAME=NUMBER", fmt::format("\"{}\"", items[i]));
-    const std::size_t joint = is_named ? model.joint_index(items[i].substr(0, equals))
+    const std::size_t joint = is_named ? joint_named(model, items[i].substr(0, equals))
                                        : model.joint_of_position(arm.positions[i]);
     set_position(model, joint,
                  number_of(is_named ? items[i].substr(equals + 1) : items[i], "--start"),

@@ -17,7 +17,7 @@ void require_folder(const std::filesystem::path& output) {
 }
 
 void TableArguments::add_to(Arguments& arguments, const char* plane_help) {
-  arguments.text("--plane", plane, plane_help);
+  arguments.text("--plane", "A,B,C,D", plane, plane_help);
   arguments.flag("--any-up", any_up,
                  "the camera was not held upright: accept a table of any orientation");
   arguments.flag("--no-table", none,

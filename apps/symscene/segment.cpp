@@ -121,12 +121,12 @@ void add_segment(CommandLine& line) {
                       "  symscene segment cloud.pcd -o result");
   arguments.input(state->source.path, "INPUT",
                   "scene folder, depth image, folder with one frame, or cloud (.ply, .pcd)");
-  arguments.required_output(state->shared, "result folder to write");
+  arguments.output_folder(state->shared, "result folder to write");
   arguments.file("--page", state->page, "also write a page that shows the result");
   arguments.folder("--masks", state->masks,
                    "also write the label image of a depth image, and an overlay");
-  arguments.count("--repeat", state->repeat,
-                  "run N more times and report the median time of each stage");
+  arguments.count("--repeat", state->repeat, between(1, 10000),
+                  "run this many more times and report the median time of each stage");
   arguments.choice(
       "--reflectional", state->reflectional, {"curve", "surface", "both"},
       "what proposes reflection planes: pairs of edge curves, smooth segments, or both "

@@ -49,7 +49,11 @@ void Session::print(const std::string& text) {
 }
 
 void Session::print_line(const std::string& line) {
-  if (!shared_.quiet) print(line + "\n");
+  if (shared_.quiet) return;
+  if (shared_.json)
+    progress_.print_line(line);
+  else
+    print(line + "\n");
 }
 
 void Session::warn(const std::string& line) {
@@ -62,7 +66,7 @@ void Session::warn(std::span<const std::string> lines) {
 
 void Session::finish(const std::vector<ReportMember>& members,
                      const std::vector<StageTime>& times) {
-  if (shared_.verbose && !shared_.quiet && !times.empty()) print(format_times(times));
+  if (shared_.verbose && !times.empty()) print_line(format_times(times));
   if (!shared_.json) return;
   std::string line = fmt::format("{{\"command\":{}", json_string(command_));
   for (const ReportMember& member : members)
@@ -83,7 +87,7 @@ std::string format_times(const std::vector<StageTime>& times) {
     table +=
         fmt::format("{:<{}}  {:>9.2f}  {:>3.0f} %\n", time.stage, width, 1e3 * time.seconds, share);
   }
-  return table + fmt::format("{:<{}}  {:>9.2f}\n", "total", width, 1e3 * total);
+  return table + fmt::format("{:<{}}  {:>9.2f}", "total", width, 1e3 * total);
 }
 
 }  // namespace symscene::app

@@ -48,12 +48,13 @@ class Session {
 
   /// Prints output that --quiet does not suppress.
   void print(const std::string& text);
-  /// Prints a line, not with --quiet.
+  /// Prints a line for people: not with --quiet, with --json on standard error.
   void print_line(const std::string& line);
   /// Prints warnings on standard error, with --quiet too.
   void warn(const std::string& line);
   void warn(std::span<const std::string> lines);
-  /// Ends the run: with -v prints the table of stage times, with --json a line with these members.
+  /// Ends the run: with -v prints the table of stage times, with --json a line with these members,
+  /// which is all that standard output gets.
   void finish(const std::vector<ReportMember>& members, const std::vector<StageTime>& times);
 
  private:

@@ -207,9 +207,9 @@ void add_stitch(CommandLine& line) {
   arguments.input(
       state->path, "FRAMES",
       "sequence with colour, in any layout that reconstruct reads; the order does not matter");
-  arguments.required_output(state->shared, "scene folder to write");
+  arguments.output_folder(state->shared, "scene folder to write");
   arguments.sequence_options(state->source);
-  arguments.count("--every", state->every, "use every N-th frame with colour");
+  arguments.every(state->every, "use every N-th frame with colour");
   state->table_arguments.add_to(
       arguments, "the table plane a,b,c,d with ax + by + cz + d = 0, in the first camera's frame");
   state->sensor_arguments.add_to(arguments);

@@ -218,7 +218,7 @@ void add_symmetry(CommandLine& line) {
                       "models_info.json\n"
                       "  symscene symmetry scan.ply --partial");
   arguments.inputs(state->inputs, "MODEL", "files with a mesh or a point cloud, folders of meshes");
-  arguments.optional_output(state->shared, "file to write (default: standard output)");
+  arguments.optional_output_file(state->shared, "file to write (default: standard output)");
   arguments.choice("--format", state->format, {"json", "yaml", "bop"},
                    "format of the output; bop is models_info.json of the BOP benchmark (default " +
                        state->format + ")");

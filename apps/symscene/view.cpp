@@ -55,8 +55,9 @@ void add_view(CommandLine& line) {
   Arguments arguments(line, "view", "Write a result as one self-contained web page",
                       "symscene view result -o page.html --title \"My table\"");
   arguments.input(state->result, "RESULT", "result folder");
-  arguments.required_output(state->shared, "page to write");
-  arguments.text("--title", state->title, "title of the page (default: name of the result folder)");
+  arguments.output_file(state->shared, "page to write");
+  arguments.text("--title", "TITLE", state->title,
+                 "title of the page (default: name of the result folder)");
   arguments.reporting(state->shared);
   arguments.run([state] { state->run(); });
 }

@@ -66,7 +66,7 @@ TEST_F(Command, CalibratesIntrinsicsByImagesOfABoard) {
   EXPECT_NE(contents(file("page.html")).find("</svg>"), std::string::npos);
   EXPECT_NE(outcome.out.find("find boards"), std::string::npos) << outcome.out;
   EXPECT_NE(contents(file("camera.yaml")).find("\"distortion\""), std::string::npos);
-  expect_refusal("calibrate intrinsics boards --board 8x5 --square 0.03 -o new.yaml", 1,
+  expect_refusal("calibrate intrinsics boards --board 8x5 --square 0.03 -o new.yaml", 2,
                  "the board that the images show");
   write(file("boards/9.png"), png_of(std::vector<std::uint8_t>(64, 9), {8, 8}));
   expect_refusal("calibrate intrinsics boards --board 8x6 --square 0.03 -o new.yaml", 1,
@@ -89,15 +89,15 @@ TEST_F(Command, CalibratesDepthByWallsAndUsesIt) {
   EXPECT_NE(run("info walls").out, "");
   write_walls(file("near"), 1.0, 1.05);
   expect_refusal("calibrate depth near --wall -o new.yaml", 1, "several distances");
-  expect_refusal("calibrate depth walls --board 8x6 -o new.yaml", 1, "--square");
+  expect_refusal("calibrate depth walls --board 8x6 -o new.yaml", 2, "--square");
 }
 
 #endif
 
 TEST_F(Command, RefusesBoardsThatAreNone) {
-  expect_refusal("calibrate intrinsics nowhere --board 8 --square 0.03 -o new.yaml", 1,
+  expect_refusal("calibrate intrinsics nowhere --board 8 --square 0.03 -o new.yaml", 2,
                  "the number of inner corners, like 8x6");
-  expect_refusal("calibrate intrinsics nowhere --board 8x6 -o new.yaml", 1,
+  expect_refusal("calibrate intrinsics nowhere --board 8x6 -o new.yaml", 2,
                  "the edge of a square in metres");
   expect_refusal("calibrate", 2, "subcommand");
 }

@@ -45,7 +45,8 @@ TEST_F(Command, RefusesBadInputInOneSentence) {
   expect_refusal("symmetry empty.ply", 1, "symscene symmetry: empty.ply");
   expect_refusal("symmetry text.ply", 1, "symscene symmetry: text.ply");
   expect_refusal("symmetry nowhere.obj", 1, "symscene symmetry: nowhere.obj");
-  expect_refusal("simulate -o new --objects 1000", 1, "found 1000");
+  expect_refusal("simulate -o new --objects 1000", 2,
+                 "--objects: expected a whole number in [1, 20], found 1000");
 }
 
 TEST_F(Command, RefusesBadOptionsOfStagesInOneSentence) {
@@ -197,7 +198,7 @@ TEST_F(Command, RefusesFoldersWithoutMeshes) {
   fs::create_directories(file("no_meshes"));
   expect_refusal("simulate --sequence -o x --meshes no_meshes", 1, "a folder of meshes");
   expect_refusal("simulate --sequence -o x --meshes nowhere", 1, "a folder of meshes");
-  expect_refusal("simulate --sequence -o x --symmetries nothing.json", 1, "--meshes");
+  expect_refusal("simulate --sequence -o x --symmetries nothing.json", 2, "--meshes");
 }
 
 TEST_F(Command, ReportsAFullDisk) {

@@ -28,8 +28,8 @@ TEST_F(Command, FitsCylindersToTheClustersOfASceneAndGraspsThem) {
     EXPECT_EQ(grasp.at("source"), "cylinder");
     EXPECT_EQ(grasp.at("opening_m"), 2.0 * cluster.at("cylinder").at("radius").get<double>());
   }
-  EXPECT_NE(outcome.out.find(" id  points   radius   height  grasps"), std::string::npos);
-  EXPECT_NE(outcome.out.find("axes and cylinders"), std::string::npos);
+  EXPECT_NE(outcome.err.find(" id  points   radius   height  grasps"), std::string::npos);
+  EXPECT_NE(outcome.err.find("axes and cylinders"), std::string::npos);
   const nlohmann::json report = last_line(outcome.out);
   EXPECT_EQ(report.at("clusters"), clusters.size());
   EXPECT_EQ(report.at("cylinders"), found);
@@ -102,7 +102,7 @@ TEST_F(Command, GraspsNothingOnAnEmptyTable) {
 
 TEST_F(Command, RefusesPagesAndGrippersThatCannotBe) {
   expect_refusal(
-      "cylinders scene -o new.json --gripper hand.txt", 1,
+      "cylinders scene -o new.json --gripper hand.txt", 2,
       "expected one of panda, baxter, reflex or a .json or .yaml file, found \"hand.txt\"");
   expect_refusal("cylinders scene -o new.json --gripper nothing.json", 1, "nothing.json");
   expect_refusal("cylinders scene -o scene/cloud.ply", 1, "cloud.ply");

@@ -176,7 +176,7 @@ TEST_F(GraspCommand, TakesTheGripperOfAFile) {
 }
 
 TEST_F(GraspCommand, RefusesGrippersThatItCannotUse) {
-  expect_refusal("grasp result -o new.json --gripper claw", 1, "panda, baxter, reflex");
+  expect_refusal("grasp result -o new.json --gripper claw", 2, "panda, baxter, reflex");
   expect_refusal("grasp result -o new.json --gripper nowhere.json", 1, "nowhere.json");
   write(file("odd.json"), R"({"name": "odd", "kind": "parallel", "max_opening_m": 0.05,
     "min_opening_m": 0.06, "finger_depth_m": 0.04, "palm_size_m": [0.05, 0.1, 0.08]})");
@@ -185,9 +185,9 @@ TEST_F(GraspCommand, RefusesGrippersThatItCannotUse) {
 
 TEST_F(GraspCommand, RefusesInputsThatItCannotUse) {
   expect_refusal("grasp nowhere -o new.json", 1, "nowhere");
-  expect_refusal("grasp scene --scene scene -o new.json", 1, "a result folder as input");
-  expect_refusal("grasp result --plane 0,0,1,0 -o new.json", 1, "found a result");
-  expect_refusal("grasp result --no-table -o new.json", 1, "--no-table");
+  expect_refusal("grasp scene --scene scene -o new.json", 2, "a result folder as input");
+  expect_refusal("grasp result --plane 0,0,1,0 -o new.json", 2, "found a result");
+  expect_refusal("grasp result --no-table -o new.json", 2, "--no-table");
   expect_refusal("grasp result --depth-scale 1000 -o new.json", 1, "--depth-scale");
   expect_refusal("grasp result -o result/grasps.json", 1, "outside the input");
 }

@@ -8,7 +8,7 @@ TEST_F(Command, DescribesAScene) {
   const Outcome described = run("info scene --json");
   ASSERT_EQ(described.code, 0) << described.err;
   for (const char* label : {"points", "box", "spacing", "occupancy", "table", "ground truth"})
-    EXPECT_NE(described.out.find(std::string("\n") + label), std::string::npos) << label;
+    EXPECT_NE(("\n" + described.err).find(std::string("\n") + label), std::string::npos) << label;
   const auto line = last_line(described.out);
   EXPECT_EQ(line.at("kind"), "scene");
   EXPECT_GT(line.at("points"), 1000);

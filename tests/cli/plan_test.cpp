@@ -191,7 +191,7 @@ TEST_F(PlanCommand, RefusesARobotThatLeansUnlessItsWholePoseIsGiven) {
   write(file("leaning.yaml"),
         "robot: panda\nbase_pose: {position_m: [-0.5, 0, 0], rpy_deg: [0, 30, 0]}\n");
   const Outcome outcome = run("plan grasps.json --result result --robot leaning.yaml -o new.json");
-  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.err.find("leans 30 degrees"), std::string::npos) << outcome.err;
   EXPECT_FALSE(fs::exists(file("new.json")));
   fs::remove(file("leaning.yaml"));
@@ -201,23 +201,23 @@ TEST_F(PlanCommand, RefusesInputsThatItCannotUse) {
   write_grasps();
   expect_refusal("plan grasps.json -o new.json", 1, "--scene or --result");
   expect_refusal("plan nowhere -o new.json", 1, "nowhere");
-  expect_refusal("plan result --robot pand -o new.json", 1, "--robot: expected one of");
-  expect_refusal("plan result --robot pand -o new.json", 1, "did you mean");
-  expect_refusal("plan result --result result -o new.json", 1, "a grasps.json as input");
-  expect_refusal("plan grasps.json --result result --gripper panda -o new.json", 1, "--gripper");
+  expect_refusal("plan result --robot pand -o new.json", 2, "--robot: expected one of");
+  expect_refusal("plan result --robot pand -o new.json", 2, "did you mean");
+  expect_refusal("plan result --result result -o new.json", 2, "a grasps.json as input");
+  expect_refusal("plan grasps.json --result result --gripper panda -o new.json", 2, "--gripper");
   expect_refusal("plan grasps.json --result result -o grasps.json", 1, "outside the input");
-  expect_refusal("plan grasps.json --result result --robot pandda -o new.json", 1, "panda");
-  expect_refusal("plan grasps.json --result result --arm left -o new.json", 1, "left");
-  expect_refusal("plan grasps.json --result result --base 1,2,3 -o new.json", 1, "x,y,z,yaw");
-  expect_refusal("plan grasps.json --result result --base 0,0,0,1,1,1,1 -o new.json", 1,
+  expect_refusal("plan grasps.json --result result --robot pandda -o new.json", 2, "panda");
+  expect_refusal("plan grasps.json --result result --arm left -o new.json", 2, "left");
+  expect_refusal("plan grasps.json --result result --base 1,2,3 -o new.json", 2, "x,y,z,yaw");
+  expect_refusal("plan grasps.json --result result --base 0,0,0,1,1,1,1 -o new.json", 2,
                  "a unit quaternion");
-  expect_refusal("plan grasps.json --result result --start 1,2 -o new.json", 1, "7 numbers");
-  expect_refusal("plan grasps.json --result result --start panda_joint1=9 -o new.json", 1,
+  expect_refusal("plan grasps.json --result result --start 1,2 -o new.json", 2, "7 numbers");
+  expect_refusal("plan grasps.json --result result --start panda_joint1=9 -o new.json", 2,
                  "panda_joint1");
-  expect_refusal("plan grasps.json --result result --start panda_joint9=0 -o new.json", 1,
+  expect_refusal("plan grasps.json --result result --start panda_joint9=0 -o new.json", 2,
                  "panda_joint");
-  expect_refusal("plan grasps.json --result result --moveit m.txt -o new.json", 1, ".yaml");
-  expect_refusal("plan grasps.json --result result --finger-joints a -o new.json", 1, "--moveit");
+  expect_refusal("plan grasps.json --result result --moveit m.txt -o new.json", 2, ".yaml");
+  expect_refusal("plan grasps.json --result result --finger-joints a -o new.json", 2, "--moveit");
   EXPECT_NE(run("plan grasps.json --result result --object 99 -o new.json").err.find("--object"),
             std::string::npos);
   auto json = json_of("grasps.json");

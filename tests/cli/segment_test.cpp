@@ -31,9 +31,9 @@ TEST_F(Command, RefusesOptionsWithoutEffectOnTheInput) {
                      "expected a depth image, as " + flag + " needs, found " + kind);
     }
   }
-  expect_refusal("segment scene -o new --any-up", 1, "found a scene with table_plane.txt");
+  expect_refusal("segment scene -o new --any-up", 2, "found a scene with table_plane.txt");
   for (const char* table : {"--no-table", "--plane 0,0,1,0"}) {
-    expect_refusal(std::string("segment scene -o new --any-up ") + table, 1,
+    expect_refusal(std::string("segment scene -o new --any-up ") + table, 2,
                    "--any-up: expected no --");
   }
 }
@@ -109,7 +109,7 @@ TEST_F(Command, TakesTheTableFromTheCloudOfAFolderWithoutTablePlane) {
   const Outcome written = run("segment fused -o written");
   EXPECT_NE(written.err.find("table_plane.txt is missing"), std::string::npos) << written.err;
   EXPECT_FALSE(objects_without_times("written").contains("table"));
-  expect_refusal("segment fused -o new --any-up", 1, "a scene of objects without a table");
+  expect_refusal("segment fused -o new --any-up", 2, "a scene of objects without a table");
 }
 
 TEST_F(Command, WritesASelfContainedPage) {

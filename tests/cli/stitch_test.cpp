@@ -11,7 +11,7 @@ TEST_F(Command, StitchesFramesToTheSameBytesForAnyNumberOfThreads) {
   if (one.err.find("feature matcher") != std::string::npos) GTEST_SKIP() << one.err;
   ASSERT_EQ(one.code, 0) << one.err;
   EXPECT_EQ(last_line(one.out).at("placed"), 6) << one.out;
-  EXPECT_NE(one.out.find("6 placed; "), std::string::npos) << one.out;
+  EXPECT_NE(one.err.find("6 placed; "), std::string::npos) << one.err;
   ASSERT_EQ(run("stitch arc -o stitched2 --threads 2").code, 0);
   for (const char* name : {"cloud.ply", "occupancy.bt", "mesh.ply", "poses.txt"}) {
     EXPECT_EQ(contents(file("stitched1") / name), contents(file("stitched2") / name)) << name;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct Dataset {
   SharedOptions shared;
   DatasetOptions options;
-  fs::path dir;
+  fs::path dir;  ///< set by resolve_folder()
   std::string split_name = "test";
   fs::path meshes;
   fs::path symmetries;
@@ -39,6 +39,15 @@ struct Dataset {
       options.max_objects = max_objects.value_or(options.max_objects);
       options.seed = seed.value_or(options.seed);
     });
+  }
+
+  /// The folder is DIR, as in earlier versions, or that of -o.
+  void resolve_folder() {
+    if (dir.empty() && shared.output.empty())
+      throw InputError("--output", "a dataset folder to make or to continue", "none");
+    if (!dir.empty() && !shared.output.empty())
+      throw InputError("--output", "no DIR beside it", dir.string());
+    if (dir.empty()) dir = shared.output;
   }
 
   Split split() const { return parse_split(split_name, "--split"); }
@@ -72,6 +81,7 @@ struct Dataset {
 
   void run() {
     const OptionFields fields = configure();
+    resolve_folder();
     if (!meshes.empty()) require_not_input(dir, meshes);
     const ModelFolder folder = read_models_of_split();
     begin_dataset_folder(dir, description(fields, folder.models));
@@ -118,25 +128,27 @@ void add_dataset(CommandLine& line) {
   const auto state = std::make_shared<Dataset>();
   Arguments arguments(
       line, "dataset", "Make many simulated, reconstructed scenes with their ground truth",
-      "symscene dataset scenes --scenes 89 --seed 1\n"
-      "  symscene dataset scenes --split training --meshes ycb --symmetries ycb.json");
-  arguments.input(state->dir, "DIR", "dataset folder to make or to continue");
+      "symscene dataset -o scenes --scenes 89 --seed 1\n"
+      "  symscene dataset -o scenes --split training --meshes ycb --symmetries ycb.json");
+  arguments.optional_input(state->dir, "DIR", "the same as -o DIR");
+  arguments.optional_output_folder(state->shared, "dataset folder to make or to continue");
   const DatasetOptions defaults;
   const auto with_default = [](const char* text, int value) {
     return fmt::format("{} (default {})", text, value);
   };
-  arguments.count("--scenes", state->scenes, with_default("number of scenes", defaults.scenes));
+  arguments.count("--scenes", state->scenes, range_of(defaults, "scenes"),
+                  with_default("number of scenes", defaults.scenes));
   arguments.choice(
       "--split", state->split_name, {"training", "test"},
       "split to make: the two share no seeds and no meshes (default: " + state->split_name + ")");
   arguments.folder("--meshes", state->meshes,
                    "drop the split's half of the meshes in this folder among household objects");
   arguments.file("--symmetries", state->symmetries, "JSON file with the symmetries of the meshes");
-  arguments.count("--min-objects", state->min_objects,
+  arguments.count("--min-objects", state->min_objects, range_of(defaults, "min_objects"),
                   with_default("fewest objects per scene", defaults.min_objects));
-  arguments.count("--max-objects", state->max_objects,
+  arguments.count("--max-objects", state->max_objects, range_of(defaults, "max_objects"),
                   with_default("most objects per scene", defaults.max_objects));
-  arguments.count("--frames", state->frames,
+  arguments.count("--frames", state->frames, range_of(defaults, "camera.frames"),
                   with_default("frames per sweep", defaults.camera.frames));
   arguments.seed(state->seed, defaults.seed);
   arguments.threads(state->shared);

@@ -198,10 +198,10 @@ void add_evaluate(CommandLine& line) {
                       "symscene evaluate dataset -o report");
   arguments.input(state->dataset, "DATASET",
                   "dataset folder, or any folder of scene folders with ground truth");
-  arguments.required_output(state->shared, "report folder to write");
+  arguments.output_folder(state->shared, "report folder to write");
   arguments.file("--compare", state->earlier,
                  "report.json of an earlier run: print the differences");
-  arguments.text("--baselines", state->baselines,
+  arguments.text("--baselines", "NAMES", state->baselines,
                  fmt::format("baselines to compare with, separated by commas: {} (default: {})",
                              baseline_names(), state->baselines));
   arguments.flag("--fast", state->fast, "leave out the variants without the rotational stream");

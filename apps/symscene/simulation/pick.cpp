@@ -171,12 +171,12 @@ void add_pick(CommandLine& line) {
                       "  symscene pick --simulate --robot baxter --objects ycb --count 4 -o run");
   arguments.flag("--simulate", state->simulate,
                  "in physics: the only way so far, no real robot is moved");
-  arguments.text("--robot", state->robot,
+  arguments.text("--robot", "NAME|FILE", state->robot,
                  "panda, baxter, or a YAML file that describes a robot (default panda)");
-  arguments.text("--objects", state->objects,
+  arguments.text("--objects", "FOLDER|household", state->objects,
                  "folder of meshes in metres, or household for simulated ones (default household)");
   arguments.count(
-      "--count", state->count,
+      "--count", state->count, range_of(state->options, "table.tabletop.objects"),
       fmt::format("number of objects (default {})", state->options.table.tabletop.objects));
   arguments.choice("--method", state->method, {"symscene", "cylinders"},
                    "what proposes grasps: segmented objects, or clusters and bounding cylinders "
@@ -184,7 +184,7 @@ void add_pick(CommandLine& line) {
   arguments.file("--video", state->video,
                  "also write the run as an animated GIF: a name that ends in .gif");
   arguments.seed(state->seed, state->options.table.tabletop.seed);
-  arguments.required_output(state->shared, "folder to write: run.json and page.html");
+  arguments.output_folder(state->shared, "folder to write: run.json and page.html");
   arguments.threads(state->shared);
   arguments.reporting(state->shared);
   arguments.config(state->shared, [state] { return state->configure(); });

@@ -143,15 +143,15 @@ void add_simulate(CommandLine& line) {
                       "Scan a simulated table with objects, with its ground truth",
                       "symscene simulate -o scene --objects 6 --seed 1\n"
                       "  symscene simulate --sequence -o sweep --meshes ycb --seed 2");
-  arguments.required_output(state->shared, "scene or sequence folder to write");
+  arguments.output_folder(state->shared, "scene or sequence folder to write");
   arguments.flag("--sequence", state->sequence,
                  "write the noisy depth frames of a hand-held sweep instead of a fused scene");
   arguments.folder("--meshes", state->meshes,
                    "drop the meshes of this folder onto the table instead of household objects");
   arguments.file("--symmetries", state->symmetries, "JSON file with the symmetries of the meshes");
-  arguments.count("--objects", state->objects,
+  arguments.count("--objects", state->objects, range_of(state->fused, "tabletop.objects"),
                   fmt::format("number of objects (default {})", state->tabletop().objects));
-  arguments.count("--frames", state->frames,
+  arguments.count("--frames", state->frames, range_of(state->sweep, "camera.frames"),
                   fmt::format("number of frames (default {}, with --sequence {})",
                               state->fused.scan.camera.frames, state->sweep.camera.frames));
   arguments.seed(state->seed, state->tabletop().seed);

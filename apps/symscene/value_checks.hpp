@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symscene/core/options.hpp"
+
+namespace symscene::app {
+
+// Checks of the text behind an option. Each returns "" or what was expected and found, which the
+// parser prints behind the name of the option.
+
+std::string check_whole_number(const std::string& text, const Range& range);
+std::string check_choice(const std::string& text, const std::vector<std::string>& choices);
+/// Values of depth images per metre: from 10 m to a micrometre per value.
+std::string check_depth_scale(const std::string& text);
+
+}  // namespace symscene::app
