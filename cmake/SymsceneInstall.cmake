@@ -28,6 +28,13 @@ endforeach()
 add_custom_target(symscene_installed DEPENDS ${installed} $<TARGET_NAME_IF_EXISTS:symscene_app>)
 if(TARGET symscene_app)
   install(TARGETS symscene_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT robot)
+  # Where they were built: a cross build cannot run the command that prints them.
+  set(generated ${PROJECT_BINARY_DIR}/share)
+  install(FILES ${generated}/symscene.bash RENAME symscene OPTIONAL COMPONENT robot
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${generated}/_symscene OPTIONAL COMPONENT robot
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${generated}/symscene.1 OPTIONAL COMPONENT robot DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
 
 configure_package_config_file(cmake/symsceneConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfig.cmake

@@ -40,6 +40,33 @@ bool names_camera_file(const std::string& text) {
   return is_camera_file(text) && fs::is_regular_file(text);
 }
 
+/// Without links, dots and a slash at the end.
+fs::path plain_path(const fs::path& path) {
+  const fs::path plain = fs::weakly_canonical(fs::absolute(path));
+  return plain.has_filename() ? plain : plain.parent_path();
+}
+
+/// The way from `input` to `output` if that is the input or in it; empty if it is the input.
+std::optional<fs::path> path_within(const fs::path& output, const fs::path& input) {
+  const fs::path in = plain_path(input), out = plain_path(output);
+  const auto [end_of_in, position] = std::mismatch(in.begin(), in.end(), out.begin(), out.end());
+  if (end_of_in != in.end()) return std::nullopt;
+  const fs::path way = out.lexically_relative(in);
+  return way == "." ? fs::path() : way;
+}
+
+/// Whether a folder is one that symscene wrote for a scene, a result or masks.
+bool is_output_folder(const fs::path& folder) {
+  return fs::exists(folder / "scene.json") || fs::exists(folder / "objects.json") ||
+         fs::exists(folder / "masks.json");
+}
+
+/// The folders in which readers of sequences look (docs/formats.md).
+bool is_folder_of_images(const std::string& name) {
+  constexpr std::array names = {"depth", "color", "rgb", "image", "meshes"};
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::string check_intrinsics(const std::string& text) {
   try {
     if (names_camera_file(text)) return read_camera_model(text), "";
@@ -80,6 +107,14 @@ void Arguments::optional_input(fs::path& value, const char* name, const std::str
 
 void Arguments::words(std::vector<std::string>& values, const char* name, const std::string& help) {
   command_.add_option(name, values, help)->type_name("");
+}
+
+void Arguments::word(std::string& value, const char* name, const std::vector<std::string>& choices,
+                     const std::string& help) {
+  command_.add_option(name, value, help)
+      ->required()
+      ->type_name(fmt::format("{}", fmt::join(choices, "|")))
+      ->check([choices](const std::string& text) { return check_choice(text, choices); });
 }
 
 void Arguments::output_folder(SharedOptions& shared, const std::string& help) {
@@ -212,11 +247,19 @@ std::string folder_name(const fs::path& folder) {
 }
 
 void require_not_input(const fs::path& output, const fs::path& input) {
-  const fs::path in = fs::weakly_canonical(fs::absolute(input));
-  const fs::path out = fs::weakly_canonical(fs::absolute(output));
-  const auto [end_of_in, position] = std::mismatch(in.begin(), in.end(), out.begin(), out.end());
-  if (end_of_in == in.end())
+  if (path_within(output, input))
     throw InputError(output.string(), "a path outside the input", "a path in it");
+}
+
+void require_beside_frames(const fs::path& output, const fs::path& sequence) {
+  const std::optional<fs::path> within = path_within(output, sequence);
+  if (!within) return;
+  if (within->empty() || !fs::is_directory(sequence)) return require_not_input(output, sequence);
+  const fs::path first = *within->begin();
+  const bool is_free = !fs::exists(sequence / first) || is_output_folder(sequence / first);
+  if (is_free && !is_folder_of_images(first.string())) return;
+  throw InputError(output.string(), "a path outside the input, or a new folder beside its images",
+                   "a path in it");
 }
 
 }  // namespace symscene::app

@@ -53,6 +53,9 @@ class Arguments {
   void optional_input(std::filesystem::path& value, const char* name, const std::string& help);
   /// None, one or more.
   void words(std::vector<std::string>& values, const char* name, const std::string& help);
+  /// One of `choices`, required.
+  void word(std::string& value, const char* name, const std::vector<std::string>& choices,
+            const std::string& help);
   void output_folder(SharedOptions& shared, const std::string& help);
   void optional_output_folder(SharedOptions& shared, const std::string& help);
   void output_file(SharedOptions& shared, const std::string& help);
@@ -95,6 +98,11 @@ void add_options_of_all(CommandLine& line, SharedOptions& before);
 
 /// Throws InputError if writing `output` would change the file or folder `input` or its contents.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
+
+/// The same for a folder beside the frames of a sequence: it may lie in the folder of the sequence
+/// where no reader of sequences looks, under a new name or in place of an earlier output.
+void require_beside_frames(const std::filesystem::path& output,
+                           const std::filesystem::path& sequence);
 
 /// The last component of a folder's path, also if the path ends in a slash or is a dot.
 std::string folder_name(const std::filesystem::path& folder);

@@ -9,6 +9,7 @@
 #include "session.hpp"
 #include "symscene/io/camera_file.hpp"
 #include "symscene/io/sequence.hpp"
+#include "thinned_sequence.hpp"
 
 namespace symscene::app {
 namespace {
@@ -35,6 +36,7 @@ struct CalibrateDepth {
   fs::path path;
   fs::path page;
   bool wall = false;
+  std::optional<int> every;
   BoardArguments board_arguments;
 
   OptionFields configure() { return configure_options(options, shared.config); }
@@ -145,7 +147,9 @@ struct CalibrateDepth {
     if (source.camera) source.camera->depth_correction.reset();
     Session session("calibrate depth", shared);
     StageTimer timer(session.on_begin());
-    const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
+    const auto sequence = timer.time("open", [&] {
+      return every_nth(open_sequence(path, source), static_cast<std::size_t>(every.value_or(1)));
+    });
     session.warn(sequence->warnings());
     CameraModel camera = source.camera.value_or(CameraModel{sequence->camera(), {}, {}, {}});
     const CameraModel rectified{sequence->camera(), {}, {}, {}};
@@ -179,6 +183,7 @@ void add_calibrate_depth(CommandLine& line) {
                   "registered colour images");
   arguments.output_file(state->shared, "camera.yaml to write");
   arguments.sequence_options(state->source);
+  arguments.every(state->every, "use every N-th frame (default 1)");
   arguments.flag("--wall", state->wall,
                  "the images show a flat wall or board at several distances; what is not on it is "
                  "left out");

@@ -15,7 +15,9 @@
   SUBCOMMAND(view)                       \
   SUBCOMMAND(info)                       \
   SUBCOMMAND(options)                    \
-  SUBCOMMAND(help)
+  SUBCOMMAND(help)                       \
+  SUBCOMMAND(completion)                 \
+  SUBCOMMAND(manual)
 
 // Those of the evaluation's wing. The simulation's need SYMSCENE_BUILD_SIMULATION or
 // SYMSCENE_BUILD_EVALUATION, the others SYMSCENE_BUILD_EVALUATION.

@@ -126,14 +126,19 @@ json parse_json(const std::string& text, const std::string& name) {
   }
 }
 
+ordered_json value_of(const OptionField& field) {
+  return std::visit([](const auto* value) { return ordered_json(*value); }, field.value);
+}
+
+void add_value(const OptionField& field, ordered_json& values) {
+  std::string pointer = "/" + field.name;
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  values[ordered_json::json_pointer(pointer)] = value_of(field);
+}
+
 ordered_json config_values(const OptionFields& fields) {
   ordered_json values = ordered_json::object();
-  for (const OptionField& field : fields) {
-    std::string pointer = "/" + field.name;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    std::visit([&](const auto* value) { values[ordered_json::json_pointer(pointer)] = *value; },
-               field.value);
-  }
+  for (const OptionField& field : fields) add_value(field, values);
   return values;
 }
 
@@ -187,6 +192,17 @@ std::string format_config(const OptionFields& fields, bool annotated) {
         is_value ? fmt::format("{:<{}}  // {}\n", line, column, comment(*field++)) : line + "\n";
   }
   return text;
+}
+
+std::string changed_options(const OptionFields& fields, const OptionFields& defaults) {
+  ordered_json values = ordered_json::object();
+  for (const OptionField& field : fields) {
+    const auto is_same = [&](const OptionField& other) {
+      return other.name == field.name && value_of(other) == value_of(field);
+    };
+    if (std::none_of(defaults.begin(), defaults.end(), is_same)) add_value(field, values);
+  }
+  return values.dump();
 }
 
 std::string describe_run(const std::string& command, const OptionFields& fields,

@@ -84,9 +84,12 @@ OptionFields configure_options(
   return fields;
 }
 
-/// All fields as JSON that read_config() reads back. A comment behind each gives its unit, range
-/// and help.
-std::string format_config(const OptionFields& fields);
+/// All fields as JSON that read_config() reads back. If `annotated`, a comment behind each gives
+/// its unit, range and help.
+std::string format_config(const OptionFields& fields, bool annotated);
+
+/// The values of the fields that differ from those of equal name in `defaults`, as JSON in groups.
+std::string changed_options(const OptionFields& fields, const OptionFields& defaults);
 
 /// What made an output, as JSON: version, command and all options; `frames`, JSON too, lists the
 /// status of its frames, `sensor` tells their sensor.

@@ -1,31 +1,64 @@
 #include "depth_range.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "core/median.hpp"
 
 namespace symscene::app {
 namespace {
 
-constexpr double min_depth = 0.2;    // [m]
-constexpr double max_depth = 6.0;    // [m]
 constexpr double max_outside = 0.2;  // share of the depths
+constexpr double usual_depth = 1.0;  // of a table before a camera [m]
+
+/// Metres, millimetres, the scale of the TUM benchmark, tenths of a millimetre. [1/m]
+constexpr std::array<double, 4> usual_scales = {1.0, 1000.0, 5000.0, 10000.0};
+
+double distance_from_usual(double depth) { return std::abs(std::log(depth / usual_depth)); }
+
+/// The usual scale with which the median depth is most like that of a table; 0 if no scale makes it
+/// more so than that of now.
+double likely_scale(double median, double scale) {
+  double best = scale;
+  for (const double other : usual_scales) {
+    if (distance_from_usual(median * scale / other) < distance_from_usual(median * scale / best))
+      best = other;
+  }
+  return best == scale ? 0.0 : best;
+}
+
+std::string advice(double median, double scale) {
+  const double likely = likely_scale(median, scale);
+  if (likely == 0.0) return fmt::format("is --depth-scale {:g} right?", scale);
+  return fmt::format("try --depth-scale {:g}, which makes it {:.3g} m, in place of {:g}", likely,
+                     median * scale / likely, scale);
+}
 
 }  // namespace
 
-std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frames) {
-  std::size_t measured = 0, outside = 0;
+std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frames,
+                                               const DepthUse& use) {
+  std::vector<double> depths;
   for (const DepthFrame& frame : frames) {
-    for (const double depth : frame.depth) {
-      if (!(depth > 0.0)) continue;
-      ++measured;
-      outside += depth < min_depth || depth > max_depth ? 1 : 0;
+    for (const float depth : frame.depth) {
+      if (depth > 0.0F) depths.push_back(depth);
     }
   }
-  const double share = static_cast<double>(outside) / std::max(static_cast<double>(measured), 1.0);
+  const auto outside = std::count_if(depths.begin(), depths.end(), [&](double depth) {
+    return depth < use.min_depth || depth > use.max_depth;
+  });
+  const double share =
+      static_cast<double>(outside) / std::max(static_cast<double>(depths.size()), 1.0);
   if (share <= max_outside) return {};
-  return fmt::format("{:.0f} % of the depths are outside {} to {} m: is --depth-scale right?",
-                     100.0 * share, min_depth, max_depth);
+  const double median_depth = *median(std::move(depths));
+  return fmt::format(
+      "{:.0f} % of the depths are outside {:g} to {:g} m and not used; the median depth is {:.3g} "
+      "m: {}",
+      100.0 * share, use.min_depth, use.max_depth, median_depth, advice(median_depth, use.scale));
 }
 
 }  // namespace symscene::app

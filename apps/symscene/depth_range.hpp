@@ -8,8 +8,17 @@
 
 namespace symscene::app {
 
-/// A warning if many depths are outside the range for which the stages are made: the depth scale
-/// may be wrong. None without depths.
-std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frames);
+/// How depth images become depths, and which depths are used.
+struct DepthUse {
+  double scale = 1000.0;   ///< value of the images that is 1 m [1/m]
+  double min_depth = 0.2;  ///< [m]
+  double max_depth = 6.0;  ///< [m]
+};
+
+/// A sentence if more than a fifth of the depths is not used, as with a wrong scale: the median
+/// depth, the limits, and of the usual scales that with which the median depth is nearest to that
+/// of a table.
+std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frames,
+                                               const DepthUse& use);
 
 }  // namespace symscene::app

@@ -50,8 +50,8 @@ class Facts {
   std::vector<std::string> warnings_;
 };
 
-/// Reads `samples` frames spread over the sequence.
-Facts sequence_facts(const DepthSequence& sequence, std::size_t samples);
+/// Reads the frames of these numbers.
+Facts sequence_facts(const DepthSequence& sequence, const std::vector<std::size_t>& samples);
 
 Facts scene_facts(const std::filesystem::path& dir);
 Facts result_facts(const std::filesystem::path& dir);

@@ -48,10 +48,10 @@ std::size_t FrameLog::count(const std::string& status) const {
   return sum;
 }
 
-std::string FrameLog::describe(const Run& run) {
-  const std::string frames = run.first == run.last
-                                 ? fmt::format("frame {}", run.first)
-                                 : fmt::format("frames {} to {}", run.first, run.last);
+std::string FrameLog::describe(const Run& run) const {
+  const std::string frames =
+      run.first == run.last ? fmt::format("frame {}", step_ * run.first)
+                            : fmt::format("frames {} to {}", step_ * run.first, step_ * run.last);
   return fmt::format("{}: {}{}{}", frames, run.status, run.detail.empty() ? "" : ", ", run.detail);
 }
 
@@ -78,7 +78,7 @@ std::string FrameLog::json() const {
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   for (const Run& run : runs_) {
     nlohmann::ordered_json entry = {
-        {"first", run.first}, {"last", run.last}, {"status", run.status}};
+        {"first", step_ * run.first}, {"last", step_ * run.last}, {"status", run.status}};
     if (!run.detail.empty()) entry["detail"] = run.detail;
     runs.push_back(std::move(entry));
   }
@@ -89,6 +89,7 @@ std::string FrameLog::json() const {
                                    {"unreadable", count("unreadable")},
                                    {"relocalized", relocalized_},
                                    {"runs", std::move(runs)}};
+  if (step_ != 1) object["every"] = step_;
   if (const std::size_t stitched = count("stitched")) object["stitched"] = stitched;
   if (!warnings_.empty()) object["warnings"] = warnings_;
   return object.dump();

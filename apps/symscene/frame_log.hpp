@@ -10,6 +10,10 @@ namespace symscene::app {
 /// The status of each frame of a sequence, as runs of frames with equal status.
 class FrameLog {
  public:
+  /// Frames are added by their numbers among every `step`-th of the sequence, and told by those in
+  /// the sequence.
+  explicit FrameLog(std::size_t step = 1) : step_(step) {}
+
   void add(std::size_t frame, const FrameReport& report);
   void add_unreadable(std::size_t frame);
   void add_lost(std::size_t frame, const std::string& reason);
@@ -42,8 +46,9 @@ class FrameLog {
 
   void add(std::size_t frame, const std::string& status, const std::string& detail);
   std::size_t count(const std::string& status) const;
-  static std::string describe(const Run& run);
+  std::string describe(const Run& run) const;
 
+  std::size_t step_;
   std::vector<Run> runs_;
   std::vector<std::string> warnings_;
   std::size_t frames_ = 0;

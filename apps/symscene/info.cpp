@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
 #include "facts.hpp"
+#include "symscene/core/point_cloud.hpp"
 
 #ifdef SYMSCENE_HAS_EVALUATION
 #include "symscene/dataset/dataset_folder.hpp"
@@ -24,6 +26,20 @@ struct Info {
   SequenceOptions options;
   fs::path path;
   bool all = false;
+  std::optional<int> every;
+
+  /// The frames to read of so many.
+  std::vector<std::size_t> samples(std::size_t size) const {
+    std::vector<std::size_t> chosen;
+    if (!every && !all) {
+      for (const Index i : evenly_spread(Index(size), Index(std::min(size, sampled_frames))))
+        chosen.push_back(i);
+      return chosen;
+    }
+    for (std::size_t i = 0; i < size; i += static_cast<std::size_t>(every.value_or(1)))
+      chosen.push_back(i);
+    return chosen;
+  }
 
   Facts facts() const {
     if (fs::exists(path / "objects.json")) return result_facts(path);
@@ -34,7 +50,7 @@ struct Info {
 #endif
     if (is_sequence(path)) {
       const auto sequence = open_sequence(path, options);
-      return sequence_facts(*sequence, all ? sequence->size() : sampled_frames);
+      return sequence_facts(*sequence, samples(sequence->size()));
     }
     const char* found = fs::is_directory(path) ? "another folder" : "another file";
     throw InputError(path.string(), readable, fs::exists(path) ? found : "no such file or folder");
@@ -61,6 +77,7 @@ void add_info(CommandLine& line) {
   arguments.input(state->path, "PATH", "folder or file");
   arguments.sequence_options(state->options);
   arguments.flag("--all", state->all, "read all frames of a sequence, not 20 spread over it");
+  arguments.every(state->every, "read every N-th frame of a sequence, not 20 spread over it");
   arguments.reporting(state->shared);
   arguments.run([state] { state->run(); });
 }

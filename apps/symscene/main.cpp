@@ -9,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "optional_parts.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/staging.hpp"
 #include "usage.hpp"
@@ -60,7 +61,8 @@ void add_missing(CLI::App& app, const std::string& name) {
 void add_commands(symscene::app::CommandLine& line, symscene::app::SharedOptions& before) {
   CLI::App& app = line.parser;
   app.name("symscene");
-  app.set_version_flag("--version", "symscene " SYMSCENE_VERSION);
+  app.set_version_flag("--version", symscene::app::version_text(),
+                       "print the version, and which optional parts this build has");
   app.require_subcommand(1);
   symscene::app::add_options_of_all(line, before);
   app.footer(

@@ -85,7 +85,7 @@ struct Masks {
   void run() {
     configure();
     require_not_input(shared.output, result);
-    require_not_input(shared.output, frames);
+    require_beside_frames(shared.output, frames);
     Session session("masks", shared);
     StageTimer timer(session.on_begin());
     const SegmentationResult objects = timer.time("read", [&] { return read_result(result); });

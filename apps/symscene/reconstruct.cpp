@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "core/rigid_motion.hpp"
 #include "frame_log.hpp"
+#include "frame_rate.hpp"
 #include "scene_output.hpp"
 #include "sensor_choice.hpp"
 #include "session.hpp"
@@ -14,6 +15,7 @@
 #include "symscene/io/sequence.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/tabletop/view_scene.hpp"
+#include "thinned_sequence.hpp"
 
 namespace symscene::app {
 namespace {
@@ -78,9 +80,12 @@ struct Reconstruct {
   SequenceOptions source;
   std::filesystem::path path;
   std::string poses;
+  std::optional<int> every;
   TableArguments table_arguments;
   SensorArguments sensor_arguments;
   SensorChoice sensor;  ///< of the sequence
+
+  std::size_t step() const { return static_cast<std::size_t>(every.value_or(1)); }
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
@@ -98,12 +103,14 @@ struct Reconstruct {
   PlacedSequence track(const DepthSequence& sequence, Session& session, StageTimer& timer) const {
     const PoseUse use = poses == "exact" ? PoseUse::exact : PoseUse::start;
     FrameReader reader(sequence);
-    PlacedSequence tracked{Reconstruction(sequence.camera(), options.reconstruction), {}, {}};
+    PlacedSequence tracked{
+        Reconstruction(sequence.camera(), options.reconstruction), {}, FrameLog(step())};
     auto& [reconstruction, placed, log] = tracked;
+    const FrameRate rate(sequence.size());
     double waited = 0.0;
     int unreadable = 0;
     for (std::size_t i = 0; i < sequence.size(); ++i) {
-      session.on_begin()(fmt::format("frame {} of {}", i + 1, sequence.size()));
+      session.on_begin()(rate.progress(i));
       const auto start = std::chrono::steady_clock::now();
       std::optional<DepthFrame> frame;
       try {
@@ -181,8 +188,9 @@ struct Reconstruct {
     session.on_begin()("stitch");
     const double min_placed =
         options.hand_over.min_placed * static_cast<double>(tracked.log.fused());
-    auto stitched = stitch_sequence(sequence, min_placed, options.stitching.with(measurement()),
-                                    options.reconstruction, timer);
+    auto stitched =
+        stitch_sequence(sequence, step(), min_placed, options.stitching.with(measurement()),
+                        options.reconstruction, timer);
     PlacedSequence& chosen = stitched ? *stitched : tracked;
     chosen.log.warn(stitched ? fmt::format("{}: they were placed by stitching, {} of {}", reason,
                                            stitched->log.fused(), sequence.size())
@@ -195,7 +203,10 @@ struct Reconstruct {
 
   void run_on_frames(const DepthSequence& sequence, const OptionFields& fields, Session& session,
                      StageTimer& timer) const {
+    const FrameRate rate(sequence.size());
     const auto [reconstruction, placed, log] = place(sequence, session, timer);
+    const double per_second = rate.per_second();
+    session.print_line(rate.summary());
     for (const std::string& line : log.lines()) session.print_line(line);
     if (placed.frames.empty())
       throw InputError(path.string(), "a frame that can be fused", log.first_run());
@@ -206,6 +217,7 @@ struct Reconstruct {
         timer);
     std::vector<ReportMember> members{
         {"output", shared.output}, {"frames", sequence.size()}, {"fused", log.fused()}};
+    members.push_back(ReportMember::raw("frames_per_second", fmt::format("{:.4g}", per_second)));
     members.push_back(ReportMember::raw("log", log.json()));
     members.push_back(ReportMember::raw("sensor", sensor.json));
     members.insert(members.end(), written.begin(), written.end());
@@ -214,8 +226,10 @@ struct Reconstruct {
 
   void choose_sensor(const DepthSequence& sequence, Session& session) {
     const bool tracked = sequence.size() > 1;
-    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames), tracked,
-                                     sequence.camera(), options.sensor, session);
+    sensor = sensor_arguments.choose(
+        some_frames(sequence, options.sensor.frames), tracked, sequence.camera(),
+        {sequence.depth_scale(), measurement().min_depth, measurement().max_depth}, options.sensor,
+        session);
     double& tracking_noise = options.reconstruction.measurement.noise;
     tracking_noise = sensor.tracking_noise.value_or(tracking_noise);
     options.view.noise = sensor.noise.value_or(options.view.noise);
@@ -224,11 +238,12 @@ struct Reconstruct {
   void run() {
     const OptionFields fields = configure();
     table_arguments.table();  // before the work
-    require_not_input(shared.output, path);
+    require_beside_frames(shared.output, path);
     require_folder(shared.output);
     Session session("reconstruct", shared);
     StageTimer timer(session.on_begin());
-    const auto sequence = timer.time("open", [&] { return open_sequence(path, source); });
+    const auto sequence =
+        timer.time("open", [&] { return every_nth(open_sequence(path, source), step()); });
     session.warn(sequence->warnings());
     require_poses(*sequence);
     timer.time("estimate sensor", [&] { choose_sensor(*sequence, session); });
@@ -252,6 +267,7 @@ void add_reconstruct(CommandLine& line) {
                   "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or ROS 1 bag");
   arguments.output_folder(state->shared, "scene folder to write");
   arguments.sequence_options(state->source);
+  arguments.every(state->every, "use every N-th frame (default 1)");
   arguments.choice("--poses", state->poses, {"exact", "start"},
                    "use the sequence's poses as they are, or as initial poses of tracking");
   state->table_arguments.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "made_by.hpp"
 #include "mask_images.hpp"
 #include "result_page.hpp"
 #include "results.hpp"
@@ -57,8 +58,16 @@ struct Segment {
     return result;
   }
 
-  void write_outputs(const SegmentationResult& result, Surroundings around) const {
+  /// Options as they were given, those of flags too.
+  std::string described(const OptionFields& fields) const {
+    SegmentOptions defaults;
+    return made_by("segment", source.path, changed_options(fields, option_fields(defaults)));
+  }
+
+  void write_outputs(const SegmentationResult& result, Surroundings around,
+                     std::string description) const {
     ResultExtras extras;
+    extras.made_by = std::move(description);
     if (around.surface.triangles.rows() != 0) extras.surface = &around.surface;
     if (!around.trajectory.empty()) extras.trajectory = &around.trajectory;
     write_result(absolute(shared.output), result, extras);
@@ -87,7 +96,7 @@ struct Segment {
   }
 
   void run() {
-    configure();
+    const OptionFields fields = configure();
     source.table.table();  // before the work
     check_outputs();
     require_frame();
@@ -98,8 +107,10 @@ struct Segment {
     session.warn(std::span(result.warnings).subspan(input.scene.warnings.size()));
     result.timings.insert(result.timings.begin(), input.stages.begin(), input.stages.end());
     session.on_begin()("write");
-    write_outputs(result, {surface_around(input.surface, result, source.path, session),
-                           std::move(input.trajectory)});
+    write_outputs(
+        result,
+        {surface_around(input.surface, result, source.path, session), std::move(input.trajectory)},
+        described(fields));
     write_masks(input, result);
     session.print_line(format_objects(result));
     std::vector<ReportMember> members{{"output", shared.output},

@@ -175,7 +175,9 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
   DepthFrame frame = timer.time("read", [&] { return sequence->read(0); });
   const SensorChoice chosen = timer.time("estimate sensor", [&] {
     constexpr bool tracked = false;
-    return sensor.choose({&frame, 1}, tracked, sequence->camera(), options.sensor, session);
+    const DepthUse depths{sequence->depth_scale(), options.view.points.min_depth,
+                          options.view.points.max_depth};
+    return sensor.choose({&frame, 1}, tracked, sequence->camera(), depths, options.sensor, session);
   });
   frame = chosen.prepared(std::move(frame), sequence->camera());
   ViewSceneOptions view_options = options.view;

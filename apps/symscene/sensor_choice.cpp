@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "depth_range.hpp"
 #include "symscene/core/depth_noise.hpp"
 #include "symscene/core/point_cloud.hpp"
 
@@ -88,10 +87,10 @@ void SensorArguments::add_to(Arguments& arguments) {
 }
 
 SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames, bool tracked,
-                                     const CameraIntrinsics& camera,
+                                     const CameraIntrinsics& camera, const DepthUse& depths,
                                      const SensorEstimationOptions& options,
                                      Session& session) const {
-  if (const auto warning = depth_range_warning(frames)) session.warn(*warning);
+  if (const auto warning = depth_range_warning(frames, depths)) session.warn(*warning);
   SensorChoice choice;
   choice.options = options;
   const SensorEstimate estimate = estimate_sensor(frames, camera, options);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "depth_range.hpp"
 #include "session.hpp"
 #include "symscene/reconstruction/sensor.hpp"
 
@@ -37,8 +38,8 @@ struct SensorArguments {
   /// Looks at frames, which are to be tracked or not, says what it finds, and warns if no sensor
   /// explains it or if their depths suggest another scale.
   SensorChoice choose(std::span<const DepthFrame> frames, bool tracked,
-                      const CameraIntrinsics& camera, const SensorEstimationOptions& options,
-                      Session& session) const;
+                      const CameraIntrinsics& camera, const DepthUse& depths,
+                      const SensorEstimationOptions& options, Session& session) const;
 };
 
 }  // namespace symscene::app

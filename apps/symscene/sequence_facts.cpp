@@ -51,11 +51,9 @@ struct Sample {
   std::vector<std::string> unreadable;  ///< the error of each such frame
 };
 
-Sample read_sample(const DepthSequence& sequence, std::size_t count) {
+Sample read_sample(const DepthSequence& sequence, const std::vector<std::size_t>& numbers) {
   Sample sample;
-  const auto size = static_cast<Index>(sequence.size());
-  for (const Index i :
-       evenly_spread(size, static_cast<Index>(std::min<std::size_t>(count, size)))) {
+  for (const std::size_t i : numbers) {
     ++sample.frames;
     try {
       const DepthFrame frame = sequence.read(i);
@@ -135,7 +133,7 @@ void add_poses(Facts& facts, const DepthSequence& sequence) {
 
 }  // namespace
 
-Facts sequence_facts(const DepthSequence& sequence, std::size_t samples) {
+Facts sequence_facts(const DepthSequence& sequence, const std::vector<std::size_t>& samples) {
   Facts facts("sequence");
   facts.add_warnings(sequence.warnings());
   facts.add("sequence", sequence.layout(), "layout", sequence.layout());

@@ -152,8 +152,10 @@ struct Stitch {
 
   void choose_sensor(const DepthSequence& sequence, ReadFrames& read, Session& session) {
     constexpr bool tracked = false;
-    sensor = sensor_arguments.choose(some_frames(sequence, options.sensor.frames), tracked,
-                                     sequence.camera(), options.sensor, session);
+    const MeasurementOptions& measured = options.stitching.measurement;
+    sensor = sensor_arguments.choose(
+        some_frames(sequence, options.sensor.frames), tracked, sequence.camera(),
+        {sequence.depth_scale(), measured.min_depth, measured.max_depth}, options.sensor, session);
     double& noise = options.stitching.measurement.noise;
     noise = sensor.noise.value_or(noise);
     for (DepthFrame& frame : read.frames)
@@ -164,7 +166,7 @@ struct Stitch {
     const OptionFields fields = configure();
     table_arguments.table();  // before the work
     require_matcher();
-    require_not_input(shared.output, path);
+    require_beside_frames(shared.output, path);
     require_folder(shared.output);
     Session session("stitch", shared);
     StageTimer timer(session.on_begin());

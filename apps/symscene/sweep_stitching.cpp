@@ -71,8 +71,8 @@ std::string reason_to_stitch(const DepthSequence& sequence, const PlacedSequence
   return "";
 }
 
-std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence, double min_placed,
-                                              const StitchingOptions& stitching,
+std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence, std::size_t step,
+                                              double min_placed, const StitchingOptions& stitching,
                                               const ReconstructionOptions& options,
                                               StageTimer& timer) {
   const ReadFrames read = timer.time("read again", [&] { return read_all(sequence); });
@@ -80,8 +80,8 @@ std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence, dou
       stitch_sweep(read.frames, sequence.camera(), stitching, options.tracking);
   for (const StageTime& time : stitched.times) timer.add("stitch: " + time.stage, time.seconds);
   if (stitched.placed == 0 || static_cast<double>(stitched.placed) < min_placed) return {};
-  PlacedSequence result{
-      fuse_placed(stitched, read, sequence.camera(), options), placed_frames(stitched, read), {}};
+  PlacedSequence result{fuse_placed(stitched, read, sequence.camera(), options),
+                        placed_frames(stitched, read), FrameLog(step)};
   std::size_t next = 0;
   for (std::size_t k = 0; k < read.frames.size(); ++k) {
     for (; next < read.numbers[k]; ++next) result.log.add_unreadable(next);

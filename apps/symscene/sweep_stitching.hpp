@@ -80,8 +80,8 @@ std::string reason_to_stitch(const DepthSequence& sequence, const PlacedSequence
 
 /// The sequence placed by stitching, from its frames that can be read. None if that places no frame
 /// or fewer than `min_placed`.
-std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence, double min_placed,
-                                              const StitchingOptions& stitching,
+std::optional<PlacedSequence> stitch_sequence(const DepthSequence& sequence, std::size_t step,
+                                              double min_placed, const StitchingOptions& stitching,
                                               const ReconstructionOptions& options,
                                               StageTimer& timer);
 

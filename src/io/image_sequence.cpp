@@ -38,6 +38,7 @@ class ImageSequence final : public DepthSequence {
 
   std::string layout() const override { return content_.layout; }
   const CameraIntrinsics& camera() const override { return camera_; }
+  double depth_scale() const override { return *content_.calibration.depth_scale; }
   std::size_t size() const override { return content_.frames.size(); }
   double time(std::size_t i) const override { return content_.frames.at(i).time; }
   bool has_color() const override { return first_color() != nullptr; }

@@ -13,7 +13,7 @@ namespace symscene {
 namespace {
 
 constexpr const char* result_to_write = "result to write";
-constexpr std::size_t version = 2;
+constexpr std::size_t version = 3;
 constexpr std::size_t most_order = 1000;  // of an axis that is read
 
 Json format_axes(const Eigen::Matrix3d& columns) {
@@ -51,6 +51,20 @@ Json format_class(const ObjectClass& symmetry_class) {
   return json;
 }
 
+Json format_pose(const ObjectPose& pose) {
+  Json orientation = Json::array();
+  for (const int k : {0, 1, 2, 3})  // x, y, z, w
+    orientation.push_back(to_json(pose.orientation.coeffs()[k], result_to_write));
+  return {{"position_m", to_json(pose.position, result_to_write)},
+          {"orientation_xyzw", std::move(orientation)}};
+}
+
+void add_box(const ObjectBox& box, Json& json) {
+  json["T_world_object"] = format_pose(box.T_world_object);
+  json["box"] = {{"T_world_box", format_pose(box.T_world_box)},
+                 {"size_m", to_json(box.size, result_to_write)}};
+}
+
 Json format_object(const SegmentationResult& result, std::size_t id) {
   const SceneObject& object = result.objects[id];
   Json json = {{"id", id}, {"points", object.points}};
@@ -70,7 +84,8 @@ Json format_object(const SegmentationResult& result, std::size_t id) {
   }
   if (object.symmetry_class) json["class"] = format_class(*object.symmetry_class);
   if (object.centroid) json["centroid"] = to_json(*object.centroid, result_to_write);
-  json["mesh"] = mesh_name(id);
+  if (object.box) add_box(*object.box, json);
+  json["cloud"] = object_cloud_name(id);
   if (has_surface(result, id)) json["surface"] = surface_name(id);
   if (object.solid) json["solid"] = format_solid(*object.solid);
   return json;
@@ -93,6 +108,11 @@ Json format_timings(const std::vector<StageTime>& timings) {
     json[time.stage] = json.value(time.stage, 0.0) + time.seconds;
   }
   return json;
+}
+
+/// What made a result, which is JSON already.
+Json parsed_made_by(const std::string& made_by) {
+  return made_by.empty() ? Json() : parse_json(made_by, result_to_write);
 }
 
 /// Version 1 called residuals scores.
@@ -152,6 +172,25 @@ ObjectClass parse_class(const JsonCursor& json) {
   return symmetry_class;
 }
 
+/// The numbers as they are, so that a file that is read and written keeps its bytes.
+ObjectPose parse_pose(const JsonCursor& json) {
+  ObjectPose pose;
+  pose.position = json.at("position_m").vector3();
+  const std::vector<JsonCursor> items = json.at("orientation_xyzw").items(4);
+  for (int k = 0; k < 4; ++k)
+    pose.orientation.coeffs()[k] = items[static_cast<std::size_t>(k)].number();
+  if (!(std::abs(pose.orientation.norm() - 1.0) < 1e-3))
+    json.at("orientation_xyzw").fail("a unit quaternion x, y, z, w");
+  return pose;
+}
+
+ObjectBox parse_box(const JsonCursor& object, const JsonCursor& box) {
+  ObjectBox result{parse_pose(object.at("T_world_object")), parse_pose(box.at("T_world_box")),
+                   box.at("size_m").vector3()};
+  if (!(result.size.minCoeff() >= 0.0)) box.at("size_m").fail("three edges of at least 0 m");
+  return result;
+}
+
 SolidProperties parse_solid(const JsonCursor& json) {
   SolidProperties solid;
   solid.volume = json.at("volume").number();
@@ -176,9 +215,10 @@ SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_s
     result.reflectional.push_back(parse_plane(plane, file_version));
   if (const auto found = object.find("class")) result.symmetry_class = parse_class(*found);
   if (const auto centroid = object.find("centroid")) result.centroid = centroid->vector3();
-  if (const auto mesh = object.find("mesh"); mesh && mesh->string() != mesh_name(id)) {
-    mesh->fail(mesh_name(id));
-  }
+  if (const auto box = object.find("box")) result.box = parse_box(object, *box);
+  // Versions 1 and 2 called the cloud of an object its mesh.
+  const auto cloud = object.find(file_version < 3 ? "mesh" : "cloud");
+  if (cloud && cloud->string() != object_cloud_name(id)) cloud->fail(object_cloud_name(id));
   if (const auto surface = object.find("surface"); surface && surface->string() != surface_name(id))
     surface->fail(surface_name(id));
   if (const auto solid = object.find("solid")) result.solid = parse_solid(*solid);
@@ -216,15 +256,17 @@ void parse_records(const JsonCursor& root, SegmentationResult& result) {
 
 }  // namespace
 
-std::string mesh_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
+std::string object_cloud_name(std::size_t id) { return fmt::format("objects/{}.ply", id); }
 std::string surface_name(std::size_t id) { return fmt::format("objects/{}.obj", id); }
 
 bool has_surface(const SegmentationResult& result, std::size_t id) {
   return id < result.surfaces.size() && result.surfaces[id].mesh.triangles.rows() != 0;
 }
 
-std::string format_objects_json(const SegmentationResult& result, bool with_timings) {
+std::string format_objects_json(const SegmentationResult& result, bool with_timings,
+                                const std::string& made_by) {
   Json document = {{"version", version}, {"cloud", "cloud.ply"}};
+  if (Json made = parsed_made_by(made_by); !made.is_null()) document["made_by"] = std::move(made);
   if (result.table) document["table"] = to_json(*result.table, result_to_write);
   document["objects"] = Json::array();
   for (std::size_t id = 0; id < result.objects.size(); ++id)

@@ -10,7 +10,7 @@
 namespace symscene {
 
 /// Names of an object's files in the folder of a result.
-std::string mesh_name(std::size_t id);
+std::string object_cloud_name(std::size_t id);
 std::string surface_name(std::size_t id);
 
 /// Whether an object has a closed surface that is not empty; others have no file of it.

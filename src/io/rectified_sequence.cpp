@@ -12,6 +12,7 @@ class RectifiedSequence final : public DepthSequence {
 
   std::string layout() const override { return measured_->layout(); }
   const CameraIntrinsics& camera() const override { return measured_->camera(); }
+  double depth_scale() const override { return measured_->depth_scale(); }
   std::size_t size() const override { return measured_->size(); }
   double time(std::size_t i) const override { return measured_->time(i); }
   bool has_color() const override { return measured_->has_color(); }

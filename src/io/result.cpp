@@ -142,11 +142,11 @@ void write_result(const fs::path& dir, const SegmentationResult& result,
   static const PointCloud no_points;
   AtomicDirectory folder(dir, {"a result folder", "objects.json", belongs_to_result});
   folder.write("cloud.ply", format_ply(result.cloud));
-  folder.write("objects.json", format_objects_json(result));
+  folder.write("objects.json", format_objects_json(result, true, extras.made_by));
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
     const PointCloud own = select(result.cloud, result.objects[id].points);
     const PointCloud& added = result.completed.empty() ? no_points : result.completed[id];
-    folder.write(mesh_name(id), format_object_cloud(own, added));
+    folder.write(object_cloud_name(id), format_object_cloud(own, added));
     if (has_surface(result, id)) folder.write(surface_name(id), format_obj(result.surfaces[id]));
   }
   if (extras.surface != nullptr) folder.write("surface.ply", format_ply(*extras.surface));
@@ -166,7 +166,7 @@ SegmentationResult read_result(const fs::path& dir) {
   SegmentationResult& result = parsed.result;
   result.cloud = std::move(cloud);
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
-    result.completed.push_back(read_added(dir / mesh_name(id), result.objects[id].points.size()));
+    result.completed.push_back(read_added(dir / object_cloud_name(id), result.objects[id].points.size()));
     result.surfaces.push_back(read_surface(dir / surface_name(id), parsed.names_surface[id] != 0));
   }
   return std::move(parsed.result);

@@ -230,6 +230,7 @@ class BagSequence final : public DepthSequence {
 
   std::string layout() const override { return bag_layout; }
   const CameraIntrinsics& camera() const override { return camera_; }
+  double depth_scale() const override { return depth_scale_; }
   std::size_t size() const override { return depths_.size(); }
   double time(std::size_t i) const override { return depths_.at(i).getTime().toSec(); }
   bool has_color() const override {

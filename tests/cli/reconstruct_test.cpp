@@ -270,16 +270,45 @@ TEST_F(ReconstructCommand, OneFrameGivesTheSameObjectsThroughAScene) {
   EXPECT_GT(fs::file_size(file("one_aside") / "cloud.ply"), 10000U);
 }
 
+TEST_F(ReconstructCommand, UsesEveryNthFrameAndTellsItsRate) {
+  const Outcome outcome = run("reconstruct sweep -o third --every 3 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find(" per second\n"), std::string::npos) << outcome.err;
+  const auto report = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(report.at("frames"), (frames + 2) / 3);
+  EXPECT_GT(report.at("frames_per_second"), 0.0);
+  const auto log = frames_of("third");
+  EXPECT_EQ(log.at("every"), 3);
+  EXPECT_EQ(log.at("runs").back().at("last"), 3 * ((frames + 2) / 3 - 1));
+  const auto times = [](const std::string& scene) {
+    std::istringstream poses(contents(file(scene) / "poses.txt"));
+    std::vector<std::string> found;
+    for (std::string line; std::getline(poses, line);)
+      found.push_back(line.substr(0, line.find(' ')));
+    return found;
+  };
+  ASSERT_EQ(times("third").size(), 4U);
+  EXPECT_EQ(times("third")[1], times("scene")[3]);
+}
+
+TEST_F(ReconstructCommand, WritesBesideTheImagesOfItsInput) {
+  const fs::path sweep = copy_of_sweep("inner");
+  ASSERT_EQ(run("reconstruct inner -o inner/scene --every 4").code, 0);
+  ASSERT_EQ(run("reconstruct inner -o ./inner/scene/ --every 4").code, 0);  // replaces it
+  EXPECT_TRUE(fs::exists(sweep / "scene/cloud.ply"));
+  for (const char* output : {"inner", "inner/", "inner/depth", "inner/depth/scene", "inner/color",
+                             "inner/poses.txt", "inner/rgb"})
+    expect_failure(std::string("inner -o ") + output, 1, "outside the input");
+}
+
 TEST_F(ReconstructCommand, AWrongDepthScaleIsNoticed) {
   const std::string png = (fs::path("sweep") / image(6)).string();
   const std::string segment = "segment " + png + " --intrinsics sweep/intrinsics.txt -o scaled";
   for (const char* scale : {"50", "10000"}) {
     const Outcome outcome = run(segment + " --depth-scale " + scale);
-    EXPECT_NE(
-        outcome.err.find("100 % of the depths are outside 0.2 to 6 m: is --depth-scale right?"),
-        std::string::npos)
-        << scale << "\n"
-        << outcome.err;
+    for (const char* part : {"100 % of the depths are outside 0.2 to 6 m", "the median depth is ",
+                             "try --depth-scale 1000, which makes it 0."})
+      EXPECT_NE(outcome.err.find(part), std::string::npos) << scale << "\n" << outcome.err;
   }
   EXPECT_EQ(run(segment).err.find("--depth-scale"), std::string::npos);
 }

@@ -1,5 +1,6 @@
 // `symscene segment` and the page of its result, run as processes.
 #include "cli/small_scene.hpp"
+#include "io/sha256.hpp"
 
 namespace symscene::testing {
 namespace {
@@ -50,6 +51,30 @@ TEST_F(Command, SegmentsToTheSameBytesForAnyNumberOfThreads) {
     ASSERT_EQ(run("segment scene -o " + result + " --threads " + threads).code, 0);
     EXPECT_EQ(objects_without_times(result), objects_without_times("result"));
     EXPECT_EQ(contents(file(result) / "cloud.ply"), contents(file("result") / "cloud.ply"));
+  }
+}
+
+TEST_F(Command, SaysWhatMadeTheResult) {
+  write(file("coarse.json"), R"({"voxel_size": 0.006, "view": {}})");
+  ASSERT_EQ(run("segment scene -o made --reflectional curve --config coarse.json").code, 0);
+  const auto objects = nlohmann::json::parse(contents(file("made") / "objects.json"));
+  const auto& made = objects.at("made_by");
+  EXPECT_EQ(made.at("symscene"), SYMSCENE_VERSION);
+  EXPECT_EQ(made.at("command"), "segment");
+  EXPECT_EQ(made.at("input"), "scene");
+  EXPECT_EQ(made.at("options"),
+            nlohmann::json::parse(R"({"voxel_size": 0.006, "planes_of_surfaces": false})"));
+  std::map<std::string, std::string> hashes;
+  for (const auto& entry : made.at("files")) hashes[entry.at("file")] = entry.at("sha256");
+  EXPECT_EQ(hashes.size(), 3U);
+  EXPECT_EQ(hashes.at("cloud.ply"), sha256(contents(file("scene") / "cloud.ply")));
+  EXPECT_EQ(hashes.count("occupancy.bt"), 1U);
+  EXPECT_EQ(hashes.count("table_plane.txt"), 1U);
+  for (const auto& object : objects.at("objects")) {
+    for (const auto& edge : object.at("box").at("size_m")) EXPECT_GT(edge, 0.0);
+    EXPECT_TRUE(object.contains("T_world_object"));
+    EXPECT_FALSE(object.contains("mesh"));
+    EXPECT_TRUE(fs::exists(file("made") / object.at("cloud").get<std::string>()));
   }
 }
 

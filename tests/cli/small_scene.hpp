@@ -61,10 +61,11 @@ class Command : public ::testing::Test {
     return nlohmann::json::parse(out.substr(newline == std::string::npos ? 0 : newline + 1));
   }
 
-  /// objects.json without the times.
+  /// objects.json without the times and what made it.
   static nlohmann::json objects_without_times(const std::string& result) {
     nlohmann::json objects = nlohmann::json::parse(contents(file(result) / "objects.json"));
     objects.erase("timings");
+    objects.erase("made_by");
     return objects;
   }
 

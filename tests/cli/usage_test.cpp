@@ -1,7 +1,8 @@
 // The command line itself: mistakes and their exit codes, help, and options that all subcommands
 // share.
 #include <algorithm>
-#include <tuple>
+#include <cstdlib>
+#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -102,8 +103,6 @@ TEST_F(Usage, DumpsPlainJsonAndCommentsOnlyOnRequest) {
 }
 
 TEST_F(Usage, OptionsOfAllSubcommandsMayStandBeforeThem) {
-  write(workspace_ / "cloud.xyz", "");
-  const std::string page = "options";
   const Outcome plain = run("info nowhere --json -v -q");
   for (const char* line :
        {"--json -v -q info nowhere", "-q info nowhere", "--threads 2 --quiet segment nowhere -o x",
@@ -114,6 +113,54 @@ TEST_F(Usage, OptionsOfAllSubcommandsMayStandBeforeThem) {
   }
   expect_mistake("--threads many segment nowhere -o x", "--threads: expected a whole number");
   expect_mistake("--threads 2 view nowhere -o x", "found \"--threads\"");
+}
+
+/// What bash offers for the last word of a line.
+std::string offered(const Workspace& workspace, const std::string& words) {
+  write(workspace / "ask.sh", "source completion.bash\nCOMP_WORDS=(" + words +
+                                  ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_symscene\n"
+                                  "echo \"${COMPREPLY[*]}\"\n");
+  const std::string line = "cd '" + workspace.folder().string() + "' && bash ask.sh > offered";
+  EXPECT_EQ(std::system(line.c_str()), 0);
+  return contents(workspace / "offered");
+}
+
+TEST_F(Usage, BashCompletesSubcommandsOptionsAndValues) {
+  if (std::system("command -v bash > /dev/null") != 0) GTEST_SKIP() << "bash is not installed";
+  ASSERT_EQ(run("completion bash -o completion.bash").code, 0);
+  EXPECT_EQ(contents(workspace_ / "completion.bash"), run("completion bash").out);
+  write(workspace_ / "camera.yaml", "");
+  fs::create_directory(workspace_ / "camera_images");
+  EXPECT_EQ(offered(workspace_, "symscene segm"), "segment\n");
+  EXPECT_EQ(offered(workspace_, "symscene calibrate d"), "depth\n");
+  EXPECT_EQ(offered(workspace_, "symscene --threads 2 calibrate depth --squ"), "--square\n");
+  EXPECT_EQ(offered(workspace_, "symscene segment scene --reflectional cu"), "curve\n");
+  EXPECT_EQ(offered(workspace_, "symscene segment scene --threads ''"), "\n");
+  const std::string files = offered(workspace_, "symscene segment cam");
+  for (const char* file : {"camera.yaml", "camera_images"})
+    EXPECT_NE(files.find(file), std::string::npos) << files;
+  EXPECT_EQ(offered(workspace_, "symscene segment scene -o cam"), "camera_images\n");
+  EXPECT_EQ(offered(workspace_, "symscene help recon"), "reconstruct\n");
+  EXPECT_EQ(offered(workspace_, "symscene completion z"), "zsh\n");
+  expect_mistake("completion fish", "SHELL: expected one of bash, zsh, found \"fish\"");
+}
+
+TEST_F(Usage, ZshCompletesWhatBashDoes) {
+  const std::string script = run("completion zsh").out;
+  EXPECT_TRUE(script.starts_with("#compdef symscene\n"));
+  for (const char* line : {"\"symscene segment --reflectional\") compadd -- curve surface both",
+                           "\"symscene segment -o\"|\"symscene segment --output\") _files -/",
+                           "\"symscene view -o\"|\"symscene view --output\") _files;"})
+    EXPECT_NE(script.find(line), std::string::npos) << line;
+}
+
+TEST_F(Usage, TheManualHasEverySubcommandAndOption) {
+  const Outcome manual = run("manual");
+  ASSERT_EQ(manual.code, 0);
+  for (const char* part :
+       {".TH SYMSCENE 1", ".SS symscene segment\n", ".SS symscene calibrate depth\n",
+        "\\fB\\-o, \\-\\-output\\fR \\fIFOLDER\\fR", ".SH EXIT STATUS"})
+    EXPECT_NE(manual.out.find(part), std::string::npos) << part;
 }
 
 TEST_F(Usage, JsonIsAllThatStandardOutputGets) {

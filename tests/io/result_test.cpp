@@ -20,6 +20,8 @@ SegmentationResult small_result() {
   object.rotational = {{{Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d(0.6, 0, 0.8)}, 0.01}};
   object.reflectional = {{{Eigen::Vector3d(1e-20, 2, 3), Eigen::Vector3d(0, 1, 0)}, 0.02}};
   object.centroid = Eigen::Vector3d(0.1, 0.7, -1e10);
+  const Eigen::Quaterniond turned = Eigen::Quaterniond(0.1, 0.2, 0.3, 0.4).normalized();
+  object.box = {{{1.0 / 3.0, 0.2, 0.3}, turned}, {{0.1, 1.0 / 7.0, 0.3}, turned}, {0.1, 0.2, 0.05}};
   SceneObject overlapping;
   overlapping.points = {5, 6};
   result.objects = {object, overlapping};
@@ -48,6 +50,12 @@ TEST(Result, WritingAndReadingGiveTheSameBits) {
   EXPECT_EQ(object.rotational[0].axis.direction, result.objects[0].rotational[0].axis.direction);
   EXPECT_EQ(object.reflectional[0].plane.point, result.objects[0].reflectional[0].plane.point);
   EXPECT_EQ(object.centroid, result.objects[0].centroid);
+  ASSERT_TRUE(object.box);
+  EXPECT_FALSE(again.objects[1].box);
+  EXPECT_EQ(object.box->T_world_object.position, result.objects[0].box->T_world_object.position);
+  EXPECT_EQ(object.box->T_world_box.orientation.coeffs(),
+            result.objects[0].box->T_world_box.orientation.coeffs());
+  EXPECT_EQ(object.box->size, result.objects[0].box->size);
   expect_same(again.completed[0], result.completed[0]);
   EXPECT_TRUE(again.completed[1].empty());
   EXPECT_EQ(again.rejected[1].reason, "occlusion");
@@ -211,8 +219,47 @@ TEST(Result, FilesOfVersionOneCallResidualsScoresAndHaveNoConfidence) {
   EXPECT_EQ(object.rotational.at(0).residual, 0.01);
   EXPECT_EQ(object.reflectional.at(0).residual, 0.02);
   EXPECT_EQ(object.centroid, Eigen::Vector3d(1.0, 2.0, 3.0));
-  EXPECT_NE(format_objects_json(old).find(R"("version":2)"), std::string::npos);
+  EXPECT_NE(format_objects_json(old).find(R"("version":3)"), std::string::npos);
   EXPECT_NE(format_objects_json(old).find(R"("residual":0.01)"), std::string::npos);
+}
+
+TEST(Result, FilesOfVersionTwoCallTheCloudOfAnObjectItsMesh) {
+  const std::string text =
+      R"({"version":2,"cloud":"cloud.ply","objects":[{"id":0,"points":[0],"confidence":0.5,
+          "rotational":[],"reflectional":[],"mesh":"objects/0.ply"}]})";
+  const std::string again = format_objects_json(parse_objects_json(text, "old.json", 40));
+  EXPECT_NE(again.find(R"("cloud":"objects/0.ply")"), std::string::npos);
+  EXPECT_EQ(again.find("mesh"), std::string::npos);
+  std::string other = text;
+  other.replace(other.find("objects/0.ply"), 13, "objects/1.ply");
+  EXPECT_THROW(parse_objects_json(other, "old.json", 40), InputError);
+  other = again;
+  other.replace(other.find("objects/0.ply"), 13, "objects/1.ply");
+  EXPECT_THROW(parse_objects_json(other, "new.json", 40), InputError);
+}
+
+TEST(Result, RefusesABoxWithoutAUnitQuaternionOrWithNegativeEdges) {
+  const std::string text = format_objects_json(small_result());
+  const auto refused = [&](const std::string& before, const std::string& after) {
+    std::string changed = text;
+    changed.replace(changed.find(before), before.size(), after);
+    return refusal([&] { parse_objects_json(changed, "objects.json", 40); });
+  };
+  EXPECT_NE(refused(R"("size_m":[0.1)", R"("size_m":[-0.1)").find("objects[0].box.size_m"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("orientation_xyzw":[)", R"("orientation_xyzw":[3)").find("unit quaternion"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("T_world_object")", R"("T_world_subject")").find("T_world_object"),
+            std::string::npos);
+}
+
+TEST(Result, SaysWhatMadeIt) {
+  const std::string made_by = R"({"command":"segment","files":[]})";
+  const std::string text = format_objects_json(small_result(), true, made_by);
+  EXPECT_NE(text.find("\"made_by\":" + made_by), std::string::npos);
+  EXPECT_EQ(format_objects_json(parse_objects_json(text, "x", 40)),
+            format_objects_json(small_result()));
+  EXPECT_THROW(format_objects_json(small_result(), true, "segment"), InputError);
 }
 
 TEST(Result, TheTextIsTheSameForTheSameResult) {
@@ -323,8 +370,8 @@ TEST(Result, RefusalsNameFileAndPath) {
     const std::string changed = replaced(text, from, to);
     return refusal([&] { parse_objects_json(changed, "objects.json", 40); });
   };
-  EXPECT_EQ(message("\"version\":2", "\"version\":3"),
-            "objects.json: version: expected at most 2, found 3");
+  EXPECT_EQ(message("\"version\":3", "\"version\":4"),
+            "objects.json: version: expected at most 3, found 4");
   EXPECT_EQ(message("\"residual\":0.01", "\"score\":0.01"),
             "objects.json: objects[0].rotational[0]: expected a member \"residual\", found none");
   EXPECT_EQ(message("[0,5,39]", "[0,5,40]"),
@@ -337,7 +384,7 @@ TEST(Result, RefusalsNameFileAndPath) {
             "objects.json: objects[0].rotational[0].direction: expected a direction, found a "
             "vector without length");
   EXPECT_EQ(message("objects/0.ply", "../../etc/passwd"),
-            "objects.json: objects[0].mesh: expected objects/0.ply, found \"../../etc/passwd\"");
+            "objects.json: objects[0].cloud: expected objects/0.ply, found \"../../etc/passwd\"");
   EXPECT_EQ(message("\"funnel\":[", "\"funnel\":[{},"),
             "objects.json: funnel[0]: expected a member \"step\", found none");
 }

@@ -1,22 +1,13 @@
 #include "dataset_tally.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "dataset_worker.hpp"
+#include "frame_rate.hpp"
 
 namespace symscene::app {
-namespace {
-
-std::string duration(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", std::ceil(seconds));
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", std::ceil(seconds / 60.0));
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
-}  // namespace
 
 void DatasetTally::add(const ItemOutcome& outcome, Session& session) {
   ++finished_;
@@ -41,7 +32,7 @@ std::string DatasetTally::progress() const {
   if (finished_ == 0) return scene;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const double rest = static_cast<double>(wanted_ - finished_) / static_cast<double>(finished_);
-  return fmt::format("{}, {} left", scene, duration(rest * elapsed.count()));
+  return fmt::format("{}, {} left", scene, rough_duration(rest * elapsed.count()));
 }
 
 }  // namespace symscene::app

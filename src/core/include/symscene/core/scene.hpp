@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "symscene/core/geometry.hpp"
+#include "symscene/core/object_box.hpp"
 #include "symscene/core/object_class.hpp"
 #include "symscene/core/occupancy_map.hpp"
 #include "symscene/core/point_cloud.hpp"
@@ -46,6 +47,7 @@ struct SceneObject {
   /// Centre of mass under the symmetries, once the object is completed. [m]
   std::optional<Eigen::Vector3d> centroid = {};
   std::optional<ObjectClass> symmetry_class = {};
+  std::optional<ObjectBox> box = {};          ///< around it once it is completed
   std::optional<SolidProperties> solid = {};  ///< of its closed surface, if that is not empty
 
   /// By which objects are sorted.

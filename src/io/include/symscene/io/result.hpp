@@ -13,20 +13,23 @@ namespace symscene {
 
 /// The text of objects.json (docs/formats.md, docs/objects.schema.json): the whole result except
 /// its clouds. Equal results give equal bytes; without timings (`with_timings` false), runs on
-/// equal input do. Times of stages with the same name are added. Throws InputError if a number of
-/// an object is not finite.
-std::string format_objects_json(const SegmentationResult& result, bool with_timings = true);
+/// equal input do. Times of stages with the same name are added. `made_by` is JSON that tells what
+/// made the result; nothing by default. Throws InputError if a number of an object is not finite or
+/// `made_by` is not JSON.
+std::string format_objects_json(const SegmentationResult& result, bool with_timings = true,
+                                const std::string& made_by = "");
 
-/// Reads objects.json back; `cloud`, `completed` and `surfaces` of the result are empty. Normals
+/// Reads objects.json back, of this version and earlier ones; `cloud`, `completed` and `surfaces` of the result are empty. Normals
 /// and directions are scaled to unit length. `name` is the name of the file in messages. Throws
 /// InputError if the text is not a valid objects.json or an index is not below `cloud_size`.
 SegmentationResult parse_objects_json(std::string_view text, const std::string& name,
                                       Index cloud_size);
 
-/// Optional files of a result folder, which show the surroundings of the objects.
+/// Optional parts of a result folder: what shows the surroundings of the objects, and what made it.
 struct ResultExtras {
   const TriangleMesh* surface = nullptr;   ///< surface.ply
   const Trajectory* trajectory = nullptr;  ///< poses.txt
+  std::string made_by = {};                ///< JSON: made_by of objects.json
 };
 
 /// Writes a result folder atomically: cloud.ply, objects.json, the extras, and for object N the

@@ -28,6 +28,8 @@ class DepthSequence {
 
   virtual std::string layout() const = 0;              ///< "sequence", "TUM RGB-D", "7-Scenes", ...
   virtual const CameraIntrinsics& camera() const = 0;  ///< of the frames as they are read
+  /// The value of the depth images that is 1 m, of the files or as it was given. [1/m]
+  virtual double depth_scale() const = 0;
   virtual std::size_t size() const = 0;
   virtual double time(std::size_t i) const = 0;     ///< [s]
   virtual bool has_color() const = 0;               ///< whether any frame has colour

@@ -1,0 +1,31 @@
+#include <memory>
+
+#include "commands.hpp"
+#include "io/atomic_file.hpp"
+#include "print.hpp"
+#include "shell_completion.hpp"
+
+namespace symscene::app {
+
+void add_completion(CommandLine& line) {
+  struct State {
+    SharedOptions shared;
+    std::string shell;
+  };
+  const auto state = std::make_shared<State>();
+  Arguments arguments(line, "completion", "Print a script by which a shell completes the command",
+                      "source <(symscene completion bash)\n"
+                      "  symscene completion zsh -o _symscene");
+  arguments.word(state->shell, "SHELL", {"bash", "zsh"}, "shell");
+  arguments.optional_output_file(state->shared, "file to write (default: standard output)");
+  arguments.run([&line, state] {
+    const std::string script =
+        state->shell == "bash" ? bash_completion(line.parser) : zsh_completion(line.parser);
+    if (state->shared.output.empty())
+      print_output(script);
+    else
+      write_file_atomically(state->shared.output, script);
+  });
+}
+
+}  // namespace symscene::app

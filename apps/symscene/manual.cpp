@@ -1,0 +1,24 @@
+#include <memory>
+
+#include "commands.hpp"
+#include "io/atomic_file.hpp"
+#include "manual_page.hpp"
+#include "print.hpp"
+
+namespace symscene::app {
+
+void add_manual(CommandLine& line) {
+  const auto shared = std::make_shared<SharedOptions>();
+  Arguments arguments(line, "manual", "Print the manual page, in the language of man",
+                      "symscene manual -o symscene.1 && man ./symscene.1");
+  arguments.optional_output_file(*shared, "file to write (default: standard output)");
+  arguments.run([&line, shared] {
+    const std::string page = manual_page(line.parser);
+    if (shared->output.empty())
+      print_output(page);
+    else
+      write_file_atomically(shared->output, page);
+  });
+}
+
+}  // namespace symscene::app

@@ -1,0 +1,63 @@
+// What reconstruct tells about its pace, and its advice about depth scales.
+#include "frame_rate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "depth_range.hpp"
+
+namespace symscene::app {
+namespace {
+
+TEST(FrameRate, TellsPaceAndTimeLeftOnceItIsKnown) {
+  EXPECT_EQ(frame_progress(0, 120, 0.0), "frame 1 of 120");
+  EXPECT_EQ(frame_progress(5, 120, 0.5), "frame 6 of 120");
+  EXPECT_EQ(frame_progress(20, 120, 2.0), "frame 21 of 120, 10.0 per second, 10 s left");
+  EXPECT_EQ(frame_progress(1, 1000, 1.0), "frame 2 of 1000, 1.0 per second, 17 min left");
+}
+
+TEST(FrameRate, RoundsDurationsUp) {
+  EXPECT_EQ(rough_duration(0.2), "1 s");
+  EXPECT_EQ(rough_duration(100.0), "2 min");
+  EXPECT_EQ(rough_duration(7200.0), "2.0 h");
+}
+
+DepthFrame frame_at(double depth) {
+  DepthFrame frame;
+  frame.depth.assign(100, static_cast<float>(depth));
+  frame.depth.front() = 0.0F;
+  return frame;
+}
+
+TEST(DepthRange, NamesMedianLimitAndTheScaleToTry) {
+  // A table at 0.78 m in images of 5000 per metre that are read as millimetres.
+  const DepthFrame frame = frame_at(3.9);
+  const auto far = depth_range_warning({&frame, 1}, {1000.0, 0.2, 3.0});
+  ASSERT_TRUE(far);
+  EXPECT_EQ(*far,
+            "100 % of the depths are outside 0.2 to 3 m and not used; the median depth is 3.9 m: "
+            "try --depth-scale 5000, which makes it 0.78 m, in place of 1000");
+  EXPECT_FALSE(depth_range_warning({&frame, 1}, {1000.0, 0.2, 6.0}));
+}
+
+TEST(DepthRange, FindsTheTrueScaleForEveryUsualMistake) {
+  for (const double truth : {1.0, 1000.0, 5000.0, 10000.0}) {
+    for (const double read_as : {1.0, 1000.0, 5000.0, 10000.0}) {
+      const DepthFrame frame = frame_at(0.9 * truth / read_as);
+      const auto warning = depth_range_warning({&frame, 1}, {read_as, 0.2, 6.0});
+      if (!warning) continue;
+      EXPECT_NE(warning->find("try --depth-scale " + std::to_string(static_cast<int>(truth)) + ","),
+                std::string::npos)
+          << *warning;
+    }
+  }
+}
+
+TEST(DepthRange, AsksWhereNoOtherScaleIsLikelier) {
+  const DepthFrame frame = frame_at(0.6);
+  const auto warning = depth_range_warning({&frame, 1}, {1000.0, 0.8, 6.0});
+  ASSERT_TRUE(warning);
+  EXPECT_NE(warning->find("is --depth-scale 1000 right?"), std::string::npos) << *warning;
+}
+
+}  // namespace
+}  // namespace symscene::app
