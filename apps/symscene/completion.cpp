@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "io/atomic_file.hpp"
 #include "print.hpp"
