@@ -22,13 +22,6 @@ Triangle triangle(const TriangleMesh& mesh, Eigen::Index t) {
   return {corner(0), corner(1) - corner(0), corner(2) - corner(0)};
 }
 
-double total_area(const TriangleMesh& mesh) {
-  double area = 0.0;
-  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
-    area += triangle(mesh, t).area_vector().norm();
-  return area;
-}
-
 /// The k-th point of the R2 sequence (Roberts 2018), folded into the unit triangle.
 Eigen::Vector2d low_discrepancy(std::size_t k) {
   constexpr double plastic = 1.32471795724474602596;
@@ -47,8 +40,15 @@ Eigen::Index nearest_corner(const Eigen::Vector2d& p) {
 
 }  // namespace
 
+double surface_area(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    area += triangle(mesh, t).area_vector().norm();
+  return area;
+}
+
 PointCloud sample_surface(const TriangleMesh& mesh, std::size_t count) {
-  const double area = total_area(mesh);
+  const double area = surface_area(mesh);
   if (!(area > 0.0) || !std::isfinite(area)) {
     throw InputError("mesh", "triangles of positive area",
                      std::to_string(mesh.triangles.rows()) + " triangles without any");

@@ -5,6 +5,9 @@
 
 namespace symscene {
 
+/// The area of a mesh. [m²]
+double surface_area(const TriangleMesh& mesh);
+
 /// About `count` oriented points, distributed over a mesh by area with a low-discrepancy sequence
 /// in every triangle; the same mesh gives the same points. Normals are those of the triangles,
 /// colours those of the nearest vertex. Throws InputError if the mesh has no triangle of positive

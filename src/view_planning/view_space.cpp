@@ -1,0 +1,65 @@
+#include "view_space.hpp"
+
+#include <cmath>
+
+#include "core/surface_sampling.hpp"
+#include "voxel_walk.hpp"
+
+namespace symscene {
+namespace {
+
+Box box_of(const SegmentationResult& result) {
+  Box box = bounding_box(result.cloud.positions);
+  for (const ObjectSurface& surface : result.surfaces) {
+    if (surface.mesh.vertices.rows() == 0) continue;
+    const Box own = bounding_box(surface.mesh.vertices);
+    box.min = box.min.cwiseMin(own.min);
+    box.max = box.max.cwiseMax(own.max);
+  }
+  return box;
+}
+
+}  // namespace
+
+std::size_t voxel_at(const VoxelFrame& frame, const Eigen::Vector3f& point) {
+  const Eigen::Array3f at = (point - frame.origin).array() / frame.resolution;
+  if (!(at >= 0.0F).all() || !(at < frame.size.array().cast<float>()).all()) return no_voxel;
+  const Eigen::Array3i cell = at.cast<int>();
+  return static_cast<std::size_t>(cell.z()) * frame.slice_length() +
+         static_cast<std::size_t>(cell.y()) * frame.row_length() +
+         static_cast<std::size_t>(cell.x());
+}
+
+ViewSpace::ViewSpace(const KnownScene& scene, const NextViewOptions& options)
+    : knows_space_(scene.occupancy != nullptr),
+      grid_(rasterize(knows_space_ ? *scene.occupancy : OccupancyMap{},
+                      box_of(scene.result).padded(static_cast<float>(options.margin)),
+                      options.max_voxels)),
+      solid_(grid_.states.size(), 0) {
+  for (std::size_t i = 0; i < grid_.states.size(); ++i)
+    solid_[i] = grid_.states[i] == VoxelState::occupied ? 1 : 0;
+  for (const ObjectSurface& surface : scene.result.surfaces) mark_surface(surface.mesh);
+}
+
+/// Samples are so dense that no ray passes between their voxels but at grazing incidence.
+void ViewSpace::mark_surface(const TriangleMesh& mesh) {
+  const double area = surface_area(mesh);
+  if (!(area > 0.0)) return;
+  const double spacing = 0.5 * static_cast<double>(grid_.frame.resolution);
+  const auto count = static_cast<std::size_t>(std::ceil(area / (spacing * spacing)));
+  const PointCloud samples = sample_surface(mesh, count);
+  for (Index i = 0; i < samples.size(); ++i) {
+    const std::size_t voxel = voxel_at(grid_.frame, samples.position(i));
+    if (voxel != no_voxel) solid_[voxel] = 1;
+  }
+}
+
+bool ViewSpace::sees(const Eigen::Vector3f& camera, const Eigen::Vector3f& place) const {
+  for (VoxelWalk walk(grid_.frame, place, camera - place);
+       walk.is_inside() && walk.distance() < 1.0F; walk.advance()) {
+    if (is_solid(walk.voxel())) return false;
+  }
+  return true;
+}
+
+}  // namespace symscene
