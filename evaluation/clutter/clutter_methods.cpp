@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "clutter/sensed_scene.hpp"
 #include "core/random.hpp"
 #include "method_parts.hpp"
-#include "sensed_scene.hpp"
 #include "stopwatch.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"

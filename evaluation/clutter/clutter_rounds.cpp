@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "clutter/grasp_aim.hpp"
 #include "core/random.hpp"
-#include "grasp_aim.hpp"
 #include "method_parts.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/physics/physics_world.hpp"

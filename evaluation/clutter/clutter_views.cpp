@@ -98,6 +98,22 @@ std::vector<TriangleMesh> item_meshes(const ClutterWorld& world) {
   return meshes;
 }
 
+std::vector<TriangleMesh> world_meshes(const ClutterWorld& world) {
+  std::vector<TriangleMesh> meshes = item_meshes(world);
+  meshes.push_back(table_mesh());
+  return meshes;
+}
+
+ClutterView view_of(const DepthRenderer& renderer, const Eigen::Isometry3d& T_world_camera,
+                    const ClutterNoiseOptions& options, const Random& noise) {
+  const CameraIntrinsics camera = clutter_camera();
+  std::vector<float> depth = renderer.render(camera, T_world_camera).depth;
+  for (float& pixel : depth) {
+    if (pixel < static_cast<float>(near) || pixel > static_cast<float>(far)) pixel = 0.0F;
+  }
+  return {{0.0, with_clutter_noise(depth, camera, options, noise), {}}, T_world_camera};
+}
+
 std::size_t pixels_of(const SensorFrame& frame, Index mesh) {
   return static_cast<std::size_t>(std::count(frame.objects.begin(), frame.objects.end(), mesh));
 }
@@ -133,21 +149,17 @@ std::vector<float> with_clutter_noise(const std::vector<float>& depth,
   return noisy;
 }
 
+ClutterView clutter_view(const ClutterWorld& world, const Eigen::Isometry3d& T_world_camera,
+                         const ClutterNoiseOptions& options, const Random& noise) {
+  return view_of(DepthRenderer(world_meshes(world)), T_world_camera, options, noise);
+}
+
 std::vector<ClutterView> clutter_views(const ClutterWorld& world, int views,
                                        const ClutterNoiseOptions& options, std::uint64_t seed) {
-  std::vector<TriangleMesh> meshes = item_meshes(world);
-  meshes.push_back(table_mesh());
-  const DepthRenderer renderer(meshes);
-  const CameraIntrinsics camera = clutter_camera();
+  const DepthRenderer renderer(world_meshes(world));
   std::vector<ClutterView> result;
-  for (const Eigen::Isometry3d& pose : clutter_view_poses(views)) {
-    std::vector<float> depth = renderer.render(camera, pose).depth;
-    for (float& pixel : depth) {
-      if (pixel < static_cast<float>(near) || pixel > static_cast<float>(far)) pixel = 0.0F;
-    }
-    const Random random(seed, result.size());
-    result.push_back({{0.0, with_clutter_noise(depth, camera, options, random), {}}, pose});
-  }
+  for (const Eigen::Isometry3d& pose : clutter_view_poses(views))
+    result.push_back(view_of(renderer, pose, options, Random(seed, result.size())));
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include "grasp_aim.hpp"
+#include "clutter/grasp_aim.hpp"
 
 namespace symscene {
 

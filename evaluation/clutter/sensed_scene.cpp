@@ -1,4 +1,4 @@
-#include "sensed_scene.hpp"
+#include "clutter/sensed_scene.hpp"
 
 #include "method_parts.hpp"
 #include "symscene/core/error.hpp"

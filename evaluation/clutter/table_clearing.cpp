@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "clutter/found_mesh.hpp"
+#include "clutter/grasp_aim.hpp"
 #include "core/random.hpp"
-#include "grasp_aim.hpp"
 #include "symscene/clutter/graspability.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"

@@ -52,6 +52,10 @@ struct ClutterView {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 };
 
+/// The depth image of the world at T_world_camera, with noise.
+ClutterView clutter_view(const ClutterWorld& world, const Eigen::Isometry3d& T_world_camera,
+                         const ClutterNoiseOptions& options, const Random& noise);
+
 /// The depth images of the world with noise from `seed`.
 std::vector<ClutterView> clutter_views(const ClutterWorld& world, int views,
                                        const ClutterNoiseOptions& options, std::uint64_t seed);

@@ -1,0 +1,117 @@
+// Scenes of the clutter benchmark, looked at one view after the other: what is known after each
+// view, by the policy that chooses them.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+#include "program.hpp"
+#include "symscene/core/thread_limit.hpp"
+#include "symscene/exploration/exploration_report.hpp"
+#include "symscene/physics/physics_world.hpp"
+
+namespace {
+
+using namespace symscene;
+
+struct Arguments {
+  std::filesystem::path objects, steps;
+  std::string share = "all", kind = "packed";
+  std::vector<std::string> policies;
+  int scenes = 50;
+  int first = 0;
+  std::size_t threads = 2;
+  bool verbose = false;
+  ExplorationOptions options;
+};
+
+void declare(CLI::App& app, Arguments& a) {
+  app.add_option("--objects", a.objects, "folder with NAME.urdf, its surface and convex parts")
+      ->required();
+  app.add_option("--share", a.share, "objects by the hash of their name: all, fitting, held-out")
+      ->capture_default_str();
+  app.add_option("--scene", a.kind, "packed or pile")->capture_default_str();
+  app.add_option("--scenes", a.scenes, "scenes")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--first", a.first, "number of the first scene")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--seed", a.options.seed, "seed of all scenes")->capture_default_str();
+  app.add_option("--count", a.options.objects, "objects per scene")->capture_default_str();
+  app.add_option("--views", a.options.views, "views per scene")->capture_default_str();
+  app.add_option("--grasp-after", a.options.grasp_after,
+                 "views after which the best grasp of the least visible object is tried; 0: never")
+      ->capture_default_str();
+  app.add_option("--policy", a.policies,
+                 "symmetry, unknown-voxels, rear-side-voxels, fixed-arc, random or oracle; several "
+                 "are compared (default: all)");
+  NextViewOptions& choice = a.options.next_view;
+  app.add_option("--explained-weight", choice.explained_weight,
+                 "weight of inferred surface that a symmetry explains")
+      ->capture_default_str();
+  app.add_option("--dispute-weight", choice.dispute_weight, "weight of disputed surface")
+      ->capture_default_str();
+  app.add_option("--unknown-weight", choice.unknown_weight, "weight of the border of the unknown")
+      ->capture_default_str();
+  app.add_flag("!--exact", a.options.noise.enabled, "depth images without noise");
+  app.add_option("--steps", a.steps, "CSV file to write: one line per view");
+  app.add_option("--threads", a.threads, "at most so many threads")->capture_default_str();
+  app.add_flag("-v,--verbose", a.verbose, "one line per scene and policy");
+}
+
+void print_exploration(const Exploration& e) {
+  fmt::print("scene {:3} {:<18} observed", e.scene, to_string(e.policy));
+  for (const ExplorationStep& step : e.steps) fmt::print(" {:.3f}", step.observed);
+  fmt::print(", completed");
+  for (const ExplorationStep& step : e.steps) fmt::print(" {:.3f}", step.completed);
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+std::vector<ExplorationPolicy> policies_of(const Arguments& arguments) {
+  std::vector<ExplorationPolicy> policies;
+  for (const std::string& name : arguments.policies)
+    policies.push_back(parse_exploration_policy(name));
+  if (!policies.empty()) return policies;
+  const auto all = exploration_policies();
+  return {all.begin(), all.end()};
+}
+
+int run(Arguments& arguments) {
+  if (!has_physics()) {
+    fmt::print(stderr, "this build has no physics: libmujoco-dev would add it\n");
+    return 1;
+  }
+  const ThreadLimit limit(arguments.threads);
+  arguments.options.kind = parse_clutter_kind(arguments.kind);
+  const std::vector<ExplorationPolicy> policies = policies_of(arguments);
+  const std::vector<ClutterObject> objects =
+      read_clutter_objects(arguments.objects, parse_object_share(arguments.share));
+  fmt::print("{} objects ({}), {}, {} scenes of {} from {} on, {} views, seed {}\n", objects.size(),
+             arguments.share, arguments.kind, arguments.scenes, arguments.options.objects,
+             arguments.first, arguments.options.views, arguments.options.seed);
+  std::vector<Exploration> all;
+  for (int scene = arguments.first; scene < arguments.first + arguments.scenes; ++scene) {
+    for (const Exploration& e : explore_clutter(objects, policies, arguments.options, scene)) {
+      if (arguments.verbose) print_exploration(e);
+      all.push_back(e);
+    }
+    if (!arguments.steps.empty())
+      write_file_atomically(arguments.steps, format_explorations_csv(all));
+  }
+  fmt::print("{}", format_exploration_report(all));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Scenes looked at one view after the other, by the policy that chooses the views");
+  declare(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  return symscene::bench::exit_code_of("symscene_bench_next_view", [&] { return run(arguments); });
+}

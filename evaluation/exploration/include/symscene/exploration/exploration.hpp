@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "symscene/clutter/clutter_rounds.hpp"
+#include "symscene/evaluation/mask_metrics.hpp"
+#include "symscene/view_planning/next_view.hpp"
+
+// Scenes of the clutter benchmark that are looked at one view after the other. The policies by
+// which the next view is chosen are compared on the same scenes with the same noise.
+namespace symscene {
+
+/// By what the next view is chosen.
+enum class ExplorationPolicy : std::uint8_t {
+  symmetry,          ///< ViewPolicy::symmetry
+  unknown_voxels,    ///< ViewPolicy::unknown_voxels
+  rear_side_voxels,  ///< ViewPolicy::rear_side_voxels
+  fixed_arc,         ///< around the scene, always the same way (section 4.6.2 of the thesis)
+  random,
+  oracle  ///< that which shows most of the true surface that was not seen yet
+};
+
+/// The name of a policy in options: "fixed-arc" for fixed_arc.
+const char* to_string(ExplorationPolicy policy);
+/// Throws InputError if no policy has that name.
+ExplorationPolicy parse_exploration_policy(std::string_view name);
+/// All policies.
+std::span<const ExplorationPolicy> exploration_policies();
+
+struct ExplorationOptions {
+  ClutterKind kind = ClutterKind::packed;
+  int objects = 5;
+  int views = 8;
+  /// After so many views the best grasp of the least visible object is tried and undone; 0: never.
+  int grasp_after = 3;
+  double radius = 0.6;  ///< of the half sphere of candidate views [m]
+  std::uint64_t seed = 0;
+  NextViewOptions next_view;
+  ClutterMethodOptions sensing;
+  ClutterNoiseOptions noise;
+  GraspExecutionOptions execution;
+  GraspWorldOptions physics;
+
+  /// Throws InputError if a value is out of its range.
+  void validate() const;
+};
+
+/// What is known after a view.
+struct ExplorationStep {
+  std::size_t view = 0;    ///< the candidate that was looked from
+  double observed = 0.0;   ///< share of the true surfaces within 5 mm of a point that was seen
+  double completed = 0.0;  ///< the same, of points and closed surfaces of objects
+  DetectionCounts masks;   ///< at an overlap of 0.75
+  std::optional<bool> grasped = {};  ///< whether the best grasp of the least visible object held it
+  double decision_seconds = 0.0;     ///< of the choice of this view; 0 for the first
+};
+
+/// One scene, explored by one policy.
+struct Exploration {
+  int scene = 0;
+  ExplorationPolicy policy = ExplorationPolicy::symmetry;
+  std::vector<ExplorationStep> steps;  ///< fewer than views if physics or sensing gave nothing
+
+  /// Mean over the views of a measure: the area under its curve, between 0 and 1.
+  double mean_observed() const;
+  double mean_completed() const;
+};
+
+/// Explores scene number `scene` by each of the policies: the same objects, the same first view (60
+/// degrees from the vertical at a random azimuth) and, at the same pose, the same noise. The same
+/// options give the same explorations apart from times. Throws InputError if an option is out of
+/// its range or this build has no physics, and PhysicsDiverged.
+std::vector<Exploration> explore_clutter(std::span<const ClutterObject> objects,
+                                         std::span<const ExplorationPolicy> policies,
+                                         const ExplorationOptions& options, int scene);
+
+}  // namespace symscene
