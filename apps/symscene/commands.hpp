@@ -11,6 +11,7 @@
   SUBCOMMAND(grasp)                      \
   SUBCOMMAND(plan)                       \
   SUBCOMMAND(cylinders)                  \
+  SUBCOMMAND(next_view)                  \
   SUBCOMMAND(symmetry)                   \
   SUBCOMMAND(view)                       \
   SUBCOMMAND(info)                       \

@@ -32,7 +32,7 @@ struct Cylinders {
     write_result_page(
         page, source.path, result,
         {surface_around(input.surface, result, source.path, session), std::move(input.trajectory)},
-        PageGrasps{hand, plan}, "cluster");
+        {.grasps = PageGrasps{hand, plan}, .noun = "cluster"});
   }
 
   void run() {

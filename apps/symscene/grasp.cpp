@@ -2,10 +2,10 @@
 #include <utility>
 
 #include "commands.hpp"
-#include "grasp_input.hpp"
 #include "grasp_table.hpp"
 #include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
+#include "object_input.hpp"
 #include "result_page.hpp"
 #include "session.hpp"
 #include "symscene/grasping/planner.hpp"
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct GraspCommand {
   SharedOptions shared;
   GraspOptions options;
-  GraspInput input;
+  ObjectInput input;
   fs::path page;
   GripperChoice gripper;
 
@@ -39,14 +39,14 @@ struct GraspCommand {
     input.with_page = !page.empty();
     Session session("grasp", shared);
     StageTimer timer(session.on_begin());
-    SegmentedInput read = input.read(timer, session, options);
-    const GraspPlan plan = plan_grasps(read.scene, hand, options);
+    SegmentedInput read = input.read(timer, session);
+    const GraspPlan plan = plan_grasps(input.grasp_scene(read, options), hand, options);
     for (const StageTime& stage : plan.timings) timer.add(stage.stage, stage.seconds);
     timer.time("write", [&] {
       write_file_atomically(shared.output, format_grasps_json(plan, hand));
       if (!page.empty()) {
         write_result_page(page, input.source.path, read.result, std::move(read.around),
-                          PageGrasps{hand, plan});
+                          {.grasps = PageGrasps{hand, plan}});
       }
     });
     session.print_line(format_grasps(plan));

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "grasp_input.hpp"
 #include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
 #include "moveit_output.hpp"
+#include "object_input.hpp"
 #include "pick_table.hpp"
 #include "plan_page.hpp"
 #include "robot_choice.hpp"
@@ -54,7 +54,7 @@ struct PlanCommand {
   PlanOptions options;
   fs::path path, result;  ///< a grasps.json, or what the objects are read from
   fs::path page;          ///< empty: none is written
-  GraspInput input;
+  ObjectInput input;
   RobotChoice robot;
   GripperChoice gripper{""};
   MoveItOutput moveit;
@@ -109,6 +109,10 @@ struct PlanCommand {
                      std::to_string(file.plan.objects.size()));
   }
 
+  GraspScene read_scene(StageTimer& timer, Session& session) const {
+    return input.grasp_scene(input.read(timer, session), options.grasps);
+  }
+
   PlanInput read_grasp_file(StageTimer& timer, Session& session, const RobotArm& arm) const {
     GraspFile file = read_grasps(path);
     const bool is_wanted = !gripper.name.empty() && gripper.gripper().name == file.gripper.name;
@@ -117,19 +121,18 @@ struct PlanCommand {
           path.string() + ": gripper",
           fmt::format("{}, which the arm has (or --gripper {})", *arm.gripper, file.gripper.name),
           file.gripper.name);
-    SegmentedInput read = input.read(timer, session, options.grasps);
-    require_same_objects(file, read.scene);
-    return chosen(std::move(read.scene), file.gripper, file.plan.grasps);
+    GraspScene scene = read_scene(timer, session);
+    require_same_objects(file, scene);
+    return chosen(std::move(scene), file.gripper, file.plan.grasps);
   }
 
   PlanInput find_grasps(StageTimer& timer, Session& session, const RobotArm& arm) const {
     if (gripper.name.empty() && !arm.gripper)
       throw InputError("--arm", "an arm with a gripper, or --gripper", arm.arm.name);
     const Gripper hand = (gripper.name.empty() ? GripperChoice{*arm.gripper} : gripper).gripper();
-    SegmentedInput read = input.read(timer, session, options.grasps);
-    GraspPlan plan =
-        timer.time("grasps", [&] { return plan_grasps(read.scene, hand, options.grasps); });
-    return chosen(std::move(read.scene), hand, plan.grasps);
+    GraspScene scene = read_scene(timer, session);
+    GraspPlan plan = timer.time("grasps", [&] { return plan_grasps(scene, hand, options.grasps); });
+    return chosen(std::move(scene), hand, plan.grasps);
   }
 
   /// The grasps of --object, or all.

@@ -30,16 +30,16 @@ std::optional<Eigen::Vector3d> camera_up(const PointCloud& cloud) {
 }
 
 void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,
-                       const SegmentationResult& result, Surroundings around,
-                       std::optional<PageGrasps> grasps, const std::string& noun) {
+                       const SegmentationResult& result, Surroundings around, PageExtras extras) {
   PageOptions options;
-  options.noun = noun;
+  options.noun = std::move(extras.noun);
   options.title = folder_name(source);
   options.table = result.table;
   if (!result.table) options.up = camera_up(result.cloud);
   options.surface = std::move(around.surface);
   options.trajectory = std::move(around.trajectory);
-  options.grasps = std::move(grasps);
+  options.grasps = std::move(extras.grasps);
+  options.views = std::move(extras.views);
   write_file_atomically(page, render_page(result, options));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "session.hpp"
 #include "symscene/io/result.hpp"
@@ -17,11 +18,16 @@ TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResul
 /// camera at the origin that looks along +z; none for others.
 std::optional<Eigen::Vector3d> camera_up(const PointCloud& cloud);
 
-/// Writes the page of a result that was made of `source`, which gives its title. `noun`: what the
-/// page calls an object.
+/// What a page shows beside a result.
+struct PageExtras {
+  std::optional<PageGrasps> grasps = std::nullopt;
+  std::optional<PageViews> views = std::nullopt;
+  std::string noun = "object";  ///< what the page calls an object
+};
+
+/// Writes the page of a result that was made of `source`, which gives its title.
 void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,
                        const SegmentationResult& result, Surroundings around,
-                       std::optional<PageGrasps> grasps = std::nullopt,
-                       const std::string& noun = "object");
+                       PageExtras extras = {});
 
 }  // namespace symscene::app

@@ -6,6 +6,7 @@
 #include "scan_payload.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/viewer/page_surface.hpp"
+#include "view_payload.hpp"
 
 namespace symscene {
 namespace {
@@ -151,6 +152,7 @@ json make_payload(const SegmentationResult& result, const PageOptions& options) 
           {"surface", surface(result, options)},
           {"trajectory", trajectory_payload(options.trajectory)},
           {"grasps", grasp_payload(options.grasps, result.objects.size())},
+          {"views", view_payload(options.views)},
           {"timings", list(result.timings)},
           {"funnel", list(result.funnel)},
           {"rejected", list(result.rejected)},

@@ -48,15 +48,14 @@ RenumberedTriangles renumber(const TriangleMesh& mesh) {
   return renumbered;
 }
 
-/// Right, down and forward are the camera's x, y and z axes.
+}  // namespace
+
 json camera_payload(const Eigen::Isometry3d& T_world_camera) {
   return {{"position", encode(T_world_camera.translation())},
           {"right", encode(T_world_camera.linear().col(0))},
           {"down", encode(T_world_camera.linear().col(1))},
           {"forward", encode(T_world_camera.linear().col(2))}};
 }
-
-}  // namespace
 
 json surface_payload(const TriangleMesh& surface) {
   if (surface.triangles.rows() == 0) return nullptr;

@@ -15,6 +15,9 @@ nlohmann::json surface_payload(const TriangleMesh& surface);
 /// white and inferred ones black.
 nlohmann::json closed_payload(const ObjectSurface& surface, Index max_triangles);
 
+/// A camera's position and its axes: right, down and forward are x, y and z.
+nlohmann::json camera_payload(const Eigen::Isometry3d& T_world_camera);
+
 /// A camera path as the page reads it, with a few cameras on it; null if it is empty.
 nlohmann::json trajectory_payload(const Trajectory& trajectory);
 

@@ -33,6 +33,17 @@ TEST_F(Schema, DescribesCylinders) {
   EXPECT_EQ(violation("cylinders.schema.json", json_of("cylinders.json")), "");
 }
 
+TEST_F(Schema, DescribesViews) {
+  write(file("camera.txt"), "640 480 525 525 319.5 239.5\n");
+  for (const char* policy : {"symmetry", "unknown-voxels"}) {
+    ASSERT_EQ(
+        run("next-view scene --camera camera.txt -o views.json --policy " + std::string(policy))
+            .code,
+        0);
+    EXPECT_EQ(violation("views.schema.json", json_of("views.json")), "");
+  }
+}
+
 TEST_F(Schema, FindsWhatDoesNotConform) {
   ASSERT_EQ(run("cylinders scene -o cylinders.json --gripper reflex").code, 0);
   const auto found = [&](const auto& change) {

@@ -179,10 +179,20 @@ function graspsOf(solids, gripper) {
   return { gripper, accepted, rejected, objects: summaries, meanings: MEANINGS };
 }
 
+/** Views level with the table from four sides, the better the nearer to the front. */
+function viewsAround() {
+  const list = [0, 1, 2, 3].map((k) => {
+    const [c, s] = [Math.cos((k * Math.PI) / 2), Math.sin((k * Math.PI) / 2)];
+    const camera = { position: [0.6 * c, 0.6 * s, 0.2], right: [-s, c, 0], down: [0, 0, -1], forward: [-c, -s, 0] };
+    return { candidate: 10 + k, camera, gain: 40 - 10 * k, inferred: 40 - 10 * k, disputed: 0, unknown: 0, cost: 0 };
+  });
+  return { policy: 'symmetry', unit: 'cm²', half_size: [0.6, 0.45], is_enough: false, list };
+}
+
 /** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain;
  * `scan` adds the surface and the camera's path, `closed` the closed surfaces of the objects, `grasps` grasps
- * of a gripper with the given differences from a parallel one. */
-export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false, closed = false, grasps = null } = {}) {
+ * of a gripper with the given differences from a parallel one, `views` candidates for the next view. */
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false, closed = false, grasps = null, views = false } = {}) {
   const random = randomNumbers(seed);
   const parts = SOLIDS.map((solid) => thin(solid.kind(solid, cell, random), cell));
   const seen = visibleSamples(parts.flat());
@@ -211,7 +221,7 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
   // Masks may overlap: the carton includes a few points of the can in front of it.
   objects[4].points = [...objects[0].points.slice(0, 8), ...objects[4].points];
   const around = scan ? { surface: scannedSurface(SOLIDS), trajectory: sweep() } : {};
-  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, grasps: grasps && graspsOf(SOLIDS, { ...GRIPPER, ...grasps }), rejected: refusals(random) });
+  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, grasps: grasps && graspsOf(SOLIDS, { ...GRIPPER, ...grasps }), views: views ? viewsAround() : null, rejected: refusals(random) });
 }
 
 /** A scan in which nothing was found. */

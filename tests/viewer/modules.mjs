@@ -13,6 +13,7 @@ import { inkOn, objectColor, qualityColor } from '../../viewer/src/palette.js';
 import { decodePayload } from '../../viewer/src/payload.js';
 import { initialState } from '../../viewer/src/store.js';
 import { dot, length } from '../../viewer/src/vector.js';
+import { gainShare } from '../../viewer/src/views.js';
 import { randomNumbers, tabletop } from './fixture.mjs';
 import { encodeScene } from './payload.mjs';
 
@@ -133,6 +134,24 @@ test('grasps move with the scene into the display frame, and stay perpendicular'
     assert.deepEqual(grasp.position, frame.point(before.accepted[i].position));
     assert.ok(Math.abs(dot(grasp.closing, grasp.approach)) < 1e-9 && Math.abs(length(grasp.approach) - 1) < 1e-9);
   });
+});
+
+test('views move with the scene into the display frame, and keep their gains', () => {
+  const payload = tabletop({ views: true });
+  const before = structuredClone(payload.views);
+  const scene = decodePayload(payload);
+  const frame = tableFrame(scene);
+  moveToTableFrame(scene).views.list.forEach(({ camera, gain }, rank) => {
+    assert.deepEqual(camera.position, frame.point(before.list[rank].camera.position));
+    assert.ok(Math.abs(dot(camera.forward, camera.right)) < 1e-9);
+    assert.equal(gain, before.list[rank].gain);
+  });
+});
+
+test('the share of a gain is between 0 and 1, that of the best 1', () => {
+  const { views } = tabletop({ views: true });
+  assert.deepEqual(views.list.map((_, rank) => gainShare(views, rank)), [1, 0.75, 0.5, 0.25]);
+  assert.equal(gainShare({ list: [{ gain: 0 }, { gain: -1 }] }, 1), 0);
 });
 
 test('the drawn grasps are the best of each visible object, or all of the selected one', () => {

@@ -147,6 +147,36 @@ TEST(Payload, RefusesGraspsThatAreNotOfTheResult) {
   EXPECT_THROW(page_payload(small_result(), {.grasps = broken}), InputError);
 }
 
+/// A view from above, looking down.
+PageViews small_views() {
+  PageViews views;
+  views.policy = "symmetry";
+  PageView view;
+  view.candidate = 17;
+  view.T_world_camera.linear().diagonal() << 1.0, -1.0, -1.0;
+  view.T_world_camera.translation() << 0.0, 0.0, 0.5;
+  view.gain = 12.5;
+  views.views = {view};
+  return views;
+}
+
+TEST(Payload, HoldsViewsWithTheirAxesAndGains) {
+  const std::string json = page_payload(small_result(), {.views = small_views()});
+  EXPECT_NE(json.find(R"("forward":[0.0,0.0,-1.0],"position":[0.0,0.0,0.5])"), std::string::npos);
+  EXPECT_NE(json.find(R"("candidate":17)"), std::string::npos);
+  EXPECT_NE(json.find(R"("gain":12.5)"), std::string::npos);
+  EXPECT_NE(page_payload(small_result()).find(R"("views":null)"), std::string::npos);
+}
+
+TEST(Payload, RefusesViewsThatAreNotFinite) {
+  PageViews views = small_views();
+  views.views[0].gain = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(page_payload(small_result(), {.views = views}), InputError);
+  views = small_views();
+  views.half_width = 0.0;
+  EXPECT_THROW(page_payload(small_result(), {.views = views}), InputError);
+}
+
 TEST(Payload, QuantizesCoordinatesUnlessTheBoxIsLarge) {
   SegmentationResult result = small_result(2);
   EXPECT_NE(page_payload(result).find(R"("data":"AAAAAAAA//8AAAAA")"), std::string::npos);

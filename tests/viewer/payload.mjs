@@ -60,6 +60,7 @@ export function encodeScene({ title = '', note = '', up = [0, 0, 1], table = nul
     surface: rest.surface ? encodeSurface(rest.surface) : null,
     trajectory: rest.trajectory ? encodeTrajectory(rest.trajectory) : null,
     grasps: rest.grasps ?? null,
+    views: rest.views ?? null,
     timings: rest.timings ?? [], funnel: rest.funnel ?? [], rejected: rest.rejected ?? [],
     warnings: rest.warnings ?? [],
   };

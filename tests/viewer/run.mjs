@@ -25,7 +25,7 @@ const pages = {};
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
-  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }), noGrasps: tabletop({ grasps: { max_opening: 0.01 } }),
+  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }), views: tabletop({ views: true }), noGrasps: tabletop({ grasps: { max_opening: 0.01 } }),
     threeFingers: tabletop({ grasps: { kind: 'three_finger', finger_spacing: 0.05, max_opening: 0.16 } }), empty: emptyResult(), noPoints: noPoints(), bare: bareTable(), hostile: hostileScene() };
   for (const [name, scene] of Object.entries(scenes)) {
     pages[name] = join(folder, `${name}.html`);
@@ -300,6 +300,30 @@ describe('a result with closed surfaces', () => {
     assert.match(await page.textContent('.object.selected .details'), /Classcylinder.*Radius3.70 ± 0.12 cm/);
     await page.evaluate('symscene.select(7)');
     assert.match(await page.textContent('.object.selected .details'), /Widthat least 7.0 cm \(an end is hidden\)/);
+    assert.deepEqual(await layoutProblems(page), []);
+  });
+});
+
+describe('a result with views', () => {
+  const path = () => pages.views;
+
+  pageTest('draws the views and marks the chosen one', path, WINDOW, async (page) => {
+    assert.equal(await hook(page, 'views'), true);
+    const rows = page.locator('.view-section [data-view-rank]');
+    assert.deepEqual((await rows.allTextContents()).map((text) => text.replace(/\s+/g, ' ')),
+      ['View 1040.0 cm²', 'View 1130.0 cm²', 'View 1220.0 cm²', 'View 1310.0 cm²']);
+    const shown = await hook(page, 'pixels()');
+    await rows.nth(2).click();
+    await page.mouse.move(5, 500);
+    assert.equal(await hook(page, 'chosenView'), 2);
+    assert.match(await page.textContent('.view-section'), /View 12: inferred surface 20.0 cm²/);
+    assert.notEqual((await hook(page, 'pixels()')).hash, shown.hash);
+    await rows.nth(2).click();
+    await page.mouse.move(5, 500);
+    assert.equal((await hook(page, 'pixels()')).hash, shown.hash);
+    await page.keyboard.press('n');
+    assert.equal(await hook(page, 'views'), false);
+    assert.notEqual((await hook(page, 'pixels()')).hash, shown.hash);
     assert.deepEqual(await layoutProblems(page), []);
   });
 });

@@ -5,7 +5,7 @@ import { applyHash } from './hash.js';
 import { listenToKeys } from './keyboard.js';
 import { Labels } from './labels.js';
 import { createHook } from './hook.js';
-import { framePoints, gripperPoints, pathPoints, reach } from './framing.js';
+import { framePoints, gripperPoints, pathPoints, reach, viewPoints } from './framing.js';
 import { createLayout } from './layout.js';
 import { createPanel } from './panel/panel.js';
 import { listenToPointer } from './pointer.js';
@@ -34,7 +34,7 @@ export function createApp(scene) {
   const actions = createActions(store, scene.objects);
   const outlines = scene.objects.map((object) => outlinePoints(scene.cloud, object));
   const canvas = h('canvas', { tabindex: '0', role: 'img', 'aria-label': 'The scene in three dimensions' });
-  const framed = framePoints(scene, outlines).concat(gripperPoints(scene));
+  const framed = framePoints(scene, outlines).concat(gripperPoints(scene), viewPoints(scene));
   const viewpoint = new Viewpoint(canvas, framed, reach(scene));
   const stage = new Stage(canvas, viewpoint.camera);
   const drawing = createDrawing(scene, outlines, stage);

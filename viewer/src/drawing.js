@@ -1,5 +1,5 @@
 // Draws the layers according to the state: cloud, completed objects, surface, symmetries, camera
-// path, grippers, table.
+// path, grippers, views, table.
 import { coverage } from './coverage.js';
 import { Grippers } from './gl/grippers.js';
 import { Shape } from './gl/shape.js';
@@ -8,6 +8,7 @@ import { Surface } from './gl/surface.js';
 import { Symmetries } from './gl/symmetries.js';
 import { createTable } from './gl/table.js';
 import { Trajectory } from './gl/trajectory.js';
+import { Views } from './gl/views.js';
 import { drawnGrasps, graspOf } from './grasps.js';
 import { paintClosed, paintCloud, paintCompleted, paintSurface } from './painting.js';
 import { objectColor } from './palette.js';
@@ -64,6 +65,13 @@ function createTrajectory(scene, stage) {
   return trajectory;
 }
 
+function createViews(scene, stage) {
+  if (!scene.views) return null;
+  const views = new Views(scene.views);
+  stage.overlay.add(views.object);
+  return views;
+}
+
 function createGrippers(scene, stage) {
   if (!scene.grasps) return null;
   const grippers = new Grippers(scene.grasps);
@@ -86,6 +94,7 @@ export class Drawing {
     this.surface = createSurface(scene, spacing, stage);
     this.trajectory = createTrajectory(scene, stage);
     this.grippers = createGrippers(scene, stage);
+    this.views = createViews(scene, stage);
     this.table = createTable(scene.cloud.positions);
     this.cell = this.table.cell;
     stage.ground.add(this.table.mesh);
@@ -110,6 +119,7 @@ export class Drawing {
     if (['mode', 'visible', 'rest', 'mesh', 'completed'].some((key) => changed.has(key))) this.#paint(state);
     if (this.surface) this.surface.mesh.object.visible = state.mesh;
     if (this.trajectory) this.trajectory.object.visible = state.path;
+    this.views?.show(state);
     if (this.grippers && GRASP_KEYS.some((key) => changed.has(key))) this.#showGrasps(state);
     const { paper } = SCHEMES[this.scheme];
     const selected = state.visible.has(state.selected) ? state.selected : null;

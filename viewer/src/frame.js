@@ -101,7 +101,11 @@ function moveGrasps(grasps, frame) {
   for (const list of ['accepted', 'rejected']) grasps[list] = grasps[list].map((grasp) => moveGrasp(grasp, frame));
 }
 
-/** Moves every point, camera, grasp and symmetry of the scene into the display frame, in place. */
+function moveViews(views, frame) {
+  views.list = views.list.map((view) => ({ ...view, camera: moveCamera(view.camera, frame) }));
+}
+
+/** Moves every point, camera, view, grasp and symmetry of the scene into the display frame, in place. */
 export function moveToTableFrame(scene) {
   const frame = tableFrame(scene);
   moveCloud(scene.cloud, frame);
@@ -109,5 +113,6 @@ export function moveToTableFrame(scene) {
   if (scene.surface) mapTriples(scene.surface.positions, frame.point);
   if (scene.trajectory) moveTrajectory(scene.trajectory, frame);
   if (scene.grasps) moveGrasps(scene.grasps, frame);
+  if (scene.views) moveViews(scene.views, frame);
   return scene;
 }

@@ -35,6 +35,9 @@ export function gripperPoints({ grasps, objects }) {
   });
 }
 
+/** Where the best views would be taken from. */
+export const viewPoints = ({ views }) => (views?.list ?? []).slice(0, 1).map(({ camera }) => camera.position);
+
 /** Positions of cameras, thinned because each framing visits all of them. */
 export function pathPoints({ trajectory }) {
   if (!trajectory) return [];
@@ -46,8 +49,9 @@ export function pathPoints({ trajectory }) {
 }
 
 /** Largest distance from the origin of anything drawn, framed or not. */
-export function reach({ surface, trajectory }) {
+export function reach({ surface, trajectory, views }) {
   let most = 0;
+  for (const { camera } of views?.list ?? []) most = Math.max(most, Math.hypot(...camera.position));
   for (const positions of [surface?.positions ?? [], trajectory?.path ?? []]) {
     for (let i = 0; i < positions.length; i += 3) {
       most = Math.max(most, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));

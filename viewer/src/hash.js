@@ -10,7 +10,7 @@ export function applyHash(hash, { scene, store, objects, viewpoint }) {
   const byId = (text) => objects.find((object) => String(object.id) === text.trim())?.index;
   const byIds = (text) => new Set(text.split(',').map(byId).filter((index) => index !== undefined));
   const patch = {};
-  for (const key of ['planes', 'axes', 'labels', 'rest', 'mesh', 'path', 'grasps']) {
+  for (const key of ['planes', 'axes', 'labels', 'rest', 'mesh', 'path', 'grasps', 'views']) {
     if (wanted.has(key)) patch[key] = wanted.get(key) !== '0';
   }
   if (MODES.includes(wanted.get('mode'))) patch.mode = wanted.get('mode');

@@ -56,6 +56,9 @@ export function createHook(app) {
     /** The keys of the drawn grasps: "a3" is the fourth of all accepted ones. */
     get grasps() { return (app.drawing.drawnGrasps ?? []).map(([key]) => key); },
     get grasp() { return store.get().grasp; },
+    /** Whether the views are drawn, and the rank of the chosen one. */
+    get views() { return app.drawing.views !== null && store.get().views; },
+    get chosenView() { return store.get().view; },
     get frames() { return stage.frames; },
     toggle: (key) => app.actions.toggle(key),
     select: (id) => app.actions.select(indexOf(id)),

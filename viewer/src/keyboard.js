@@ -1,7 +1,7 @@
 // Keys: arrows orbit while the canvas has focus; letters work everywhere.
 import { VIEW_KEYS } from './camera.js';
 
-const TOGGLE_KEYS = { p: 'planes', a: 'axes', l: 'labels', o: 'rest', m: 'mesh', v: 'path', g: 'grasps' };
+const TOGGLE_KEYS = { p: 'planes', a: 'axes', l: 'labels', o: 'rest', m: 'mesh', v: 'path', g: 'grasps', n: 'views' };
 const MODE_KEYS = { 1: 'scan', 2: 'blend', 3: 'objects' };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const STEP = 8; // degrees
@@ -9,7 +9,7 @@ const STEP = 8; // degrees
 export const KEY_HELP = [
   ['Arrows', 'orbit (with Shift: pan)'], ['+  −', 'zoom'], ['H F S T', 'home, front, side, top'],
   ['[  ]', 'previous, next object'], ['P A C', 'planes, axes, completed objects'],
-  ['M V G', 'mesh, camera path, grasps'], ['L O', 'labels, other points'], ['1 2 3', 'scan, blend, objects'], ['Esc', 'clear the selection'],
+  ['M V G N', 'mesh, camera path, grasps, next views'], ['L O', 'labels, other points'], ['1 2 3', 'scan, blend, objects'], ['Esc', 'clear the selection'],
 ];
 
 function moveCamera(event, viewpoint) {

@@ -86,6 +86,7 @@ export function decodePayload(payload) {
     objects: payload.objects.map((object, index) => decodeObject(object, index, noun)),
     warnings: payload.warnings ?? [],
     grasps: payload.grasps ?? null,
+    views: payload.views ?? null,
     surface: payload.surface ? decodeSurface(payload.surface) : null,
     trajectory: payload.trajectory ? { ...payload.trajectory, path: decodePositions(payload.trajectory.path) } : null,
   };

@@ -18,7 +18,7 @@ export function createStore(initial) {
   };
 }
 
-export function initialState({ objects, surface, grasps, table }) {
+export function initialState({ objects, surface, grasps, views, table }) {
   return {
     mode: objects.length ? 'blend' : 'scan',
     visible: new Set(objects.map((object) => object.index)),
@@ -36,6 +36,9 @@ export function initialState({ objects, surface, grasps, table }) {
     grasps: Boolean(grasps),
     grasp: null, // the key of the chosen one
     hoveredGrasp: null,
+    views: Boolean(views),
+    view: null, // the rank of the chosen one
+    hoveredView: null,
   };
 }
 
@@ -67,6 +70,9 @@ export function createActions(store, objects) {
     toggleGrasp: (key) => store.set({ grasp: state().grasp === key ? null : key, grasps: true }),
     hoverGrasp: (key) => store.set({ hoveredGrasp: key }),
     hoverGraspWith: (event, key) => { if (event.pointerType === 'mouse') store.set({ hoveredGrasp: key }); },
+    toggleView: (rank) => store.set({ view: state().view === rank ? null : rank, views: true }),
+    hoverView: (rank) => store.set({ hoveredView: rank }),
+    hoverViewWith: (event, rank) => { if (event.pointerType === 'mouse') store.set({ hoveredView: rank }); },
     setMode: (mode) => store.set({ mode }),
   };
 }

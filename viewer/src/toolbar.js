@@ -16,6 +16,7 @@ const TOGGLES = [
   ['rest', 'Other', 'Points of no object (O)'],
   ['path', 'Camera', 'Path of the camera (V)'],
   ['grasps', 'Grasps', 'Grippers at the grasps (G)'],
+  ['views', 'Views', 'Views that the camera could take next (N)'],
 ];
 const VIEWS = [['home', 'Home'], ['front', 'Front'], ['side', 'Side'], ['top', 'Top']];
 
@@ -23,7 +24,7 @@ export function createToolbar(scene, store, actions) {
   const modes = MODES.map(([mode, text, title]) =>
     h('button', { type: 'button', title, 'data-mode': mode, onclick: () => actions.setMode(mode) }, text));
   const press = (key) => (key === 'completed' ? actions.toggleAllCompleted() : actions.toggle(key));
-  const missing = { mesh: !scene.surface, path: !scene.trajectory, grasps: !scene.grasps };
+  const missing = { mesh: !scene.surface, path: !scene.trajectory, grasps: !scene.grasps, views: !scene.views };
   const toggles = TOGGLES.filter(([key]) => !missing[key]).map(([key, text, title]) =>
     h('button', { type: 'button', title, 'aria-label': text, 'data-toggle': key, onclick: () => press(key) },
       icon(key), h('span', { class: 'text' }, text)));

@@ -4,6 +4,7 @@ import * as format from '../format.js';
 import { KEY_HELP } from '../keyboard.js';
 import { createGraspSection } from './grasps.js';
 import { createObjectList } from './objects.js';
+import { createViewSection } from './views.js';
 import { createTimes, totalTime } from './times.js';
 import { createWhy } from './why.js';
 
@@ -103,6 +104,7 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
       createLegend(scene),
       hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
       createGraspSection(scene),
+      createViewSection(scene, store, actions),
       createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)));
   return panel;
 }

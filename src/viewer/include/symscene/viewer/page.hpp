@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "symscene/core/depth_frame.hpp"
 #include "symscene/core/grasp.hpp"
@@ -17,6 +18,27 @@ struct PageGrasps {
   GraspPlan plan;
 };
 
+/// A view that a camera could take.
+struct PageView {
+  std::size_t candidate = 0;  ///< its number among the candidates
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  double gain = 0.0;  ///< what it is expected to show, and its parts [unit of PageViews]
+  double inferred = 0.0;
+  double disputed = 0.0;
+  double unknown = 0.0;
+  double cost = 0.0;
+};
+
+/// Views by descending gain, and the camera that would take them.
+struct PageViews {
+  std::string policy;         ///< by which they were ranked
+  std::string unit = "cm²";   ///< of gains
+  double half_width = 0.55;   ///< of the image at unit depth
+  double half_height = 0.42;  ///< of the image at unit depth
+  bool is_enough = false;     ///< no view is expected to show much more
+  std::vector<PageView> views = {};
+};
+
 struct PageOptions {
   // Every field has an initialiser, so that callers may name only some without a warning.
   std::string title = "Segmentation";
@@ -27,6 +49,7 @@ struct PageOptions {
   TriangleMesh surface = {};   ///< reconstructed surface; page_surface() of it is shown
   Trajectory trajectory = {};  ///< path of the camera
   std::optional<PageGrasps> grasps = std::nullopt;
+  std::optional<PageViews> views = std::nullopt;
 
   void validate() const;  // throws InputError
 };
@@ -34,7 +57,8 @@ struct PageOptions {
 /// A self-contained HTML page that shows the result; it needs no other file and no network. Titles
 /// and notes are escaped. Throws InputError if a position is not finite, an index is not below the
 /// size of the cloud, `completed` or `surfaces` are neither empty nor one per object, the cloud
-/// does not lie on the surface, or grasps are not those of the result's objects.
+/// does not lie on the surface, grasps are not those of the result's objects, or a pose or a gain
+/// is not finite.
 std::string render_page(const SegmentationResult& result, const PageOptions& options = {});
 
 }  // namespace symscene

@@ -1,4 +1,4 @@
-#include "grasp_input.hpp"
+#include "object_input.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,18 +10,42 @@
 #include "symscene/pipeline/pipeline.hpp"
 
 namespace symscene::app {
-namespace {
-
-void warn_without_occupancy(const std::filesystem::path& path, Session& session) {
-  session.warn(
-      fmt::format("{}: no occupancy, so that space which was never seen counts as free for the "
-                  "gripper",
-                  path.string()));
+bool is_result(const std::filesystem::path& path) {
+  return std::filesystem::exists(path / "objects.json");
 }
 
-/// Segmentation and the gripper take space that was never seen in different ways.
-void warn_of_segmentation(std::span<const std::string> warnings, const std::filesystem::path& path,
-                          Session& session) {
+void ObjectInput::add_to(Arguments& arguments, const char* scene_help) {
+  arguments.folder("--scene", scene, scene_help);
+  arguments.sequence_options(source.sequence);
+  source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
+  source.sensor.add_to(arguments);
+}
+
+void ObjectInput::require_not_input(const std::filesystem::path& output) const {
+  app::require_not_input(output, source.path);
+  if (!scene.empty()) app::require_not_input(output, scene);
+}
+
+SegmentedInput ObjectInput::read(StageTimer& timer, Session& session) const {
+  return is_result(source.path) ? of_result(timer, session) : of_scene(timer, session);
+}
+
+GraspScene ObjectInput::grasp_scene(const SegmentedInput& read, const GraspOptions& options) const {
+  return naming(source.path, [&] {
+    return symscene::grasp_scene(read.result, read.scene ? &*read.scene : nullptr, options);
+  });
+}
+
+void ObjectInput::warn_without_occupancy(const std::filesystem::path& path,
+                                         Session& session) const {
+  session.warn(
+      fmt::format("{}: no occupancy, so that space which was never seen counts as free for {}",
+                  path.string(), use.user));
+}
+
+/// Segmentation and the command take space that was never seen in different ways.
+void ObjectInput::warn_of_segmentation(std::span<const std::string> warnings,
+                                       Session& session) const {
   for (const std::string& warning : warnings) {
     if (warning != no_occupancy_warning) {
       session.warn(warning);
@@ -29,54 +53,24 @@ void warn_of_segmentation(std::span<const std::string> warnings, const std::file
     }
     session.warn(fmt::format(
         "{}: no occupancy: all space off the surface counts as never seen where objects "
-        "are found, and as free for the gripper",
-        path.string()));
+        "are found, and as free for {}",
+        source.path.string(), use.user));
   }
 }
 
-}  // namespace
-
-bool is_result(const std::filesystem::path& path) {
-  return std::filesystem::exists(path / "objects.json");
-}
-
-void GraspInput::add_to(Arguments& arguments, const char* scene_help) {
-  arguments.folder("--scene", scene, scene_help);
-  arguments.sequence_options(source.sequence);
-  source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
-  source.sensor.add_to(arguments);
-}
-
-void GraspInput::require_not_input(const std::filesystem::path& output) const {
-  app::require_not_input(output, source.path);
-  if (!scene.empty()) app::require_not_input(output, scene);
-}
-
-SegmentedInput GraspInput::read(StageTimer& timer, Session& session,
-                                const GraspOptions& options) const {
-  return is_result(source.path) ? of_result(timer, session, options)
-                                : of_scene(timer, session, options);
-}
-
-GraspScene GraspInput::graspable(const SegmentationResult& result, const Scene* around,
-                                 const GraspOptions& options) const {
-  return naming(source.path, [&] { return grasp_scene(result, around, options); });
-}
-
 /// Those of earlier versions have none.
-void GraspInput::warn_without_surfaces(const SegmentationResult& result, Session& session) const {
+void ObjectInput::warn_without_surfaces(const SegmentationResult& result, Session& session) const {
   const bool has_one =
       std::any_of(result.surfaces.begin(), result.surfaces.end(),
                   [](const ObjectSurface& s) { return s.mesh.triangles.rows() > 0; });
   if (result.objects.empty() || has_one) return;
   session.warn(fmt::format(
-      "{}: its objects have no closed surfaces, which grasps need; symscene segment writes them",
-      source.path.string()));
+      "{}: its objects have no closed surfaces, which {} need; symscene segment writes them",
+      source.path.string(), use.purpose));
 }
 
 /// The objects of a result, with the free space of its scene if that is given.
-SegmentedInput GraspInput::of_result(StageTimer& timer, Session& session,
-                                     const GraspOptions& options) const {
+SegmentedInput ObjectInput::of_result(StageTimer& timer, Session& session) const {
   // A result tells its table itself.
   if (const char* given = source.table.given())
     throw InputError(given, "a scene, cloud or depth image as input", "a result");
@@ -91,20 +85,17 @@ SegmentedInput GraspInput::of_result(StageTimer& timer, Session& session,
           fmt::format("{}: a result holds no occupancy, so that space which was never "
                       "seen counts as free; --scene names its scene",
                       source.path.string()));
-      input.scene = graspable(input.result, nullptr, options);
-    } else {
-      const Scene around = read_scene(scene);
-      session.warn(around.warnings);
-      if (!around.occupancy) warn_without_occupancy(scene, session);
-      input.scene = graspable(input.result, &around, options);
+      return input;
     }
+    input.scene = read_scene(scene);
+    session.warn(input.scene->warnings);
+    if (!input.scene->occupancy) warn_without_occupancy(scene, session);
     return input;
   });
 }
 
 /// The objects that segmentation with default options finds.
-SegmentedInput GraspInput::of_scene(StageTimer& timer, Session& session,
-                                    const GraspOptions& options) const {
+SegmentedInput ObjectInput::of_scene(StageTimer& timer, Session& session) const {
   if (!scene.empty()) throw InputError("--scene", "a result folder as input", "a scene");
   SegmentInput read = timer.time("read", [&] { return source.read(SegmentOptions{}, session); });
   SegmentedInput input;
@@ -113,12 +104,13 @@ SegmentedInput GraspInput::of_scene(StageTimer& timer, Session& session,
     return naming(source.path, [&] { return segment_scene(read.scene); });
   });
   warn_of_segmentation(std::span(input.result.warnings).subspan(read.scene.warnings.size()),
-                       source.path, session);
-  input.scene = graspable(input.result, &read.scene, options);
+                       session);
   if (with_page) {
     input.around = {surface_around(read.surface, input.result, source.path, session),
                     std::move(read.trajectory)};
   }
+  if (read.frame) input.camera = read.camera;
+  input.scene = std::move(read.scene);
   return input;
 }
 

@@ -1,0 +1,103 @@
+#include "next_view_output.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace symscene::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t listed_views = 10;
+constexpr double square_centimetres = 1e4;  // per m²
+
+/// As in the other files (docs/formats.md). The quaternion has w >= 0, so that it is unique.
+Json pose_to_json(const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d p = pose.translation();
+  Eigen::Quaterniond q(pose.linear());
+  if (q.w() < 0.0) q.coeffs() *= -1.0;
+  return {{"position_m", {p.x(), p.y(), p.z()}},
+          {"orientation_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
+}
+
+Json to_json(const RankedView& view, const Eigen::Isometry3d& pose) {
+  return {{"candidate", view.candidate},         {"gain", view.gain.total()},
+          {"inferred", view.gain.inferred},      {"disputed", view.gain.disputed},
+          {"unknown", view.gain.unknown},        {"cost", view.gain.cost},
+          {"T_world_camera", pose_to_json(pose)}};
+}
+
+bool counts_voxels(ViewPolicy policy) { return policy != ViewPolicy::symmetry; }
+
+std::string row_of(std::size_t rank, const RankedView& view, ViewPolicy policy) {
+  const ViewGain& gain = view.gain;
+  if (counts_voxels(policy))
+    return fmt::format("\n{:>4}  {:>9}  {:>9.0f}", rank, view.candidate, gain.total());
+  const auto area = [](double value) { return square_centimetres * value; };
+  return fmt::format("\n{:>4}  {:>9}  {:>9.1f}  {:>8.1f}  {:>8.1f}  {:>7.1f}  {:>5.1f}", rank,
+                     view.candidate, area(gain.total()), area(gain.inferred), area(gain.disputed),
+                     area(gain.unknown), area(gain.cost));
+}
+
+}  // namespace
+
+std::string format_next_views_json(const RankedCandidates& ranked) {
+  Json views = Json::array();
+  for (const RankedView& view : ranked.views.ranked)
+    views.push_back(to_json(view, ranked.poses[view.candidate]));
+  Json times = Json::array();
+  for (const StageTime& time : ranked.views.timings)
+    times.push_back({{"stage", time.stage}, {"seconds", time.seconds}});
+  const CameraIntrinsics& c = ranked.camera;
+  const Json json = {{"version", 1},
+                     {"policy", to_string(ranked.policy)},
+                     {"gain_unit", counts_voxels(ranked.policy) ? "voxels" : "m2"},
+                     {"is_enough", ranked.views.is_enough},
+                     {"inferred_area_m2", ranked.views.inferred_area},
+                     {"object_area_m2", ranked.views.object_area},
+                     {"camera",
+                      {{"width", c.width},
+                       {"height", c.height},
+                       {"fx", c.fx},
+                       {"fy", c.fy},
+                       {"cx", c.cx},
+                       {"cy", c.cy}}},
+                     {"views", std::move(views)},
+                     {"timings", std::move(times)}};
+  return json.dump(1) + "\n";
+}
+
+std::string format_next_views(const RankedCandidates& ranked) {
+  if (ranked.views.ranked.empty()) return "no view: nothing is known of the scene";
+  std::string table = counts_voxels(ranked.policy)
+                          ? "rank  candidate  voxels"
+                          : "rank  candidate  gain cm2  inferred  disputed  unknown   cost";
+  for (std::size_t k = 0; k < std::min(listed_views, ranked.views.ranked.size()); ++k)
+    table += row_of(k + 1, ranked.views.ranked[k], ranked.policy);
+  if (ranked.views.object_area > 0.0)
+    table += fmt::format("\n{:.0f} % of the objects' surface is inferred, not seen",
+                         100.0 * ranked.views.inferred_area / ranked.views.object_area);
+  if (ranked.views.is_enough) table += "; no view is expected to show much more";
+  return table;
+}
+
+PageViews page_views(const RankedCandidates& ranked) {
+  const CameraIntrinsics& c = ranked.camera;
+  PageViews page;
+  page.policy = to_string(ranked.policy);
+  page.unit = counts_voxels(ranked.policy) ? "voxels" : "cm²";
+  const double scale = counts_voxels(ranked.policy) ? 1.0 : square_centimetres;
+  page.half_width = 0.5 * static_cast<double>(c.width) / c.fx;
+  page.half_height = 0.5 * static_cast<double>(c.height) / c.fy;
+  page.is_enough = ranked.views.is_enough;
+  for (const RankedView& view : ranked.views.ranked) {
+    page.views.push_back({view.candidate, ranked.poses[view.candidate], scale * view.gain.total(),
+                          scale * view.gain.inferred, scale * view.gain.disputed,
+                          scale * view.gain.unknown, scale * view.gain.cost});
+  }
+  return page;
+}
+
+}  // namespace symscene::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "symscene/core/camera.hpp"
+#include "symscene/core/scene.hpp"
+
+namespace symscene::app {
+
+/// The views that a command chooses from, and the camera that takes them.
+struct ViewCandidateChoice {
+  std::string candidates = "sphere";  ///< or a file of poses
+  std::filesystem::path camera_file;  ///< empty: that of the input
+  std::filesystem::path costs;        ///< one number per candidate; empty: none
+
+  void add_to(Arguments& arguments);
+
+  /// That of the file, else of intrinsics.txt in `folder`, else `of_input`. Throws InputError if
+  /// there is none, or it cannot be read or has no size.
+  CameraIntrinsics camera(const std::filesystem::path& folder,
+                          const std::optional<CameraIntrinsics>& of_input) const;
+  /// T_world_camera of the candidates: those of the file, or views on a half sphere over the
+  /// objects with that radius [m]; 0 for one from which they fill the image. Throws InputError if
+  /// the file cannot be read or is empty.
+  std::vector<Eigen::Isometry3d> poses(const SegmentationResult& result,
+                                       const CameraIntrinsics& camera, double radius) const;
+  /// Empty without a file. Throws InputError unless it has one number per candidate; "inf" is that
+  /// of a view that cannot be reached.
+  std::vector<double> read_costs(std::size_t candidates) const;
+};
+
+}  // namespace symscene::app

@@ -1,0 +1,45 @@
+// Views that the camera could take next, as viewing pyramids; the better, the stronger.
+import * as THREE from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { closed, group, quadrilateral, segments } from './lines.js';
+import { css, qualityColor } from '../palette.js';
+import { add, scale } from '../vector.js';
+import { gainShare } from '../views.js';
+
+const DEPTH = 0.07; // of a pyramid [m]
+
+function corners({ position, right, down, forward }, [halfWidth, halfHeight]) {
+  const at = (x, y) => add(add(position, scale(forward, DEPTH)),
+    add(scale(right, x * halfWidth * DEPTH), scale(down, y * halfHeight * DEPTH)));
+  return [at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)];
+}
+
+class Pyramid {
+  constructor({ camera }, share, halfSize) {
+    const color = css(qualityColor(share));
+    this.line = new LineMaterial({ linewidth: 1 + 1.5 * share, transparent: true, depthWrite: false, color });
+    this.sheet = new THREE.MeshBasicMaterial({ transparent: true, side: THREE.DoubleSide, depthWrite: false, color });
+    const frame = corners(camera, halfSize);
+    const edges = [...closed(frame), ...frame.map((corner) => [camera.position, corner])];
+    this.object = group(segments(edges, this.line, 3), quadrilateral(frame, this.sheet, 2));
+    this.share = share;
+  }
+
+  show(isStrong, isFaint) {
+    this.line.opacity = isStrong ? 1 : (isFaint ? 0.25 : 0.3 + 0.7 * this.share);
+    this.sheet.opacity = isStrong ? 0.75 : (isFaint ? 0.04 : 0.08 + 0.3 * this.share);
+  }
+}
+
+export class Views {
+  constructor(views) {
+    this.pyramids = views.list.map((view, rank) => new Pyramid(view, gainShare(views, rank), views.half_size));
+    this.object = group(...this.pyramids.map(({ object }) => object));
+  }
+
+  show({ views, view, hoveredView }) {
+    this.object.visible = views;
+    const marked = hoveredView ?? view;
+    this.pyramids.forEach((pyramid, rank) => pyramid.show(rank === marked, marked !== null && rank !== marked));
+  }
+}
