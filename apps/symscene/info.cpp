@@ -21,6 +21,21 @@ constexpr const char* readable =
     "a sequence, a scene, a result or a dataset folder, or a file with a cloud, a mesh or an "
     "occupancy tree";
 
+#ifdef SYMSCENE_HAS_EVALUATION
+bool has_label_images(const fs::path& folder) {
+  return std::any_of(
+      fs::directory_iterator(folder), fs::directory_iterator(),
+      [](const auto& entry) { return entry.path().string().ends_with(".label.png"); });
+}
+
+/// Scenes beside the images of a sequence do not make it a dataset. Images of single views are
+/// named like those of 7-Scenes, but have labels.
+bool is_described_as_dataset(const fs::path& path) {
+  if (!is_dataset(path)) return false;
+  return fs::exists(path / dataset_file) || has_label_images(path) || !is_sequence(path);
+}
+#endif
+
 struct Info {
   SharedOptions shared;
   SequenceOptions options;
@@ -46,7 +61,7 @@ struct Info {
     if (fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd")) return scene_facts(path);
     if (is_model_file(path)) return model_facts(path);
 #ifdef SYMSCENE_HAS_EVALUATION
-    if (is_dataset(path)) return dataset_facts(path);
+    if (is_described_as_dataset(path)) return dataset_facts(path);
 #endif
     if (is_sequence(path)) {
       const auto sequence = open_sequence(path, options);

@@ -296,6 +296,7 @@ TEST_F(ReconstructCommand, WritesBesideTheImagesOfItsInput) {
   ASSERT_EQ(run("reconstruct inner -o inner/scene --every 4").code, 0);
   ASSERT_EQ(run("reconstruct inner -o ./inner/scene/ --every 4").code, 0);  // replaces it
   EXPECT_TRUE(fs::exists(sweep / "scene/cloud.ply"));
+  EXPECT_NE(run("info inner --json").out.find("\"kind\":\"sequence\""), std::string::npos);
   for (const char* output : {"inner", "inner/", "inner/depth", "inner/depth/scene", "inner/color",
                              "inner/poses.txt", "inner/rgb"})
     expect_failure(std::string("inner -o ") + output, 1, "outside the input");
