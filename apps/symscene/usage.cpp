@@ -53,6 +53,18 @@ std::optional<std::string> unknown_argument(const CLI::App& app) {
   return fmt::format("expected no further argument, found \"{}\"", extras.front());
 }
 
+/// What is wrong with the number of values of an option, told by the message of the parser.
+std::string wrong_count(const std::string& what) {
+  const std::size_t colon = what.find(": ");
+  if (colon == std::string::npos)
+    return "--" + what.substr(0, what.find(' ')) + ": expected no value, found one";
+  const std::string name = what.substr(0, colon);
+  if (what.find("At Most", colon) != std::string::npos)
+    return fmt::format("{}: expected the option once, found it {} times", name,
+                       what.substr(what.rfind(' ') + 1));
+  return name + ": expected a value, found none";
+}
+
 std::optional<std::string> missing_argument(const CLI::App& app) {
   const CLI::App& command = chosen_command(app);
   if (!subcommands_of(command).empty()) return "expected a subcommand, found none";
@@ -63,6 +75,28 @@ std::optional<std::string> missing_argument(const CLI::App& app) {
                        option->get_description());
   }
   return std::nullopt;
+}
+
+/// Whether an argument is short flags in one word: -qv.
+bool is_combined_flags(const CLI::App& app, const std::string& argument) {
+  if (argument.size() < 3 || argument[0] != '-' || argument[1] == '-') return false;
+  return std::all_of(argument.begin() + 1, argument.end(), [&](char letter) {
+    const CLI::Option* const flag = app.get_option_no_throw(std::string("-") + letter);
+    return flag != nullptr && flag->get_items_expected_max() == 0;
+  });
+}
+
+/// How many of the arguments from `at` on are an option that subcommands repeat, with its value; 0
+/// if there is none. Subcommands have no --version.
+std::size_t size_of_option(const CLI::App& app, const std::vector<std::string>& arguments,
+                           std::size_t at) {
+  const std::string& argument = arguments[at];
+  if (is_combined_flags(app, argument)) return 1;
+  const CLI::Option* const option = app.get_option_no_throw(flag_name(argument));
+  if (!is_flag(argument) || option == nullptr || option == app.get_version_ptr()) return 0;
+  const bool has_value = option->get_items_expected_max() > 0;
+  const bool is_apart = flag_name(argument) == argument;
+  return has_value && is_apart && at + 1 < arguments.size() ? 2 : 1;
 }
 
 }  // namespace
@@ -105,24 +139,18 @@ std::string usage_sentence(const CLI::App& app, const CLI::ParseError& error) {
     if (const auto unknown = unknown_argument(app)) return *unknown;
     if (const auto missing = missing_argument(app)) return *missing;
   }
-  const std::string what = error.what();
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-    const bool lacks_value = what.find(": ") != std::string::npos;
-    if (lacks_value) return what.substr(0, what.find(": ")) + ": expected a value, found none";
-    return "--" + what.substr(0, what.find(' ')) + ": expected no value, found one";
-  }
-  return what;
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+    return wrong_count(error.what());
+  return error.what();
 }
 
 std::vector<std::string> with_options_behind_subcommand(const CLI::App& app,
                                                         std::vector<std::string> arguments) {
   std::size_t end = 0;  // of the options before the subcommand
-  while (end < arguments.size() && is_flag(arguments[end])) {
-    const CLI::Option* const option = app.get_option_no_throw(flag_name(arguments[end]));
-    if (option == nullptr) break;
-    const bool has_value = option->get_items_expected_max() > 0;
-    const bool is_apart = flag_name(arguments[end]) == arguments[end];
-    end = std::min(arguments.size(), end + (has_value && is_apart ? 2 : 1));
+  while (end < arguments.size()) {
+    const std::size_t size = size_of_option(app, arguments, end);
+    if (size == 0) break;
+    end += size;
   }
   std::size_t behind = end;
   const CLI::App* at = &app;

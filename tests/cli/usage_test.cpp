@@ -58,6 +58,7 @@ TEST_F(Usage, ExitsWithTwoForWrongValuesAndNamesOptionExpectedAndFound) {
        "\"curve\"?)"},
       {"segment scene -o x --depth-scale big", "--depth-scale: expected a number in"},
       {"segment scene -o x --threads -1", "--threads: expected a whole number in [0, 4096]"},
+      {"segment scene -o a -o b", "--output: expected the option once, found it 2 times"},
       {"segment scene -o x --quiet=3", "--quiet: expected no value, found one"},
       {"segment scene -o x --any-up --no-table", "--any-up: expected no --no-table beside it"},
       {"segment --dump-config=long", "--dump-config: expected nothing or annotated, found long"},
@@ -105,12 +106,15 @@ TEST_F(Usage, DumpsPlainJsonAndCommentsOnlyOnRequest) {
 TEST_F(Usage, OptionsOfAllSubcommandsMayStandBeforeThem) {
   const Outcome plain = run("info nowhere --json -v -q");
   for (const char* line :
-       {"--json -v -q info nowhere", "-q info nowhere", "--threads 2 --quiet segment nowhere -o x",
-        "--threads=2 segment nowhere -o x", "--threads 2 calibrate depth nowhere --wall -o x"}) {
+       {"--json -v -q info nowhere", "-q info nowhere", "-qv info nowhere",
+        "--threads 2 --quiet segment nowhere -o x", "--threads=2 segment nowhere -o x",
+        "--threads 2 calibrate depth nowhere --wall -o x"}) {
     const Outcome outcome = run(line);
     EXPECT_EQ(outcome.code, plain.code) << line << outcome.err;
     EXPECT_NE(outcome.err.find("nowhere"), std::string::npos) << outcome.err;
   }
+  EXPECT_EQ(run("--version segment").out, run("--version").out);
+  EXPECT_EQ(run("--help segment").out, run("segment --help").out);
   expect_mistake("--threads many segment nowhere -o x", "--threads: expected a whole number");
   expect_mistake("--threads 2 view nowhere -o x", "found \"--threads\"");
 }
