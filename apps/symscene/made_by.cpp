@@ -1,11 +1,14 @@
 #include "made_by.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "io/sha256.hpp"
+#include "symscene/core/error.hpp"
 
 namespace symscene::app {
 namespace {
@@ -26,19 +29,29 @@ std::vector<fs::path> files_of_scene(const fs::path& folder) {
   return files;
 }
 
-/// All files, but not those of scenes and results in the folder.
+/// Whether readers of sequences open files of that name: images, lists, poses and cameras.
+bool is_read_of_sequence(const fs::path& file) {
+  static constexpr std::array<std::string_view, 7> endings = {".png",  ".jpg", ".jpeg",    ".txt",
+                                                              ".json", ".log", ".freiburg"};
+  return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
+}
+
+/// What readers of sequences open, but not the files of scenes and results in the folder. Folders
+/// that cannot be read are left out.
 std::vector<fs::path> files_of_frame(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (auto entry = fs::recursive_directory_iterator(folder);
-       entry != fs::recursive_directory_iterator() && files.size() < most_files; ++entry) {
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                         error);
+  for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     const fs::path& path = entry->path();
-    if (entry->is_directory() &&
-        (fs::exists(path / "scene.json") || fs::exists(path / "objects.json")))
+    if (fs::exists(path / "scene.json", error) || fs::exists(path / "objects.json", error))
       entry.disable_recursion_pending();
-    else if (entry->is_regular_file())
+    else if (is_read_of_sequence(path) && entry->is_regular_file(error))
       files.push_back(path.lexically_relative(folder));
   }
   std::sort(files.begin(), files.end());
+  files.resize(std::min(files.size(), most_files));
   return files;
 }
 
@@ -47,8 +60,12 @@ std::vector<fs::path> files_of(const fs::path& folder) {
   return is_scene ? files_of_scene(folder) : files_of_frame(folder);
 }
 
-Json hashed(const std::string& name, const fs::path& file) {
-  return {{"file", name}, {"sha256", sha256_of_file(file)}};
+/// Adds the hash of a file, unless the file cannot be read: that does not cost the result.
+void add_hash(Json& files, const std::string& name, const fs::path& file) {
+  try {
+    files.push_back({{"file", name}, {"sha256", sha256_of_file(file)}});
+  } catch (const InputError&) {
+  }
 }
 
 }  // namespace
@@ -57,9 +74,9 @@ std::string made_by(const std::string& command, const fs::path& input, const std
   Json files = Json::array();
   if (fs::is_directory(input)) {
     for (const fs::path& file : files_of(input))
-      files.push_back(hashed(file.generic_string(), input / file));
+      add_hash(files, file.generic_string(), input / file);
   } else {
-    files.push_back(hashed(input.filename().string(), input));
+    add_hash(files, input.filename().string(), input);
   }
   const Json made = {{"symscene", SYMSCENE_VERSION},
                      {"command", command},
