@@ -18,6 +18,10 @@ constexpr double usual_depth = 1.0;  // of a table before a camera [m]
 /// Metres, millimetres, the scale of the TUM benchmark, tenths of a millimetre. [1/m]
 constexpr std::array<double, 4> usual_scales = {1.0, 1000.0, 5000.0, 10000.0};
 
+bool is_used(double depth, const DepthUse& use) {
+  return depth >= use.min_depth && depth <= use.max_depth;
+}
+
 double distance_from_usual(double depth) { return std::abs(std::log(depth / usual_depth)); }
 
 /// The usual scale with which the median depth is most like that of a table; 0 if no scale makes it
@@ -31,11 +35,13 @@ double likely_scale(double median, double scale) {
   return best == scale ? 0.0 : best;
 }
 
-std::string advice(double median, double scale) {
-  const double likely = likely_scale(median, scale);
-  if (likely == 0.0) return fmt::format("is --depth-scale {:g} right?", scale);
-  return fmt::format("try --depth-scale {:g}, which makes it {:.3g} m, in place of {:g}", likely,
-                     median * scale / likely, scale);
+/// Empty if the median depth is used: the scale is then right, and what is far is not used.
+std::string advice(double median, const DepthUse& use) {
+  if (is_used(median, use)) return "";
+  const double likely = likely_scale(median, use.scale);
+  if (likely == 0.0) return fmt::format(": is --depth-scale {:g} right?", use.scale);
+  return fmt::format(": try --depth-scale {:g}, which makes it {:.3g} m, in place of {:g}", likely,
+                     median * use.scale / likely, use.scale);
 }
 
 }  // namespace
@@ -48,17 +54,16 @@ std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frame
       if (depth > 0.0F) depths.push_back(depth);
     }
   }
-  const auto outside = std::count_if(depths.begin(), depths.end(), [&](double depth) {
-    return depth < use.min_depth || depth > use.max_depth;
-  });
+  const auto outside = std::count_if(depths.begin(), depths.end(),
+                                     [&](double depth) { return !is_used(depth, use); });
   const double share =
       static_cast<double>(outside) / std::max(static_cast<double>(depths.size()), 1.0);
   if (share <= max_outside) return {};
   const double median_depth = *median(std::move(depths));
   return fmt::format(
       "{:.0f} % of the depths are outside {:g} to {:g} m and not used; the median depth is {:.3g} "
-      "m: {}",
-      100.0 * share, use.min_depth, use.max_depth, median_depth, advice(median_depth, use.scale));
+      "m{}",
+      100.0 * share, use.min_depth, use.max_depth, median_depth, advice(median_depth, use));
 }
 
 }  // namespace symscene::app

@@ -15,9 +15,9 @@ struct DepthUse {
   double max_depth = 6.0;  ///< [m]
 };
 
-/// A sentence if more than a fifth of the depths is not used, as with a wrong scale: the median
-/// depth, the limits, and of the usual scales that with which the median depth is nearest to that
-/// of a table.
+/// A sentence if more than a fifth of the depths is not used, as with a wrong scale: the limits and
+/// the median depth. If the median is outside the limits, also the usual scale with which it is
+/// nearest to the depth of a table.
 std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frames,
                                                const DepthUse& use);
 

@@ -18,10 +18,10 @@ struct Shell {
   std::string words;  ///< with a place for the words
 };
 
-const Shell bash{.files = "COMPREPLY=($(compgen -f -- \"$current\"))",
-                 .folders = "COMPREPLY=($(compgen -d -- \"$current\"))",
+const Shell bash{.files = "mapfile -t COMPREPLY < <(compgen -f -- \"$current\")",
+                 .folders = "mapfile -t COMPREPLY < <(compgen -d -- \"$current\")",
                  .nothing = "COMPREPLY=()",
-                 .words = "COMPREPLY=($(compgen -W \"{}\" -- \"$current\"))"};
+                 .words = "mapfile -t COMPREPLY < <(compgen -W \"{}\" -- \"$current\")"};
 const Shell zsh{
     .files = "_files", .folders = "_files -/", .nothing = "return 1", .words = "compadd -- {}"};
 

@@ -1,6 +1,8 @@
 // What reconstruct tells about its pace, and its advice about depth scales.
 #include "frame_rate.hpp"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "depth_range.hpp"
@@ -37,6 +39,14 @@ TEST(DepthRange, NamesMedianLimitAndTheScaleToTry) {
             "100 % of the depths are outside 0.2 to 3 m and not used; the median depth is 3.9 m: "
             "try --depth-scale 5000, which makes it 0.78 m, in place of 1000");
   EXPECT_FALSE(depth_range_warning({&frame, 1}, {1000.0, 0.2, 6.0}));
+}
+
+TEST(DepthRange, AFarBackgroundIsNotTakenForAWrongScale) {
+  const std::vector<DepthFrame> frames{frame_at(3.0), frame_at(3.0), frame_at(8.0)};
+  const auto warning = depth_range_warning(frames, {1000.0, 0.2, 6.0});
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(*warning,
+            "33 % of the depths are outside 0.2 to 6 m and not used; the median depth is 3 m");
 }
 
 TEST(DepthRange, FindsTheTrueScaleForEveryUsualMistake) {

@@ -119,11 +119,11 @@ TEST_F(Usage, OptionsOfAllSubcommandsMayStandBeforeThem) {
   expect_mistake("--threads 2 view nowhere -o x", "found \"--threads\"");
 }
 
-/// What bash offers for the last word of a line.
+/// What bash offers for the last word of a line, a line each.
 std::string offered(const Workspace& workspace, const std::string& words) {
   write(workspace / "ask.sh", "source completion.bash\nCOMP_WORDS=(" + words +
                                   ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_symscene\n"
-                                  "echo \"${COMPREPLY[*]}\"\n");
+                                  "printf '%s\\n' \"${COMPREPLY[@]}\"\n");
   const std::string line = "cd '" + workspace.folder().string() + "' && bash ask.sh > offered";
   EXPECT_EQ(std::system(line.c_str()), 0);
   return contents(workspace / "offered");
@@ -144,6 +144,8 @@ TEST_F(Usage, BashCompletesSubcommandsOptionsAndValues) {
   for (const char* file : {"camera.yaml", "camera_images"})
     EXPECT_NE(files.find(file), std::string::npos) << files;
   EXPECT_EQ(offered(workspace_, "symscene segment scene -o cam"), "camera_images\n");
+  write(workspace_ / "table scan.png", "");
+  EXPECT_EQ(offered(workspace_, "symscene segment tabl"), "table scan.png\n");
   EXPECT_EQ(offered(workspace_, "symscene help recon"), "reconstruct\n");
   EXPECT_EQ(offered(workspace_, "symscene completion z"), "zsh\n");
   expect_mistake("completion fish", "SHELL: expected one of bash, zsh, found \"fish\"");
