@@ -42,13 +42,19 @@ struct NextViewCommand {
 
   void check_outputs() const {
     input.require_not_input(shared.output);
+    candidates.require_not_input(shared.output);
     if (page.empty()) return;
     input.require_not_input(page);
+    candidates.require_not_input(page);
     require_not_input(page, shared.output);
   }
 
   /// The folder that may hold the camera of the input.
   fs::path scene_folder() const { return input.scene.empty() ? input.source.path : input.scene; }
+
+  static std::string best_of(const NextViews& views) {
+    return views.ranked.empty() ? "null" : std::to_string(views.ranked.front().candidate);
+  }
 
   void run() {
     configure();
@@ -60,8 +66,11 @@ struct NextViewCommand {
     SegmentedInput read = input.read(timer, session);
     const CameraIntrinsics camera = candidates.camera(scene_folder(), read.camera);
     const std::vector<Eigen::Isometry3d> poses =
-        candidates.poses(read.result, camera, options.radius);
+        candidates.poses(read.result, camera, {options.radius, options.choice.min_depth});
     const std::vector<double> costs = candidates.read_costs(poses.size());
+    if (!costs.empty() && options.choice.cost_weight == 0.0)
+      session.warn(
+          "the option choice.cost_weight is 0, so that costs count only where they are inf");
     const bool knows_space = read.scene && read.scene->occupancy;
     const NextViews views = naming(input.source.path, [&] {
       return rank_views({read.result, knows_space ? &*read.scene->occupancy : nullptr}, camera,
@@ -79,8 +88,9 @@ struct NextViewCommand {
     session.print_line(format_next_views(ranked));
     session.finish({{"output", shared.output},
                     {"candidates", poses.size()},
-                    {"best", views.ranked.empty() ? 0 : views.ranked.front().candidate},
-                    {"is_enough", std::uint64_t{views.is_enough}}},
+                    {"ranked", views.ranked.size()},
+                    ReportMember::raw("best", best_of(views)),
+                    ReportMember::raw("is_enough", views.is_enough ? "true" : "false")},
                    timer.stages());
   }
 };

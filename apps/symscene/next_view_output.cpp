@@ -11,9 +11,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t listed_views = 10;
+constexpr std::size_t drawn_views = 200;    // on the page
 constexpr double square_centimetres = 1e4;  // per m²
 
-/// As in the other files (docs/formats.md). The quaternion has w >= 0, so that it is unique.
+/// As in the other files (docs/formats.md); the quaternion has w >= 0.
 Json pose_to_json(const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d p = pose.translation();
   Eigen::Quaterniond q(pose.linear());
@@ -70,7 +71,11 @@ std::string format_next_views_json(const RankedCandidates& ranked) {
 }
 
 std::string format_next_views(const RankedCandidates& ranked) {
-  if (ranked.views.ranked.empty()) return "no view: nothing is known of the scene";
+  if (ranked.views.ranked.empty()) {
+    return ranked.views.unreachable == ranked.poses.size()
+               ? fmt::format("no view: none of {} can be reached", ranked.poses.size())
+               : "no view: the scene has no points that one could show more of";
+  }
   std::string table = counts_voxels(ranked.policy)
                           ? "rank  candidate  voxels"
                           : "rank  candidate  gain cm2  inferred  disputed  unknown   cost";
@@ -93,6 +98,7 @@ PageViews page_views(const RankedCandidates& ranked) {
   page.half_height = 0.5 * static_cast<double>(c.height) / c.fy;
   page.is_enough = ranked.views.is_enough;
   for (const RankedView& view : ranked.views.ranked) {
+    if (page.views.size() == drawn_views) break;
     page.views.push_back({view.candidate, ranked.poses[view.candidate], scale * view.gain.total(),
                           scale * view.gain.inferred, scale * view.gain.disputed,
                           scale * view.gain.unknown, scale * view.gain.cost});

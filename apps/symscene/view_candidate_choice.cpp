@@ -64,10 +64,11 @@ CameraIntrinsics camera_of_file(const fs::path& path) {
 }  // namespace
 
 void ViewCandidateChoice::add_to(Arguments& arguments) {
-  arguments.text("--candidates", "sphere|FILE", candidates,
-                 "views to choose from: 34 on a half sphere over the objects (sphere), or a file of "
-                 "poses of the camera in the world, a line \"time tx ty tz qx qy qz qw\" each "
-                 "(default: sphere)");
+  arguments.text(
+      "--candidates", "sphere|FILE", candidates,
+      "views to choose from: 34 on a half sphere over the objects (sphere), or a file of "
+      "poses of the camera in the world, a line \"time tx ty tz qx qy qz qw\" each "
+      "(default: sphere)");
   arguments.file("--camera", camera_file,
                  "intrinsics.txt or camera.yaml of the camera that takes the views (default: that "
                  "of the input)");
@@ -76,21 +77,28 @@ void ViewCandidateChoice::add_to(Arguments& arguments) {
                  "weighed by the option cost_weight; inf: it cannot be reached");
 }
 
+void ViewCandidateChoice::require_not_input(const fs::path& output) const {
+  if (candidates != on_sphere) app::require_not_input(output, candidates);
+  for (const fs::path& file : {camera_file, costs}) {
+    if (!file.empty()) app::require_not_input(output, file);
+  }
+}
+
 CameraIntrinsics ViewCandidateChoice::camera(
     const fs::path& folder, const std::optional<CameraIntrinsics>& of_input) const {
   const fs::path beside = folder / "intrinsics.txt";
   std::optional<CameraIntrinsics> found = of_input;
-  fs::path source = "--camera";
+  fs::path source = "--intrinsics";
   if (!camera_file.empty()) {
     source = camera_file;
     found = camera_of_file(camera_file);
-  } else if (fs::is_regular_file(beside)) {
+  } else if (!found && fs::is_regular_file(beside)) {
     source = beside;
     found = read_intrinsics(beside);
   }
   if (!found)
     throw InputError("--camera", "a file with the intrinsics of the camera of the views",
-                     "none, and none in " + folder.string());
+                     "none, and no intrinsics.txt in " + folder.string());
   if (found->pixels() == 0 || !(found->fx > 0.0) || !(found->fy > 0.0))
     throw InputError(source.string(), "a camera with an image size and focal lengths",
                      fmt::format("{}x{}", found->width, found->height));
@@ -99,11 +107,13 @@ CameraIntrinsics ViewCandidateChoice::camera(
 
 std::vector<Eigen::Isometry3d> ViewCandidateChoice::poses(const SegmentationResult& result,
                                                           const CameraIntrinsics& camera,
-                                                          double radius) const {
+                                                          const SphereOptions& sphere) const {
   if (candidates == on_sphere) {
     const Ball ball = ball_around(result);
-    return views_on_sphere(ball.center, up_of(result),
-                           radius > 0.0 ? radius : filling_distance(ball, camera));
+    const double nearest = sphere.min_depth + ball.radius;
+    return views_on_sphere(
+        ball.center, up_of(result),
+        sphere.radius > 0.0 ? sphere.radius : std::max(nearest, filling_distance(ball, camera)));
   }
   std::vector<Eigen::Isometry3d> poses;
   for (const StampedPose& pose : read_trajectory(candidates)) poses.push_back(pose.T_world_camera);
@@ -118,8 +128,10 @@ std::vector<double> ViewCandidateChoice::read_costs(std::size_t count) const {
   for (std::string word; text >> word;) {
     char* end = nullptr;
     numbers.push_back(std::strtod(word.c_str(), &end));
-    if (*end != '\0' || std::isnan(numbers.back()) || numbers.back() < 0.0)
-      throw InputError(costs.string(), "numbers of at least 0, or inf", "\"" + word + "\"");
+    constexpr double greatest = 1e9;
+    const bool is_number = *end == '\0' && numbers.back() >= 0.0 && numbers.back() <= greatest;
+    if (!is_number && word != "inf")
+      throw InputError(costs.string(), "numbers from 0 to 1e9, or inf", "\"" + word + "\"");
   }
   if (numbers.size() != count)
     throw InputError(costs.string(), fmt::format("{} numbers, one per candidate", count),

@@ -21,12 +21,14 @@ constexpr std::array<const char*, 3> policy_names{"symmetry", "unknown-voxels", 
 class Viewer {
  public:
   Viewer(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera,
-         const ViewSpace& space, double max_incidence)
+         const ViewSpace& space, const NextViewOptions& options)
       : camera_(camera),
         T_camera_world_(T_world_camera.inverse()),
         eye_(T_world_camera.translation().cast<float>()),
         space_(space),
-        least_cosine_(static_cast<float>(std::cos(max_incidence))) {}
+        min_depth_(options.min_depth),
+        max_depth_(options.max_depth),
+        least_cosine_(static_cast<float>(std::cos(options.max_incidence))) {}
 
   /// The worth of the places that the camera would see.
   double worth(const std::vector<ViewPlace>& places) const {
@@ -45,7 +47,7 @@ class Viewer {
   }
   bool is_in_image(const ViewPlace& place) const {
     const Eigen::Vector3d at = T_camera_world_ * place.position.cast<double>();
-    if (!(at.z() > 0.0)) return false;
+    if (!(at.z() > 0.0) || at.z() < min_depth_ || at.z() > max_depth_) return false;
     const Eigen::Vector2d pixel = camera_.project(at);
     return pixel.x() >= -0.5 && pixel.x() < static_cast<double>(camera_.width) - 0.5 &&
            pixel.y() >= -0.5 && pixel.y() < static_cast<double>(camera_.height) - 0.5;
@@ -55,6 +57,7 @@ class Viewer {
   Eigen::Isometry3d T_camera_world_;
   Eigen::Vector3f eye_;
   const ViewSpace& space_;
+  double min_depth_, max_depth_;  ///< [m]
   float least_cosine_;
 };
 
@@ -66,6 +69,34 @@ ViewGain counted_gain(const ViewSpace& space, const CameraIntrinsics& camera,
   gain.unknown =
       static_cast<double>(policy == ViewPolicy::unknown_voxels ? counts.unknown : counts.rear_side);
   return gain;
+}
+
+ViewGain gain_of(const ViewSpace& space, const ViewPlaces& places, const CameraIntrinsics& camera,
+                 const Eigen::Isometry3d& pose, const NextViewOptions& options, ViewPolicy policy) {
+  if (!space.can_hold_camera(pose.translation().cast<float>())) return {};
+  if (policy != ViewPolicy::symmetry) return counted_gain(space, camera, pose, options, policy);
+  const Viewer viewer(camera, pose, space, options);
+  return {viewer.worth(places.inferred), viewer.worth(places.disputed),
+          viewer.worth(places.unknown), 0.0};
+}
+
+void require_consistent(const SegmentationResult& result) {
+  const std::size_t objects = result.objects.size();
+  for (const std::size_t count : {result.surfaces.size(), result.completed.size()}) {
+    if (count != 0 && count != objects)
+      throw InputError("the result", fmt::format("{} surfaces and completions, or none", objects),
+                       fmt::format("{}", count));
+  }
+}
+
+/// Farther away coordinates have no precision, and nothing is seen.
+void require_near(std::span<const Eigen::Isometry3d> candidates, const PointCloud& cloud) {
+  constexpr double farthest = 1000.0;  // [m]
+  const Eigen::Vector3d scene = cloud.position(0).cast<double>();
+  for (const Eigen::Isometry3d& pose : candidates) {
+    if (!pose.matrix().allFinite() || !((pose.translation() - scene).norm() < farthest))
+      throw InputError("candidates", "finite poses within 1 km of the scene", "another");
+  }
 }
 
 /// Those that can be reached.
@@ -108,25 +139,25 @@ NextViews rank_views(const KnownScene& scene, const CameraIntrinsics& camera,
     throw InputError("policy", fmt::format("occupancy for {}", to_string(policy)), "none");
   StageTimer timer;
   NextViews views;
-  if (scene.result.cloud.empty()) return views;
+  views.ranked = reachable(candidates.size(), costs);
+  views.unreachable = candidates.size() - views.ranked.size();
+  if (scene.result.cloud.empty()) {
+    views.ranked.clear();
+    views.is_enough = true;
+    return views;
+  }
+  require_consistent(scene.result);
+  require_near(candidates, scene.result.cloud);
   const ViewSpace space = timer.time("space", [&] { return ViewSpace(scene, options); });
   const ViewPlaces places =
       timer.time("places", [&] { return view_places(scene, space, options); });
   views.inferred_area = places.inferred_area;
   views.object_area = places.object_area;
-  views.ranked = reachable(candidates.size(), costs);
   timer.time("gains", [&] {
     parallel_for_each(views.ranked.size(), [&](std::size_t k) {
       RankedView& view = views.ranked[k];
-      const std::size_t i = view.candidate;
-      if (policy == ViewPolicy::symmetry) {
-        const Viewer viewer(camera, candidates[i], space, options.max_incidence);
-        view.gain = {viewer.worth(places.inferred), viewer.worth(places.disputed),
-                     viewer.worth(places.unknown), 0.0};
-      } else {
-        view.gain = counted_gain(space, camera, candidates[i], options, policy);
-      }
-      if (!costs.empty()) view.gain.cost = options.cost_weight * costs[i];
+      view.gain = gain_of(space, places, camera, candidates[view.candidate], options, policy);
+      if (!costs.empty()) view.gain.cost = options.cost_weight * costs[view.candidate];
     });
   });
   sort_by_gain(views.ranked);

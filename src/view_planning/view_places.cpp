@@ -11,35 +11,51 @@
 namespace symscene {
 namespace {
 
-/// Inferred surface counts as explained within this distance of an image of observed points. [m]
-constexpr float image_reach = 0.0075F;
+/// Inferred surface counts as explained within this distance of an image of observed points, or
+/// within 1.5 spacings of the cloud. [m]
+constexpr float least_image_reach = 0.0075F;
 constexpr float off_surface = 1.5F;  // voxels between a place and its surface
 
-/// The triangles of a surface that nothing has shown.
-TriangleMesh inferred_part(const ObjectSurface& surface) {
+/// Whether a triangle faces the table from no farther than `reach`: no camera sees it. [m]
+bool rests_on(const std::optional<Plane>& table, const TriangleMesh& mesh, Eigen::Index triangle,
+              double reach) {
+  if (!table) return false;
+  const auto corner = [&](int k) -> Eigen::Vector3d {
+    return mesh.vertices.row(mesh.triangles(triangle, k)).transpose().cast<double>();
+  };
+  const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  if (normal.dot(table->normal) >= 0.0) return false;
+  return table->signed_distance(corner(0)) < reach && table->signed_distance(corner(1)) < reach &&
+         table->signed_distance(corner(2)) < reach;
+}
+
+/// The triangles of a mesh that are wanted, by their number.
+template <class IsWanted>
+TriangleMesh part_of(const TriangleMesh& mesh, const IsWanted& is_wanted) {
   TriangleMesh part;
-  part.vertices = surface.mesh.vertices;
+  part.vertices = mesh.vertices;
   std::vector<Eigen::Index> triangles;
-  for (Eigen::Index t = 0; t < surface.mesh.triangles.rows(); ++t) {
-    if (surface.observed[static_cast<std::size_t>(t)] == 0) triangles.push_back(t);
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    if (is_wanted(t)) triangles.push_back(t);
   }
   part.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t k = 0; k < triangles.size(); ++k)
-    part.triangles.row(static_cast<Eigen::Index>(k)) = surface.mesh.triangles.row(triangles[k]);
+    part.triangles.row(static_cast<Eigen::Index>(k)) = mesh.triangles.row(triangles[k]);
   return part;
 }
 
 /// Whether a place of an object is the image of what was seen of it.
 class Explained {
  public:
-  explicit Explained(const PointCloud& images) {
-    if (!images.empty()) cells_.emplace(images.positions, image_reach);
+  Explained(const PointCloud& images, float reach) : reach_(reach) {
+    if (!images.empty()) cells_.emplace(images.positions, reach);
   }
   bool holds(const Eigen::Vector3f& place) const {
-    return cells_ && cells_->nearest(place, image_reach).first != CellList::none;
+    return cells_ && cells_->nearest(place, reach_).first != CellList::none;
   }
 
  private:
+  float reach_;  ///< [m]
   std::optional<CellList> cells_;
 };
 
@@ -47,13 +63,11 @@ class Explained {
 class PlaceFinder {
  public:
   PlaceFinder(const KnownScene& scene, const ViewSpace& space, const NextViewOptions& options)
-      : scene_(scene), space_(space), options_(options) {
-    for (const ObjectSurface& surface : scene.result.surfaces) {
-      parts_.push_back(inferred_part(surface));
-      areas_.push_back(surface_area(parts_.back()));
-      places_.object_area += surface_area(surface.mesh);
-      places_.inferred_area += areas_.back();
-    }
+      : scene_(scene),
+        space_(space),
+        options_(options),
+        spacing_(median_spacing(scene.result.cloud.positions).value_or(0.0F)) {
+    for (const ObjectSurface& surface : scene.result.surfaces) add_surface(surface);
   }
 
   ViewPlaces find() {
@@ -64,6 +78,19 @@ class PlaceFinder {
   }
 
  private:
+  void add_surface(const ObjectSurface& surface) {
+    const double reach = 2.0 * static_cast<double>(space_.grid().frame.resolution);
+    const auto is_visible = [&](Eigen::Index t) {
+      return !rests_on(scene_.result.table, surface.mesh, t, reach);
+    };
+    parts_.push_back(part_of(surface.mesh, [&](Eigen::Index t) {
+      return surface.observed[static_cast<std::size_t>(t)] == 0 && is_visible(t);
+    }));
+    areas_.push_back(surface_area(parts_.back()));
+    places_.object_area += surface_area(part_of(surface.mesh, is_visible));
+    places_.inferred_area += areas_.back();
+  }
+
   float offset() const { return off_surface * space_.grid().frame.resolution; }
 
   void add_inferred(std::size_t object) {
@@ -72,7 +99,10 @@ class PlaceFinder {
         static_cast<std::size_t>(std::ceil(share * static_cast<double>(options_.samples)));
     if (areas_[object] <= 0.0 || count == 0) return;
     const PointCloud samples = sample_surface(parts_[object], count);
-    const Explained explained(scene_.result.completed[object]);
+    static const PointCloud no_images;
+    const Explained explained(
+        scene_.result.completed.empty() ? no_images : scene_.result.completed[object],
+        std::max(least_image_reach, 1.5F * spacing_));
     const double belief = scene_.result.objects[object].rank();
     const double area = areas_[object] / static_cast<double>(samples.size());
     for (Index i = 0; i < samples.size(); ++i) {
@@ -92,18 +122,19 @@ class PlaceFinder {
       for (const Index i : scene_.result.objects[k].points) owner[i] = static_cast<int>(k);
     }
     for (const Rejection& rejected : scene_.result.rejected) add_doubt(rejected, owner, doubt);
-    const double spacing = median_spacing(cloud.positions).value_or(0.0F);
     PointIndices places;
     for (Index i = 0; i < cloud.size(); ++i) {
       if (doubt[i] > 0.0) places.push_back(i);
     }
     const Index kept = static_cast<Index>(options_.samples);
     const double each =
-        spacing * spacing *
+        static_cast<double>(spacing_ * spacing_) *
         std::max(1.0, static_cast<double>(places.size()) / static_cast<double>(kept));
+    const bool has_normals = cloud.normals.rows() == cloud.positions.rows();
     for (const Index k : evenly_spread(static_cast<Index>(places.size()), kept)) {
       const Index i = places[k];
-      const Eigen::Vector3f normal = cloud.normal(i);
+      const Eigen::Vector3f normal =
+          has_normals ? Eigen::Vector3f(cloud.normal(i)) : Eigen::Vector3f::Zero();
       places_.disputed.push_back({cloud.position(i) + offset() * normal, normal,
                                   options_.dispute_weight * doubt[i] * each});
     }
@@ -113,8 +144,10 @@ class PlaceFinder {
   /// way round.
   void add_doubt(const Rejection& rejected, const std::vector<int>& owner,
                  std::vector<double>& doubt) const {
-    if (rejected.points.empty() || !(rejected.bound > 0.0)) return;
-    const double near = std::clamp(rejected.value / rejected.bound, 0.0, 1.0);
+    if (rejected.points.empty() || !(rejected.bound > 0.0) || !(rejected.value > 0.0)) return;
+    // Some bounds are least, others greatest values.
+    const double ratio = rejected.value / rejected.bound;
+    const double near = std::min(ratio, 1.0 / ratio);
     std::vector<std::size_t> shared(scene_.result.objects.size(), 0);
     for (const Index i : rejected.points) {
       if (owner[i] >= 0) ++shared[static_cast<std::size_t>(owner[i])];
@@ -176,6 +209,7 @@ class PlaceFinder {
   const KnownScene& scene_;
   const ViewSpace& space_;
   const NextViewOptions& options_;
+  float spacing_;                    ///< of the cloud's points [m]
   std::vector<TriangleMesh> parts_;  ///< per object: what is inferred of its surface
   std::vector<double> areas_;        ///< of these [m²]
   ViewPlaces places_;

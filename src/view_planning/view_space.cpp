@@ -32,6 +32,7 @@ std::size_t voxel_at(const VoxelFrame& frame, const Eigen::Vector3f& point) {
 
 ViewSpace::ViewSpace(const KnownScene& scene, const NextViewOptions& options)
     : knows_space_(scene.occupancy != nullptr),
+      table_(scene.result.table),
       grid_(rasterize(knows_space_ ? *scene.occupancy : OccupancyMap{},
                       box_of(scene.result).padded(static_cast<float>(options.margin)),
                       options.max_voxels)),
@@ -39,6 +40,13 @@ ViewSpace::ViewSpace(const KnownScene& scene, const NextViewOptions& options)
   for (std::size_t i = 0; i < grid_.states.size(); ++i)
     solid_[i] = grid_.states[i] == VoxelState::occupied ? 1 : 0;
   for (const ObjectSurface& surface : scene.result.surfaces) mark_surface(surface.mesh);
+  for (Index i = 0; i < scene.result.cloud.size() && !knows_space_; ++i)
+    mark(scene.result.cloud.position(i));
+}
+
+void ViewSpace::mark(const Eigen::Vector3f& point) {
+  const std::size_t voxel = voxel_at(grid_.frame, point);
+  if (voxel != no_voxel) solid_[voxel] = 1;
 }
 
 /// Samples are so dense that no ray passes between their voxels but at grazing incidence.
@@ -48,10 +56,14 @@ void ViewSpace::mark_surface(const TriangleMesh& mesh) {
   const double spacing = 0.5 * static_cast<double>(grid_.frame.resolution);
   const auto count = static_cast<std::size_t>(std::ceil(area / (spacing * spacing)));
   const PointCloud samples = sample_surface(mesh, count);
-  for (Index i = 0; i < samples.size(); ++i) {
-    const std::size_t voxel = voxel_at(grid_.frame, samples.position(i));
-    if (voxel != no_voxel) solid_[voxel] = 1;
-  }
+  for (Index i = 0; i < samples.size(); ++i) mark(samples.position(i));
+}
+
+bool ViewSpace::can_hold_camera(const Eigen::Vector3f& place) const {
+  if (table_ && table_->signed_distance(place.cast<double>()) < 0.0) return false;
+  const std::size_t voxel = voxel_at(grid_.frame, place);
+  if (voxel == no_voxel) return true;
+  return !is_solid(voxel) && (!knows_space_ || grid_.states[voxel] == VoxelState::free);
 }
 
 bool ViewSpace::sees(const Eigen::Vector3f& camera, const Eigen::Vector3f& place) const {

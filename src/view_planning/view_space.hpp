@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "symscene/view_planning/next_view.hpp"
@@ -16,13 +17,17 @@ class ViewSpace {
   bool knows_space() const { return knows_space_; }
   /// Whether the voxel is occupied or holds surface, observed or inferred.
   bool is_solid(std::size_t voxel) const { return solid_[voxel] != 0; }
+  /// Whether a camera could be there: above the table and, within the grid, in free space.
+  bool can_hold_camera(const Eigen::Vector3f& place) const;
   /// Whether nothing solid lies between a place just off a surface and the camera.
   bool sees(const Eigen::Vector3f& camera, const Eigen::Vector3f& place) const;
 
  private:
+  void mark(const Eigen::Vector3f& point);
   void mark_surface(const TriangleMesh& mesh);
 
   bool knows_space_;
+  std::optional<Plane> table_;
   OccupancyGrid grid_;
   std::vector<std::uint8_t> solid_;
 };

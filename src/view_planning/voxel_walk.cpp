@@ -27,7 +27,8 @@ VoxelWalk::VoxelWalk(const VoxelFrame& frame, const Eigen::Vector3f& origin,
   stride_ << 1, static_cast<std::ptrdiff_t>(frame.row_length()),
       static_cast<std::ptrdiff_t>(frame.slice_length());
   for (int axis = 0; axis < 3; ++axis) {
-    cell_[axis] = std::clamp(static_cast<int>(first[axis]), 0, size_[axis] - 1);
+    const auto last = static_cast<float>(size_[axis] - 1);
+    cell_[axis] = static_cast<int>(std::clamp(first[axis], 0.0F, last));
     step_[axis] = along[axis] > 0.0F ? 1 : -1;
     spacing_[axis] = along[axis] == 0.0F ? never : 1.0F / std::abs(along[axis]);
     const auto face = static_cast<float>(cell_[axis] + (along[axis] > 0.0F ? 1 : 0));

@@ -124,6 +124,62 @@ TEST(RankViews, WeighsCosts) {
                InputError);
 }
 
+/// Gains of a camera 0.5 m from a box that was seen from −x only, which looks at it along +x or −x.
+double gain_from(const Eigen::Vector3d& eye, const std::optional<Plane>& table = {},
+                 const NextViewOptions& options = {}) {
+  SegmentationResult result;
+  add_box(result, 0.0, 0.0, {-Eigen::Vector3f::UnitX()});
+  result.table = table;
+  const std::array<Eigen::Isometry3d, 1> pose{
+      view_towards(eye, {0.0, 0.0, 0.05}, Eigen::Vector3d::UnitX())};
+  return rank_views({result, &unseen}, camera(), pose, options).ranked.front().gain.total();
+}
+
+TEST(RankViews, SeesNothingFromBelowTheTable) {
+  const Eigen::Vector3d below(0.0, 0.0, -0.5);
+  EXPECT_GT(gain_from(below), 0.0) << "without a table";
+  EXPECT_EQ(gain_from(below, Plane{Eigen::Vector3d::UnitZ(), 0.0}), 0.0);
+}
+
+TEST(RankViews, SeesOnlyWhatTheCameraMeasures) {
+  const Eigen::Vector3d side(0.5, 0.0, 0.2);
+  NextViewOptions options;
+  EXPECT_GT(gain_from(side, {}, options), 0.0);
+  options.min_depth = 0.8;
+  EXPECT_EQ(gain_from(side, {}, options), 0.0);
+  options.min_depth = 0.2;
+  options.max_depth = 0.3;
+  EXPECT_EQ(gain_from(side, {}, options), 0.0);
+}
+
+TEST(RankViews, WeighsDisputeByHowNearTheHypothesisCameToItsBound) {
+  const auto disputed = [](double value, double bound) {
+    SegmentationResult result;
+    add_box(result, 0.0, 0.0,
+            {Eigen::Vector3f::UnitX(), -Eigen::Vector3f::UnitX(), Eigen::Vector3f::UnitY(),
+             -Eigen::Vector3f::UnitY(), Eigen::Vector3f::UnitZ()});
+    Rejection rejected;
+    rejected.value = value;
+    rejected.bound = bound;
+    const PointIndices& points = result.objects[0].points;
+    rejected.points.assign(points.begin(), points.begin() + 250);
+    result.rejected.push_back(rejected);
+    return rank_views({result, &unseen}, camera(), four_sides()).ranked.front().gain.disputed;
+  };
+  EXPECT_GT(disputed(0.4, 0.45), 1.5 * disputed(0.2, 0.45)) << "a score that is too low";
+  EXPECT_GT(disputed(0.02, 0.015), 1.5 * disputed(0.06, 0.015)) << "a residual that is too high";
+}
+
+TEST(RankViews, RefusesWhatIsFarAwayOrInconsistent) {
+  SegmentationResult result;
+  add_box(result, 0.0, 0.0, {-Eigen::Vector3f::UnitX()});
+  std::vector<Eigen::Isometry3d> far = four_sides();
+  far[2].translation().z() = 1e20;
+  EXPECT_THROW(rank_views({result, &unseen}, camera(), far), InputError);
+  result.surfaces.push_back(result.surfaces.front());
+  EXPECT_THROW(rank_views({result, &unseen}, camera(), four_sides()), InputError);
+}
+
 TEST(RankViews, LeavesOutWhatCannotBeReached) {
   SegmentationResult result;
   add_box(result, 0.0, 0.0, {-Eigen::Vector3f::UnitX()});
@@ -160,7 +216,9 @@ TEST(RankViews, NeedNoOccupancyUnlessVoxelsAreCounted) {
 }
 
 TEST(RankViews, OfNothingAreNone) {
-  EXPECT_TRUE(rank_views({SegmentationResult{}, &unseen}, camera(), four_sides()).ranked.empty());
+  const NextViews views = rank_views({SegmentationResult{}, &unseen}, camera(), four_sides());
+  EXPECT_TRUE(views.ranked.empty());
+  EXPECT_TRUE(views.is_enough) << "so that a loop ends";
 }
 
 }  // namespace

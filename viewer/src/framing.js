@@ -35,7 +35,7 @@ export function gripperPoints({ grasps, objects }) {
   });
 }
 
-/** Where the best views would be taken from. */
+/** Where the best view would be taken from. */
 export const viewPoints = ({ views }) => (views?.list ?? []).slice(0, 1).map(({ camera }) => camera.position);
 
 /** Positions of cameras, thinned because each framing visits all of them. */

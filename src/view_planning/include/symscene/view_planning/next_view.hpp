@@ -42,16 +42,19 @@ struct RankedView {
 
 struct NextViews {
   std::vector<RankedView> ranked;  ///< by descending gain
-  bool is_enough = false;          ///< the best gain is below min_share
-  double inferred_area = 0.0;      ///< of the objects' surfaces, not seen yet [m²]
-  double object_area = 0.0;        ///< of the objects' surfaces [m²]
+  /// No view is worth it: the best gain is below min_share, or there is none to rank.
+  bool is_enough = false;
+  std::size_t unreachable = 0;  ///< candidates of infinite cost
+  double inferred_area = 0.0;   ///< of the objects' surfaces, not seen yet [m²]
+  double object_area = 0.0;     ///< of the objects' surfaces [m²]
   std::vector<StageTime> timings;
 };
 
 /// Ranks candidate views of a camera (T_world_camera). `costs`: one per candidate, or none; a view
 /// of infinite cost cannot be reached and is left out. Views with equal gains stay in their order.
-/// Throws InputError on invalid options, if the costs are not as many as the candidates, or if a
-/// policy counts voxels and there is no occupancy.
+/// Throws InputError on invalid options, if the costs are not as many as the candidates, a
+/// candidate is not finite or more than 1 km from the scene, the result has neither none nor one
+/// surface and completion per object, or a policy counts voxels and there is no occupancy.
 NextViews rank_views(const KnownScene& scene, const CameraIntrinsics& camera,
                      std::span<const Eigen::Isometry3d> candidates,
                      const NextViewOptions& options = {}, ViewPolicy policy = ViewPolicy::symmetry,

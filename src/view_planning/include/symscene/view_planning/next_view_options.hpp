@@ -13,6 +13,8 @@ struct NextViewOptions {
   double cost_weight = 0.0;
   double min_share = 0.02;
   double max_incidence = radians(75.0);
+  double min_depth = 0.2;
+  double max_depth = 6.0;
   int samples = 3000;
   int ray_columns = 80;
   double margin = 0.1;
@@ -28,17 +30,22 @@ struct NextViewOptions {
     visit("unknown_weight", self.unknown_weight, "", between(0.0, 100.0),
           "weight of the border of space that was never seen");
     visit("cost_weight", self.cost_weight, "m2", between(0.0, 1e6),
-          "gain that a unit of the given costs outweighs");
+          "gain that a unit of the given costs outweighs; 0: costs count only where they are "
+          "infinite");
     visit("min_share", self.min_share, "", between(0.0, 1.0),
           "views stop where the best gain is below this share of the area of all objects");
     visit("max_incidence", self.max_incidence, "rad", above_up_to(0.0, radians(90.0)),
           "greatest angle between a line of sight and the normal of a surface that it shows");
+    visit("min_depth", self.min_depth, "m", between(0.0, 100.0),
+          "nearer places are not seen: least depth that the camera measures");
+    visit("max_depth", self.max_depth, "m", above_up_to(0.0, 100.0),
+          "farther places are not seen: greatest depth that the camera measures");
     visit("samples", self.samples, "", between(100, 1000000),
           "places whose visibility is tested: of inferred and disputed surface and of the border");
     visit("ray_columns", self.ray_columns, "", between(8, 4096),
           "rays across an image with which never seen voxels are counted");
     visit("margin", self.margin, "m", between(0.0, 10.0),
-          "margin around the objects within which space is looked at");
+          "margin around all points and surfaces within which space is looked at");
     visit("max_voxels", self.max_voxels, "", between(4096.0, 1 << 28),
           "voxels of that space; a larger one gets coarser voxels");
   }
