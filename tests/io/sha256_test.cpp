@@ -23,7 +23,7 @@ TEST(Sha256, DoesNotDependOnHowTheBytesAreDivided) {
   const TemporaryFolder folder;
   std::string bytes;
   for (int i = 0; i < 200; ++i) bytes += static_cast<char>(i * 7);
-  for (const std::size_t cut : {0, 1, 55, 56, 63, 64, 65, 120, 199}) {
+  for (const std::size_t cut : {0U, 1U, 55U, 56U, 63U, 64U, 65U, 120U, 199U}) {
     Sha256 hash;
     hash.add(std::string_view(bytes).substr(0, cut));
     hash.add(std::string_view(bytes).substr(cut));
