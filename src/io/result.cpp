@@ -166,7 +166,8 @@ SegmentationResult read_result(const fs::path& dir) {
   SegmentationResult& result = parsed.result;
   result.cloud = std::move(cloud);
   for (std::size_t id = 0; id < result.objects.size(); ++id) {
-    result.completed.push_back(read_added(dir / object_cloud_name(id), result.objects[id].points.size()));
+    result.completed.push_back(
+        read_added(dir / object_cloud_name(id), result.objects[id].points.size()));
     result.surfaces.push_back(read_surface(dir / surface_name(id), parsed.names_surface[id] != 0));
   }
   return std::move(parsed.result);

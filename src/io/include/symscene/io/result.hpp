@@ -19,9 +19,10 @@ namespace symscene {
 std::string format_objects_json(const SegmentationResult& result, bool with_timings = true,
                                 const std::string& made_by = "");
 
-/// Reads objects.json back, of this version and earlier ones; `cloud`, `completed` and `surfaces` of the result are empty. Normals
-/// and directions are scaled to unit length. `name` is the name of the file in messages. Throws
-/// InputError if the text is not a valid objects.json or an index is not below `cloud_size`.
+/// Reads objects.json back, of this version and earlier ones; `cloud`, `completed` and `surfaces`
+/// of the result are empty. Normals and directions are scaled to unit length. `name` is the name of
+/// the file in messages. Throws InputError if the text is not a valid objects.json or an index is
+/// not below `cloud_size`.
 SegmentationResult parse_objects_json(std::string_view text, const std::string& name,
                                       Index cloud_size);
 
