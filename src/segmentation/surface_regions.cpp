@@ -32,13 +32,9 @@ void add_border_to(NodeBorders& borders, Index other, const RegionBorder& border
   }
 }
 
-void erase_border_to(NodeBorders& borders, Index other) {
-  const auto place = place_of(borders, other);
-  if (place != borders.end() && place->first == other) borders.erase(place);
-}
-
-/// The borders of the union of two nodes `a` and `b`, without the one between them.
-NodeBorders joined_borders(Index a, const NodeBorders& of_a, Index b, const NodeBorders& of_b) {
+/// The borders of the union of two nodes to nodes that are alive.
+NodeBorders joined_borders(const NodeBorders& of_a, const NodeBorders& of_b,
+                           const std::vector<bool>& alive) {
   NodeBorders joined;
   joined.reserve(of_a.size() + of_b.size());
   auto next_a = of_a.begin(), next_b = of_b.begin();
@@ -51,7 +47,7 @@ NodeBorders joined_borders(Index a, const NodeBorders& of_a, Index b, const Node
     if (takes_a && takes_b) border.second += next_b->second;
     if (takes_a) ++next_a;
     if (takes_b) ++next_b;
-    if (border.first != a && border.first != b) joined.push_back(border);
+    if (alive[border.first]) joined.push_back(border);
   }
   return joined;
 }
@@ -111,10 +107,9 @@ class RegionJoiner {
     sizes_.push_back(sizes_[a] + sizes_[b]);
     alive_[a] = alive_[b] = false;
     alive_.push_back(true);
-    NodeBorders around = joined_borders(a, borders_[a], b, borders_[b]);
+    NodeBorders around = joined_borders(borders_[a], borders_[b], alive_);
     for (const auto& [other, border] : around) {
-      erase_border_to(borders_[other], a);
-      erase_border_to(borders_[other], b);
+      // Its borders to a and b stay in its list, where joined_borders() passes over them.
       borders_[other].emplace_back(joined, border);  // the greatest number so far
       push(other, joined, border);
     }
