@@ -44,6 +44,29 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersi
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/symsceneConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/symscene COMPONENT robot)
 
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT robot)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT robot)
+
+# symscene.pc: the libraries of the robot's wing, those that need others first, and the optional libraries behind them.
+get_property(libraries GLOBAL PROPERTY SYMSCENE_LIBRARIES)
+list(REVERSE libraries)
+set(pkgconfig_libraries "")
+set(pkgconfig_optional "")
+foreach(library ${libraries})
+  list(APPEND pkgconfig_libraries -l${library})
+  get_target_property(optional ${library} SYMSCENE_OPTIONAL_LIBRARIES)
+  if(optional)
+    list(TRANSFORM optional PREPEND -l)
+    list(APPEND pkgconfig_optional ${optional})
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES pkgconfig_optional)
+list(JOIN pkgconfig_libraries " " pkgconfig_libraries)
+list(JOIN pkgconfig_optional " " pkgconfig_optional)
+file(RELATIVE_PATH pkgconfig_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(cmake/symscene.pc.in ${CMAKE_CURRENT_BINARY_DIR}/symscene.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/symscene.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT robot)
+
 # cpack -G DEB: a package per wing. `symscene` has the command, the robot's libraries with their headers, and through the
 # command the page; `symscene-evaluation` has the libraries of the evaluation's wing.
 set(CPACK_GENERATOR DEB)

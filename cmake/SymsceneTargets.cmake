@@ -84,7 +84,18 @@ function(symscene_optional name source definition)
   list(TRANSFORM arg_INCLUDES PREPEND "-isystem")
   set_source_files_properties(${folder}/${source} PROPERTIES
     COMPILE_DEFINITIONS ${definition} COMPILE_OPTIONS "${arg_INCLUDES}" SKIP_UNITY_BUILD_INCLUSION ON)
-  target_link_libraries(symscene_${name} PRIVATE ${arg_LIBRARIES})
+  foreach(library IN LISTS arg_LIBRARIES)
+    symscene_link_optional(${name} ${library})
+  endforeach()
+endfunction()
+
+# symscene_link_optional(ROOM LIBRARY): the file here, its name for those who link what is installed: on their machine it
+# may lie elsewhere.
+function(symscene_link_optional name library)
+  get_filename_component(short ${library} NAME_WLE)
+  string(REGEX REPLACE "^lib" "" short ${short})
+  target_link_libraries(symscene_${name} PRIVATE $<BUILD_INTERFACE:${library}> $<INSTALL_INTERFACE:${short}>)
+  set_property(TARGET symscene_${name} APPEND PROPERTY SYMSCENE_OPTIONAL_LIBRARIES ${short})
 endfunction()
 
 # symscene_see_private_headers(TARGET FOLDER)

@@ -47,6 +47,13 @@ void require_replaceable(const fs::path& dir, const DirectoryLayout& layout) {
   }
 }
 
+/// Waits until all files and folders below `staging` are on the disk.
+void sync_tree(const fs::path& staging, const fs::path& target) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(staging))
+    if (!entry.is_symlink()) sync_to_disk(entry.path(), target);
+  sync_to_disk(staging, target);
+}
+
 /// Exchanges two folders in one step, if the file system supports it. Returns whether it did.
 bool exchange(const fs::path& a, const fs::path& b) {
 #ifdef RENAME_EXCHANGE
@@ -121,6 +128,7 @@ void AtomicDirectory::commit() {
   if (!fs::exists(staging_)) fail_without_staging(target_);
   try {
     require_replaceable(target_, layout_);
+    sync_tree(staging_, target_);
     if (fs::exists(target_)) {
       swap_folders(staging_, target_);  // the destructor removes the old one
       std::error_code ignored;

@@ -1,5 +1,8 @@
 #include "io/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -70,6 +73,17 @@ void require_regular_file(const fs::path& path) {
   throw InputError(path.string(), "a file", kind_of(status.type()));
 }
 
+void sync_to_disk(const fs::path& path, const fs::path& shown) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = file >= 0 && fsync(file) == 0;
+  const int error = errno;
+  if (file >= 0) close(file);
+  // Some file systems cannot: then the rename is as safe as they are.
+  if (synced || error == EINVAL || error == ENOTSUP || error == EROFS) return;
+  throw InputError(shown.string(), "a place that can be written",
+                   std::generic_category().message(error));
+}
+
 std::string read_file(const fs::path& path, std::uintmax_t largest) {
   require_regular_file(path);
   errno = 0;
@@ -92,6 +106,7 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
   std::error_code error;
   try {
     write_bytes(temporary, bytes, path);
+    sync_to_disk(temporary, path);
   } catch (...) {
     fs::remove(temporary, error);
     throw;

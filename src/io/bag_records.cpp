@@ -1,11 +1,13 @@
 // The records of a ROS 1 bag, format 2.0.
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "bag.hpp"
 #include "byte_cursor.hpp"
+#include "io/atomic_file.hpp"
 #include "text.hpp"
 
 namespace symscene {
@@ -14,8 +16,10 @@ namespace {
 constexpr std::string_view magic = "#ROSBAG V2.0\n";
 constexpr const char* a_bag = "a whole ROS 1 bag of version 2.0";
 
-/// Largest decompressed size of a chunk that is accepted. [byte]
+/// Largest decompressed size of a chunk, and largest record, that is accepted. [byte]
 constexpr std::uint32_t largest_chunk = std::uint32_t{1} << 28;
+constexpr std::size_t largest_record = 2 * std::size_t{largest_chunk};
+constexpr std::size_t length_size = 4;  ///< of the length before a header or data
 
 enum Operation : std::uint8_t {
   message_data = 2,
@@ -63,21 +67,67 @@ Record take_record(ByteCursor& bytes, const std::string& name) {
   return record;
 }
 
+/// The bytes of a bag, in memory or in a file.
+class BagBytes {
+ public:
+  virtual ~BagBytes() = default;
+  virtual std::uint64_t size() const = 0;
+  /// At most `size` bytes from `offset` on, until the next call.
+  virtual std::string_view at(std::uint64_t offset, std::size_t size) = 0;
+};
+
+class BagInMemory final : public BagBytes {
+ public:
+  explicit BagInMemory(std::string_view bytes) : bytes_(bytes) {}
+  std::uint64_t size() const override { return bytes_.size(); }
+  std::string_view at(std::uint64_t offset, std::size_t size) override {
+    return bytes_.substr(offset, size);
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+class BagInFile final : public BagBytes {
+ public:
+  explicit BagInFile(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+    std::error_code unknown;
+    size_ = std::filesystem::file_size(path, unknown);
+    if (!stream_ || unknown) throw InputError(path.string(), "a file that can be read", "none");
+  }
+  std::uint64_t size() const override { return size_; }
+  std::string_view at(std::uint64_t offset, std::size_t size) override {
+    buffer_.resize(std::min<std::uint64_t>(size, offset < size_ ? size_ - offset : 0));
+    stream_.clear();
+    stream_.seekg(static_cast<std::streamoff>(offset));
+    stream_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream_.gcount(), 0)));
+    return buffer_;
+  }
+
+ private:
+  std::ifstream stream_;
+  std::uint64_t size_ = 0;
+  std::string buffer_;
+};
+
 /// Checks the records in order and remembers what later ones refer to.
 class BagCheck {
  public:
-  BagCheck(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+  BagCheck(BagBytes& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
   void run() {
-    require(bytes_.starts_with(magic), in_quotes(bytes_.substr(0, 13)).c_str());
-    ByteCursor rest(bytes_.substr(magic.size()), name_, a_bag);
+    const std::string start(bytes_.at(0, magic.size()));
+    require(start == magic, in_quotes(start).c_str());
     bool first = true;
-    while (!rest.at_end()) {
-      const std::size_t position = position_of(rest);
-      const Record record = take_record(rest, name_);
+    for (std::uint64_t position = magic.size(); position < bytes_.size();) {
+      ByteCursor cursor(bytes_.at(position, record_size(position)), name_, a_bag);
+      const std::size_t size = cursor.left();
+      const Record record = take_record(cursor, name_);
       require(first == (record.operation() == bag_header), "a header out of its place");
       first = false;
       check(record, position);
+      position += size;
     }
     require(!first, "no header");
     check_index();
@@ -88,9 +138,20 @@ class BagCheck {
     if (!holds) throw InputError(name_, a_bag, found);
   }
 
-  std::size_t position_of(const ByteCursor& rest) const { return bytes_.size() - rest.left(); }
+  std::uint32_t length_at(std::uint64_t position) {
+    require(position < bytes_.size(), "a record that ends behind the file");
+    return ByteCursor(bytes_.at(position, length_size), name_, a_bag).number<std::uint32_t>();
+  }
 
-  void check(const Record& record, std::size_t position) {
+  /// The size of the record at a position: header and data, each behind its length.
+  std::size_t record_size(std::uint64_t position) {
+    const std::size_t header = length_size + length_at(position);
+    const std::size_t size = header + length_size + length_at(position + header);
+    require(size <= largest_record, "a record of more than 512 MiB");
+    return size;
+  }
+
+  void check(const Record& record, std::uint64_t position) {
     switch (record.operation()) {
       case bag_header:
         return check_header(record);
@@ -118,7 +179,7 @@ class BagCheck {
                      "(rosbag reindex repairs it)");
   }
 
-  void check_chunk(const Record& record, std::size_t position) {
+  void check_chunk(const Record& record, std::uint64_t position) {
     const auto size = record.number<std::uint32_t>("size");
     const std::string_view compression = record.text("compression");
     require(size <= largest_chunk, "a chunk of more than 256 MiB");
@@ -162,7 +223,7 @@ class BagCheck {
     }
   }
 
-  void check_connection(const Record& record, std::size_t position) {
+  void check_connection(const Record& record, std::uint64_t position) {
     require(index_position_ <= position, "a connection before the index");
     require(infos_ == 0, "a connection after the chunks' index");
     connections_.insert(record.number<std::uint32_t>("conn"));
@@ -172,7 +233,7 @@ class BagCheck {
     while (!fields.at_end()) fields.block();
   }
 
-  void check_chunk_info(const Record& record, std::size_t position) {
+  void check_chunk_info(const Record& record, std::uint64_t position) {
     if (infos_++ == 0 && connection_records_ == 0) first_of_index_ = position;
     require(record.number<std::uint32_t>("ver") == 1, "an index of another version");
     const auto found = chunks_.find(record.number<std::uint64_t>("chunk_pos"));
@@ -200,7 +261,7 @@ class BagCheck {
     std::optional<std::set<std::uint32_t>> messages;  ///< offsets of messages, unless compressed
   };
 
-  std::string_view bytes_;
+  BagBytes& bytes_;
   const std::string& name_;
   std::uint64_t index_position_ = 0;
   std::uint32_t connections_due_ = 0;
@@ -211,13 +272,20 @@ class BagCheck {
   std::set<std::uint32_t> used_connections_;
   std::size_t connection_records_ = 0;
   std::size_t infos_ = 0;
-  std::size_t first_of_index_ = 0;
+  std::uint64_t first_of_index_ = 0;
 };
 
 }  // namespace
 
 void require_sound_bag(std::string_view bytes, const std::string& name) {
-  BagCheck(bytes, name).run();
+  BagInMemory source(bytes);
+  BagCheck(source, name).run();
+}
+
+void require_sound_bag(const std::filesystem::path& path) {
+  require_regular_file(path);
+  BagInFile source(path);
+  BagCheck(source, path.string()).run();
 }
 
 }  // namespace symscene

@@ -14,7 +14,6 @@
 #include "camera_formats.hpp"
 #include "image_lists.hpp"
 #include "image_sequence.hpp"
-#include "mapped_file.hpp"
 #include "ros_messages.hpp"
 #endif
 
@@ -76,7 +75,7 @@ struct ImageTopic {
 class Bag {
  public:
   explicit Bag(const fs::path& path) : name_(path.string()) {
-    require_sound_bag(MappedFile(path).bytes(), name_);
+    require_sound_bag(path);
     reading(name_, [&] { bag_.open(name_, rosbag::bagmode::Read); });
   }
 

@@ -18,6 +18,29 @@ endfunction()
 # The robot's wing alone, and without what only the other needs.
 run(${CMAKE_COMMAND} --install ${build} --prefix ${work}/robot/prefix --component robot)
 consume(robot -D CMAKE_DISABLE_FIND_PACKAGE_embree=ON)
+
+# No file that is installed for other builds names a folder of this machine, apart from where it was installed itself.
+file(GLOB_RECURSE exported ${work}/robot/prefix/*.cmake ${work}/robot/prefix/*.pc)
+foreach(file ${exported})
+  file(STRINGS ${file} named REGEX "[\";]/[^\";]*\\.(so|a)|${source}|${build}/lib")
+  if(named)
+    message(FATAL_ERROR "expected no path of this machine in ${file}, found ${named}")
+  endif()
+endforeach()
+
+# The same program by pkg-config.
+find_program(pkg_config pkg-config)
+if(pkg_config)
+  file(GLOB_RECURSE description ${work}/robot/prefix/*/symscene.pc)
+  get_filename_component(folder ${description} DIRECTORY)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} ${pkg_config} --cflags --libs symscene
+    OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(${compiler} ${source}/robot/main.cpp -o ${work}/robot/by_pkg_config ${flags})
+  run(${work}/robot/by_pkg_config)
+else()
+  message(STATUS "skipped: no pkg-config")
+endif()
 if(evaluation)
   run(${CMAKE_COMMAND} --install ${build} --prefix ${work}/evaluation/prefix)
   consume(evaluation)

@@ -203,10 +203,23 @@ TEST_F(RosBag, ImagesShorterThanDeclaredAreRefused) {
             std::string::npos);
 }
 
+TEST_F(RosBag, FilesAreCheckedAsTheirBytesAre) {
+  write([](int i) { return depth_16(i); }, color("rgb8"));
+  const std::string bytes = read_text(file);
+  for (const std::size_t kept :
+       {std::size_t{0}, std::size_t{20}, bytes.size() / 2, bytes.size() - 1}) {
+    const std::string cut = bytes.substr(0, kept);
+    write_text(file, cut);
+    EXPECT_EQ(refusal([&] { require_sound_bag(file); }),
+              refusal([&] { require_sound_bag(cut, file.string()); }));
+  }
+}
+
 TEST_F(RosBag, DamagedBagsAreReadOrRefused) {
   write([](int i) { return depth_16(i); }, color("rgb8"));
   const std::string bytes = read_text(file);
   EXPECT_NO_THROW(require_sound_bag(bytes, "x"));
+  EXPECT_NO_THROW(require_sound_bag(file));
   EXPECT_EQ(damage(
                 bytes, [](std::string_view cut) { require_sound_bag(cut, "x"); }, 500, 500),
             0);

@@ -25,6 +25,10 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t largest 
 /// be written; the old file is then unchanged.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Waits until a file or folder is on its disk, so that after a crash of the machine a renamed file
+/// is not an empty one. Throws InputError, with the name `shown`, if the disk fails.
+void sync_to_disk(const std::filesystem::path& path, const std::filesystem::path& shown);
+
 /// The layout of a kind of output folder, by which a previous output is distinguished from the
 /// user's own files.
 struct DirectoryLayout {
