@@ -55,12 +55,6 @@ std::optional<fs::path> path_within(const fs::path& output, const fs::path& inpu
   return way == "." ? fs::path() : way;
 }
 
-/// Whether a folder is one that symscene wrote for a scene, a result or masks.
-bool is_output_folder(const fs::path& folder) {
-  return fs::exists(folder / "scene.json") || fs::exists(folder / "objects.json") ||
-         fs::exists(folder / "masks.json");
-}
-
 /// The folders in which readers of sequences look (docs/formats.md).
 bool is_folder_of_images(const std::string& name) {
   constexpr std::array names = {"depth", "color", "rgb", "image", "meshes"};
@@ -246,9 +240,29 @@ std::string folder_name(const fs::path& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+bool is_output_folder(const fs::path& folder) {
+  constexpr std::array names = {"scene.json", "objects.json", "masks.json"};
+  return std::any_of(names.begin(), names.end(), [&](const char* name) {
+    std::error_code error;
+    return fs::exists(folder / name, error);
+  });
+}
+
 void require_not_input(const fs::path& output, const fs::path& input) {
   if (path_within(output, input))
     throw InputError(output.string(), "a path outside the input", "a path in it");
+}
+
+void require_apart(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    if (outputs[k].empty()) continue;
+    for (const fs::path& input : inputs) {
+      if (!input.empty()) require_not_input(outputs[k], input);
+    }
+    for (std::size_t other = 0; other < outputs.size(); ++other) {
+      if (other != k && !outputs[other].empty()) require_not_input(outputs[k], outputs[other]);
+    }
+  }
 }
 
 void require_beside_frames(const fs::path& output, const fs::path& sequence) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,6 +87,15 @@ class Arguments {
   void config_with(const char* flag, std::function<OptionFields()> configure);
   /// Runs the subcommand after the command line is parsed.
   void run(std::function<void()> body);
+  /// What subcommands that run stages end with: --threads, -v, -q, --json, --config and
+  /// --dump-config, and the run of `command`, which has `shared`, configure() and run().
+  template <class Command>
+  void run_stages(const std::shared_ptr<Command>& command) {
+    threads(command->shared);
+    reporting(command->shared);
+    config(command->shared, [command] { return command->configure(); });
+    run([command] { command->run(); });
+  }
 
  private:
   CommandLine& line_;
@@ -99,8 +109,18 @@ void add_options_of_all(CommandLine& line, SharedOptions& before);
 /// Throws InputError if writing `output` would change the file or folder `input` or its contents.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
-/// The same for a folder beside the frames of a sequence: it may lie in the folder of the sequence
-/// where no reader of sequences looks, under a new name or in place of an earlier output.
+/// The same for each output and each input, and for each two outputs. Paths that are empty are not
+/// looked at.
+void require_apart(const std::vector<std::filesystem::path>& outputs,
+                   const std::vector<std::filesystem::path>& inputs);
+
+/// Whether a folder is one that symscene wrote for a scene, a result or masks. No folder that
+/// cannot be read is one.
+bool is_output_folder(const std::filesystem::path& folder);
+
+/// The same as require_not_input() for a folder beside the frames of a sequence: it may lie in the
+/// folder of the sequence where no reader of sequences looks, under a new name or in place of an
+/// earlier output.
 void require_beside_frames(const std::filesystem::path& output,
                            const std::filesystem::path& sequence);
 

@@ -189,10 +189,7 @@ void add_calibrate_depth(CommandLine& line) {
                  "left out");
   state->board_arguments.add_to(arguments);
   arguments.file("--page", state->page, "page to write: maps of the correction");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

@@ -199,10 +199,7 @@ void add_calibrate_intrinsics(CommandLine& line) {
                    "images of the colour camera taken at the same moments, in the same order: its "
                    "intrinsics and pose are found too");
   arguments.file("--page", state->page, "page to write: coverage and residual vectors");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

@@ -2,7 +2,6 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "io/atomic_file.hpp"
 #include "print.hpp"
 #include "shell_completion.hpp"
 
@@ -20,12 +19,8 @@ void add_completion(CommandLine& line) {
   arguments.word(state->shell, "SHELL", {"bash", "zsh"}, "shell");
   arguments.optional_output_file(state->shared, "file to write (default: standard output)");
   arguments.run([&line, state] {
-    const std::string script =
-        state->shell == "bash" ? bash_completion(line.parser) : zsh_completion(line.parser);
-    if (state->shared.output.empty())
-      print_output(script);
-    else
-      write_file_atomically(state->shared.output, script);
+    write_or_print(state->shared.output, state->shell == "bash" ? bash_completion(line.parser)
+                                                                : zsh_completion(line.parser));
   });
 }
 

@@ -19,13 +19,6 @@ struct Cylinders {
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
-  void check_outputs() const {
-    require_not_input(shared.output, source.path);
-    if (page.empty()) return;
-    require_not_input(page, source.path);
-    require_not_input(page, shared.output);
-  }
-
   void write_page(SegmentInput& input, const CylinderScene& scene, const GraspPlan& plan,
                   const Gripper& hand, Session& session) const {
     const SegmentationResult result = cylinders_as_objects(scene);
@@ -39,7 +32,7 @@ struct Cylinders {
     configure();
     source.table.table();                    // before the work
     const Gripper hand = gripper.gripper();  // as well
-    check_outputs();
+    require_apart({shared.output, page}, {source.path});
     Session session("cylinders", shared);
     StageTimer timer(session.on_begin());
     SegmentInput input = timer.time("read", [&] { return source.read(SegmentOptions{}, session); });
@@ -76,13 +69,8 @@ void add_cylinders(CommandLine& line) {
   arguments.output_file(state->shared, "JSON file to write");
   state->gripper.add_to(arguments);
   arguments.file("--page", state->page, "also write a page that shows cylinders and grasps");
-  arguments.sequence_options(state->source.sequence);
-  state->source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
-  state->source.sensor.add_to(arguments);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  state->source.add_to(arguments);
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

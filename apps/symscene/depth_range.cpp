@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -44,22 +45,35 @@ std::string advice(double median, const DepthUse& use) {
                      median * use.scale / likely, use.scale);
 }
 
+/// Of the depths that were measured, the share that is not used; 0 without any.
+double share_outside(std::span<const DepthFrame> frames, const DepthUse& use) {
+  std::size_t measured = 0, outside = 0;
+  for (const DepthFrame& frame : frames) {
+    for (const float depth : frame.depth) {
+      if (!(depth > 0.0F)) continue;
+      ++measured;
+      outside += is_used(depth, use) ? 0 : 1;
+    }
+  }
+  return static_cast<double>(outside) / std::max(static_cast<double>(measured), 1.0);
+}
+
+/// The median of the depths that were measured, of which there must be one. [m]
+double median_of(std::span<const DepthFrame> frames) {
+  std::vector<double> depths;
+  for (const DepthFrame& frame : frames)
+    std::copy_if(frame.depth.begin(), frame.depth.end(), std::back_inserter(depths),
+                 [](float depth) { return depth > 0.0F; });
+  return *median(std::move(depths));
+}
+
 }  // namespace
 
 std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frames,
                                                const DepthUse& use) {
-  std::vector<double> depths;
-  for (const DepthFrame& frame : frames) {
-    for (const float depth : frame.depth) {
-      if (depth > 0.0F) depths.push_back(depth);
-    }
-  }
-  const auto outside = std::count_if(depths.begin(), depths.end(),
-                                     [&](double depth) { return !is_used(depth, use); });
-  const double share =
-      static_cast<double>(outside) / std::max(static_cast<double>(depths.size()), 1.0);
+  const double share = share_outside(frames, use);
   if (share <= max_outside) return {};
-  const double median_depth = *median(std::move(depths));
+  const double median_depth = median_of(frames);
   return fmt::format(
       "{:.0f} % of the depths are outside {:g} to {:g} m and not used; the median depth is {:.3g} "
       "m{}",

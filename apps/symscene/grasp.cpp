@@ -25,16 +25,9 @@ struct GraspCommand {
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
-  void check_outputs() const {
-    input.require_not_input(shared.output);
-    if (page.empty()) return;
-    input.require_not_input(page);
-    require_not_input(page, shared.output);
-  }
-
   void run() {
     configure();
-    check_outputs();
+    require_apart({shared.output, page}, input.paths());
     const Gripper hand = gripper.gripper();  // before the work
     input.with_page = !page.empty();
     Session session("grasp", shared);
@@ -73,10 +66,7 @@ void add_grasp(CommandLine& line) {
   arguments.file("--page", state->page, "also write a page that shows the grasps");
   state->input.add_to(arguments,
                       "scene folder of a result: what was never seen counts as occupied");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

@@ -16,14 +16,13 @@ namespace {
 /// The subcommand of that name. Throws CLI::ValidationError, as for a wrong value, if there is
 /// none.
 const CLI::App* subcommand_of(const CLI::App& command, const std::string& name) {
-  std::vector<std::string> names;
-  for (const CLI::App* subcommand : subcommands_of(command)) {
+  const std::vector<const CLI::App*> subcommands = subcommands_of(command);
+  for (const CLI::App* subcommand : subcommands) {
     if (subcommand->get_name() == name) return subcommand;
-    names.push_back(subcommand->get_name());
   }
   throw CLI::ValidationError(
       "COMMAND", fmt::format("expected a subcommand of {}, found {}", full_name(command),
-                             with_nearest_name(name, names)));
+                             with_nearest_name(name, names_of(subcommands))));
 }
 
 }  // namespace

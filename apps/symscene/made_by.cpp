@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "arguments.hpp"
 #include "io/sha256.hpp"
 #include "symscene/core/error.hpp"
 
@@ -36,8 +37,8 @@ bool is_read_of_sequence(const fs::path& file) {
   return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
 }
 
-/// What readers of sequences open, but not the files of scenes and results in the folder. Folders
-/// that cannot be read are left out.
+/// What readers of sequences open, but not the files of scenes, results and masks in the folder.
+/// Folders that cannot be read are left out.
 std::vector<fs::path> files_of_frame(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -45,7 +46,7 @@ std::vector<fs::path> files_of_frame(const fs::path& folder) {
                                          error);
   for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     const fs::path& path = entry->path();
-    if (fs::exists(path / "scene.json", error) || fs::exists(path / "objects.json", error))
+    if (is_output_folder(path))
       entry.disable_recursion_pending();
     else if (is_read_of_sequence(path) && entry->is_regular_file(error))
       files.push_back(path.lexically_relative(folder));

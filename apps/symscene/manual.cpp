@@ -2,7 +2,6 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "io/atomic_file.hpp"
 #include "manual_page.hpp"
 #include "print.hpp"
 
@@ -13,13 +12,7 @@ void add_manual(CommandLine& line) {
   Arguments arguments(line, "manual", "Print the manual page, in the language of man",
                       "symscene manual -o symscene.1 && man ./symscene.1");
   arguments.optional_output_file(*shared, "file to write (default: standard output)");
-  arguments.run([&line, shared] {
-    const std::string page = manual_page(line.parser);
-    if (shared->output.empty())
-      print_output(page);
-    else
-      write_file_atomically(shared->output, page);
-  });
+  arguments.run([&line, shared] { write_or_print(shared->output, manual_page(line.parser)); });
 }
 
 }  // namespace symscene::app

@@ -138,10 +138,7 @@ void add_masks(CommandLine& line) {
   arguments.output_folder(state->shared, "masks folder to write");
   arguments.every(state->every, "label every N-th frame (default 1)");
   arguments.sequence_options(state->source);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

@@ -1,11 +1,11 @@
 #include "moveit_output.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/number_in.hpp"
 #include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_names.hpp"
@@ -29,19 +29,15 @@ void check_name(const fs::path& path, const char* flag) {
 FingerJoint parse_joint(const std::string& text, double usual_share) {
   const std::size_t equals = text.find('=');
   FingerJoint joint{text.substr(0, equals), usual_share};
-  bool is_share = true;
-  if (equals != std::string::npos) {
-    const char* const end = text.data() + text.size();
-    const auto [after, error] = std::from_chars(text.data() + equals + 1, end, joint.share);
-    is_share = error == std::errc{} && after == end && std::isfinite(joint.share);
-  }
-  if (joint.name.empty() || !is_share)
+  if (equals != std::string::npos)
+    joint.share = number_in<double>(text.substr(equals + 1)).value_or(std::nan(""));
+  if (joint.name.empty() || !std::isfinite(joint.share))
     throw InputError("--finger-joints", "NAME or NAME=SHARE", fmt::format("\"{}\"", text));
   return joint;
 }
 
 std::vector<FingerJoint> parse_joints(const std::string& text) {
-  const std::vector<std::string> items = comma_separated(text);
+  const std::vector<std::string> items = separated(text);
   std::vector<FingerJoint> joints;
   for (const std::string& item : items)
     joints.push_back(parse_joint(item, 1.0 / static_cast<double>(items.size())));

@@ -40,15 +40,6 @@ struct NextViewCommand {
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
-  void check_outputs() const {
-    input.require_not_input(shared.output);
-    candidates.require_not_input(shared.output);
-    if (page.empty()) return;
-    input.require_not_input(page);
-    candidates.require_not_input(page);
-    require_not_input(page, shared.output);
-  }
-
   /// The folder that may hold the camera of the input.
   fs::path scene_folder() const { return input.scene.empty() ? input.source.path : input.scene; }
 
@@ -58,7 +49,8 @@ struct NextViewCommand {
 
   void run() {
     configure();
-    check_outputs();
+    require_apart({shared.output, page}, input.paths());
+    require_apart({shared.output, page}, candidates.files());
     const ViewPolicy by = view_policy(policy);
     input.with_page = !page.empty();
     Session session("next-view", shared);
@@ -116,10 +108,7 @@ void add_next_view(CommandLine& line) {
                    "voxels that were never seen (default: symmetry)");
   arguments.file("--page", state->page, "also write a page that shows the views");
   state->input.add_to(arguments, "scene folder of a result: which space was seen to be free");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

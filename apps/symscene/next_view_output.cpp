@@ -3,31 +3,24 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "io/pose_json.hpp"
 
 namespace symscene::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t listed_views = 10;
 constexpr std::size_t drawn_views = 200;    // on the page
 constexpr double square_centimetres = 1e4;  // per m²
 
-/// As in the other files (docs/formats.md); the quaternion has w >= 0.
-Json pose_to_json(const Eigen::Isometry3d& pose) {
-  const Eigen::Vector3d p = pose.translation();
-  Eigen::Quaterniond q(pose.linear());
-  if (q.w() < 0.0) q.coeffs() *= -1.0;
-  return {{"position_m", {p.x(), p.y(), p.z()}},
-          {"orientation_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
-}
-
 Json to_json(const RankedView& view, const Eigen::Isometry3d& pose) {
-  return {{"candidate", view.candidate},         {"gain", view.gain.total()},
-          {"inferred", view.gain.inferred},      {"disputed", view.gain.disputed},
-          {"unknown", view.gain.unknown},        {"cost", view.gain.cost},
-          {"T_world_camera", pose_to_json(pose)}};
+  return {{"candidate", view.candidate},
+          {"gain", view.gain.total()},
+          {"inferred", view.gain.inferred},
+          {"disputed", view.gain.disputed},
+          {"unknown", view.gain.unknown},
+          {"cost", view.gain.cost},
+          {"T_world_camera", pose_json(pose, "views to write")}};
 }
 
 bool counts_voxels(ViewPolicy policy) { return policy != ViewPolicy::symmetry; }

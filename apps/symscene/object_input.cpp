@@ -16,14 +16,7 @@ bool is_result(const std::filesystem::path& path) {
 
 void ObjectInput::add_to(Arguments& arguments, const char* scene_help) {
   arguments.folder("--scene", scene, scene_help);
-  arguments.sequence_options(source.sequence);
-  source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
-  source.sensor.add_to(arguments);
-}
-
-void ObjectInput::require_not_input(const std::filesystem::path& output) const {
-  app::require_not_input(output, source.path);
-  if (!scene.empty()) app::require_not_input(output, scene);
+  source.add_to(arguments);
 }
 
 SegmentedInput ObjectInput::read(StageTimer& timer, Session& session) const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "result_page.hpp"
 #include "segment_input.hpp"
@@ -44,8 +45,8 @@ struct ObjectInput {
   SegmentedInput read(StageTimer& timer, Session& session) const;
   /// What grasps are planned on. Throws InputError if a surface has more than 25 m².
   GraspScene grasp_scene(const SegmentedInput& read, const GraspOptions& options) const;
-  /// Throws InputError if writing `output` would change the input.
-  void require_not_input(const std::filesystem::path& output) const;
+  /// What is read; some are empty.
+  std::vector<std::filesystem::path> paths() const { return {source.path, scene}; }
 
  private:
   SegmentedInput of_result(StageTimer& timer, Session& session) const;

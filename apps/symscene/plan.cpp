@@ -1,4 +1,3 @@
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -7,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/number_in.hpp"
 #include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"
 #include "moveit_output.hpp"
@@ -83,22 +83,10 @@ struct PlanCommand {
   }
 
   void check_outputs() const {
-    if (input_is_grasps()) require_not_input(shared.output, path);
-    input.require_not_input(shared.output);
     moveit.check();
-    std::vector<fs::path> before;
-    for (const fs::path& output : {moveit.path, moveit.grasping_path, page}) {
-      if (output.empty()) continue;
-      check_further_output(output);
-      for (const fs::path& other : before) require_not_input(output, other);
-      before.push_back(output);
-    }
-  }
-
-  void check_further_output(const fs::path& output) const {
-    if (input_is_grasps()) require_not_input(output, path);
-    input.require_not_input(output);
-    require_not_input(output, shared.output);
+    std::vector<fs::path> inputs = input.paths();
+    inputs.push_back(path);
+    require_apart({shared.output, moveit.path, moveit.grasping_path, page}, inputs);
   }
 
   /// Throws InputError unless the objects are those of the grasps.
@@ -149,12 +137,10 @@ struct PlanCommand {
 
   std::optional<int> wanted_object(std::size_t objects) const {
     if (object.empty()) return std::nullopt;
-    std::size_t id = 0;
-    const char* const end = object.data() + object.size();
-    const auto [after, error] = std::from_chars(object.data(), end, id);
-    if (error != std::errc{} || after != end || id >= objects)
+    const auto id = number_in<std::size_t>(object);
+    if (!id || *id >= objects)
       throw InputError("--object", fmt::format("the number of one of {} objects", objects), object);
-    return static_cast<int>(id);
+    return static_cast<int>(*id);
   }
 
   void run() {
@@ -280,10 +266,7 @@ void add_plan(CommandLine& line) {
   arguments.file("--page", state->page,
                  "also write a page that plays the motion, with a map of where the arm reaches");
   state->moveit.add_to(arguments);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

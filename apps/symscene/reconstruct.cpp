@@ -272,10 +272,7 @@ void add_reconstruct(CommandLine& line) {
                    "use the sequence's poses as they are, or as initial poses of tracking");
   state->table_arguments.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
   state->sensor_arguments.add_to(arguments);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

@@ -1,6 +1,5 @@
 #include "robot_choice.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/number_in.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/types.hpp"
 #include "symscene/io/robot.hpp"
@@ -16,24 +16,19 @@
 namespace symscene::app {
 namespace {
 
-std::optional<double> finite_number(std::string_view text) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || after != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 double number_of(std::string_view text, const std::string& where) {
-  if (const auto number = finite_number(text)) return *number;
+  const auto number = number_in<double>(text);
+  if (number && std::isfinite(*number)) return *number;
   throw InputError(where, "numbers", fmt::format("\"{}\"", text));
 }
 
-std::size_t joint_named(const RobotModel& model, const std::string& name) {
+/// Runs `work`. An InputError from it names `option` in place of what it named.
+template <class Work>
+decltype(auto) naming_option(const char* option, const Work& work) {
   try {
-    return model.joint_index(name);
+    return work();
   } catch (const InputError& error) {
-    throw InputError("--start", error.expected(), error.found());
+    throw InputError(option, error.expected(), error.found());
   }
 }
 
@@ -54,7 +49,7 @@ void set_position(const RobotModel& model, std::size_t joint_index, double value
 
 Eigen::Isometry3d parse_pose(const std::string& text, const std::string& where) {
   std::vector<double> n;
-  for (const std::string& item : comma_separated(text)) n.push_back(number_of(item, where));
+  for (const std::string& item : separated(text)) n.push_back(number_of(item, where));
   if (n.size() != 4 && n.size() != 7)
     throw InputError(where, "x,y,z,yaw or x,y,z,qx,qy,qz,qw", fmt::format("{} numbers", n.size()));
   Eigen::Isometry3d pose(Eigen::Translation3d(n[0], n[1], n[2]));
@@ -103,7 +98,7 @@ std::optional<std::string> RobotChoice::check_stand(const Robot& robot,
   if (!table) return std::nullopt;
   const double angle = angle_between(table->normal, robot.T_world_base.linear().col(2));
   if (angle <= most) return std::nullopt;
-  if (comma_separated(base).size() != 7)
+  if (separated(base).size() != 7)
     throw InputError(
         "--base",
         "the robot's pose in the frame of the scene as x,y,z,qx,qy,qz,qw, as the table "
@@ -116,18 +111,14 @@ std::optional<std::string> RobotChoice::check_stand(const Robot& robot,
 
 const RobotArm& RobotChoice::arm(const Robot& robot) const {
   if (arm_name.empty()) return robot.grasping_arm();
-  try {
-    return robot.arm(arm_name);
-  } catch (const InputError& error) {
-    throw InputError("--arm", error.expected(), error.found());
-  }
+  return naming_option("--arm", [&]() -> const RobotArm& { return robot.arm(arm_name); });
 }
 
 Eigen::VectorXd RobotChoice::start_positions(const Robot& robot, const Arm& arm) const {
   Eigen::VectorXd positions = robot.home;
   if (start.empty()) return positions;
   const RobotModel& model = robot.model;
-  const std::vector<std::string> items = comma_separated(start);
+  const std::vector<std::string> items = separated(start);
   const bool is_named = start.find('=') != std::string::npos;
   if (!is_named && items.size() != arm.positions.size())
     throw InputError("--start", fmt::format("{} numbers", arm.positions.size()),
@@ -136,8 +127,10 @@ Eigen::VectorXd RobotChoice::start_positions(const Robot& robot, const Arm& arm)
     const std::size_t equals = items[i].find('=');
     if (is_named && equals == std::string::npos)
       throw InputError("--start", "NAME=NUMBER", fmt::format("\"{}\"", items[i]));
-    const std::size_t joint = is_named ? joint_named(model, items[i].substr(0, equals))
-                                       : model.joint_of_position(arm.positions[i]);
+    const std::size_t joint =
+        is_named ? naming_option("--start",
+                                 [&] { return model.joint_index(items[i].substr(0, equals)); })
+                 : model.joint_of_position(arm.positions[i]);
     set_position(model, joint,
                  number_of(is_named ? items[i].substr(equals + 1) : items[i], "--start"),
                  positions);

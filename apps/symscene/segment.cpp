@@ -39,15 +39,6 @@ struct Segment {
     });
   }
 
-  void check_outputs() const {
-    require_not_input(shared.output, source.path);
-    for (const std::filesystem::path& extra : {page, masks}) {
-      if (extra.empty()) continue;
-      require_not_input(extra, source.path);
-      require_not_input(extra, shared.output);
-    }
-  }
-
   /// The result. With --repeat its times are the medians over that many further runs.
   SegmentationResult segment(const Scene& input, Session& session) const {
     SegmentationResult result = segment_scene(input, options.pipeline, session.on_begin());
@@ -98,7 +89,7 @@ struct Segment {
   void run() {
     const OptionFields fields = configure();
     source.table.table();  // before the work
-    check_outputs();
+    require_apart({shared.output, page, masks}, {source.path});
     require_frame();
     Session session("segment", shared);
     session.on_begin()("read");
@@ -142,13 +133,8 @@ void add_segment(CommandLine& line) {
       "--reflectional", state->reflectional, {"curve", "surface", "both"},
       "what proposes reflection planes: pairs of edge curves, smooth segments, or both "
       "(default)");
-  arguments.sequence_options(state->source.sequence);
-  state->source.table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
-  state->source.sensor.add_to(arguments);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  state->source.add_to(arguments);
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

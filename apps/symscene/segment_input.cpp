@@ -75,6 +75,12 @@ SegmentationResult nothing_found(const Scene& scene) {
   return nothing;
 }
 
+void SegmentSource::add_to(Arguments& arguments) {
+  arguments.sequence_options(sequence);
+  table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
+  sensor.add_to(arguments);
+}
+
 void SegmentSource::require_no_camera(const char* kind) const {
   const std::array<std::pair<const char*, bool>, 3> given{
       {{"--intrinsics", this->sequence.intrinsics.has_value() || this->sequence.camera.has_value()},

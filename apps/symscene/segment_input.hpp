@@ -27,6 +27,9 @@ struct SegmentSource {
   TableArguments table;
   SensorArguments sensor;
 
+  /// Adds the options of a scene that is made of a cloud or a depth image.
+  void add_to(Arguments& arguments);
+
   /// Reads a scene folder, or makes a scene of a cloud or of a sequence of one depth image. Throws
   /// InputError if the path is none of these or cannot be read, or if an option has no effect on
   /// it.

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "text_list.hpp"
 #include "usage.hpp"
 
 namespace symscene::app {
@@ -29,17 +30,6 @@ std::string completes_words(const Shell& shell, const std::vector<std::string>& 
   return fmt::format(fmt::runtime(shell.words), fmt::join(words, " "));
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts{""};
-  for (const char c : text) {
-    if (c == separator)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 /// Metavariables are in capitals, words to type are not.
 bool is_word(const std::string& text) {
   return std::none_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
@@ -47,7 +37,7 @@ bool is_word(const std::string& text) {
 
 /// What completes the value of an option, by its metavariable: FILE, FOLDER, one|two, NAME|FILE.
 std::string completes_value(const Shell& shell, const std::string& kind) {
-  const std::vector<std::string> parts = split(kind, '|');
+  const std::vector<std::string> parts = separated(kind, '|');
   const auto has = [&](const char* part) {
     return std::find(parts.begin(), parts.end(), part) != parts.end();
   };
@@ -66,12 +56,6 @@ std::vector<const CLI::App*> all_commands(const CLI::App& command) {
     all.insert(all.end(), further.begin(), further.end());
   }
   return all;
-}
-
-std::vector<std::string> names_of_all(const std::vector<const CLI::App*>& commands) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : commands) names.push_back(command->get_name());
-  return names;
 }
 
 /// Lines that turn `line` into the name of the subcommand as far as it is typed.
@@ -100,9 +84,9 @@ std::string values_of(const CLI::App& command, const Shell& shell) {
 /// What completes a word that is not an option: a subcommand, a word of the help or a file.
 std::string completes_argument(const CLI::App& command, const Shell& shell) {
   const auto below = subcommands_of(command);
-  if (!below.empty()) return completes_words(shell, names_of_all(below));
+  if (!below.empty()) return completes_words(shell, names_of(below));
   if (command.get_name() == "help")
-    return completes_words(shell, names_of_all(subcommands_of(*command.get_parent())));
+    return completes_words(shell, names_of(subcommands_of(*command.get_parent())));
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional() && !option->get_type_name().empty())
       return completes_value(shell, option->get_type_name());
@@ -111,14 +95,11 @@ std::string completes_argument(const CLI::App& command, const Shell& shell) {
 }
 
 std::string arguments_of(const CLI::App& command, const Shell& shell, const char* typed) {
-  std::vector<std::string> flags;
-  for (const CLI::Option* flag : flags_of(command)) {
-    for (const std::string& name : names_of(*flag)) flags.push_back(name);
-  }
   return fmt::format(
       "    \"{}\")\n      case \"{}\" in\n        -*) {} ;;\n        *) {} ;;\n"
       "      esac ;;\n",
-      full_name(command), typed, completes_words(shell, flags), completes_argument(command, shell));
+      full_name(command), typed, completes_words(shell, flag_names(command)),
+      completes_argument(command, shell));
 }
 
 /// The cases of both shells: first the value of the option before the word, then the word.

@@ -215,10 +215,7 @@ void add_stitch(CommandLine& line) {
   state->table_arguments.add_to(
       arguments, "the table plane a,b,c,d with ax + by + cz + d = 0, in the first camera's frame");
   state->sensor_arguments.add_to(arguments);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

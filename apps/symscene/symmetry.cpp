@@ -1,10 +1,11 @@
-#include <charconv>
+#include <algorithm>
 #include <memory>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/number_in.hpp"
 #include "core/surface_sampling.hpp"
 #include "io/atomic_file.hpp"
 #include "models.hpp"
@@ -37,11 +38,8 @@ Model model_of(const NamedMesh& named) {
 /// The number in a name like obj_000012; 0 in others.
 int bop_number(const std::string& name) {
   constexpr std::string_view prefix = "obj_";
-  int number = 0;
   if (!name.starts_with(prefix)) return 0;
-  const char* const end = name.data() + name.size();
-  const auto [after, error] = std::from_chars(name.data() + prefix.size(), end, number);
-  return error == std::errc{} && after == end ? std::max(number, 0) : 0;
+  return std::max(number_in<int>(name.substr(prefix.size())).value_or(0), 0);
 }
 
 struct Symmetry {
@@ -103,12 +101,8 @@ struct Symmetry {
       throw InputError("--format bop", "whole models", "--partial");
     if (is_partial && !(review.empty() && reviewed.empty()))
       throw InputError(review.empty() ? "--reviewed" : "--review", "whole models", "--partial");
-    if (!review.empty() && !shared.output.empty()) require_not_input(shared.output, review);
-    for (const fs::path& output : {shared.output, review}) {
-      if (output.empty()) continue;
-      for (const fs::path& input : inputs) require_not_input(output, input);
-      if (!reviewed.empty()) require_not_input(output, reviewed);
-    }
+    require_apart({shared.output, review}, inputs);
+    require_apart({shared.output, review}, {reviewed});
   }
 
   static void apply_choices(const ReviewChoices& choices, std::vector<ModelSymmetries>& groups,
@@ -231,13 +225,10 @@ void add_symmetry(CommandLine& line) {
                  "file of such choices: symmetries that were rejected are left out");
   arguments.flag("--partial", state->is_partial,
                  "the model is a partial scan: detect its probable axis and mirror planes");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run_stages(state);
   const auto partial = std::make_shared<Symmetry>();
   partial->is_partial = true;
   arguments.config_with("--partial", [partial] { return partial->configure(); });
-  arguments.run([state] { state->run(); });
 }
 
 }  // namespace symscene::app

@@ -5,11 +5,11 @@
 
 namespace symscene::app {
 
-/// The texts between commas; one more than there are commas.
-inline std::vector<std::string> comma_separated(const std::string& text) {
+/// The texts between separators; one more than there are separators.
+inline std::vector<std::string> separated(const std::string& text, char separator = ',') {
   std::vector<std::string> items{""};
   for (const char c : text) {
-    if (c == ',')
+    if (c == separator)
       items.emplace_back();
     else
       items.back() += c;

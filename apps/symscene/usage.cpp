@@ -19,22 +19,11 @@ std::string flag_name(const std::string& argument) {
   return argument.substr(0, argument.find('='));
 }
 
-std::vector<std::string> names(const std::vector<const CLI::App*>& commands) {
-  std::vector<std::string> all;
-  for (const CLI::App* command : commands) all.push_back(command->get_name());
-  return all;
-}
-
-/// The names of all flags. Of two names that are equally near, the long one is meant.
-std::vector<std::string> flag_names(const CLI::App& command) {
-  std::vector<std::string> all;
-  for (const CLI::Option* flag : flags_of(command)) {
-    for (const std::string& name : names_of(*flag)) all.push_back(name);
-  }
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.starts_with("--") && !b.starts_with("--");
-  });
-  return all;
+/// Of two names that are equally near, the long one is meant.
+std::vector<std::string> long_ones_first(std::vector<std::string> names) {
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) { return name.starts_with("--"); });
+  return names;
 }
 
 /// What the command line has that the command does not take.
@@ -46,10 +35,10 @@ std::optional<std::string> unknown_argument(const CLI::App& app) {
   const bool misses_subcommand = !subcommands_of(command).empty();
   if (misses_subcommand && !is_flag(extras.front()))
     return fmt::format("expected a subcommand, found {}",
-                       with_nearest_name(extras.front(), names(subcommands_of(command))));
+                       with_nearest_name(extras.front(), names_of(subcommands_of(command))));
   if (flag != extras.end())
     return fmt::format("expected an option of {}, found {}", full_name(command),
-                       with_nearest_name(flag_name(*flag), flag_names(command)));
+                       with_nearest_name(flag_name(*flag), long_ones_first(flag_names(command))));
   return fmt::format("expected no further argument, found \"{}\"", extras.front());
 }
 
@@ -116,6 +105,12 @@ std::vector<const CLI::App*> subcommands_of(const CLI::App& command) {
   return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> all;
+  for (const CLI::App* command : commands) all.push_back(command->get_name());
+  return all;
+}
+
 std::vector<const CLI::Option*> flags_of(const CLI::App& command) {
   return command.get_options([](const CLI::Option* option) { return !option->get_positional(); });
 }
@@ -124,6 +119,14 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> all;
   for (const std::string& name : option.get_snames()) all.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) all.push_back("--" + name);
+  return all;
+}
+
+std::vector<std::string> flag_names(const CLI::App& command) {
+  std::vector<std::string> all;
+  for (const CLI::Option* flag : flags_of(command)) {
+    for (std::string& name : names_of(*flag)) all.push_back(std::move(name));
+  }
   return all;
 }
 

@@ -21,11 +21,16 @@ std::string full_name(const CLI::App& command);
 /// The subcommands in the order of the help.
 std::vector<const CLI::App*> subcommands_of(const CLI::App& command);
 
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands);
+
 /// The options that begin with a dash.
 std::vector<const CLI::Option*> flags_of(const CLI::App& command);
 
 /// The names of an option: "-o", "--output".
 std::vector<std::string> names_of(const CLI::Option& option);
+
+/// The names of all options that begin with a dash.
+std::vector<std::string> flag_names(const CLI::App& command);
 
 /// The help of a subcommand, or of the whole command.
 std::string help_of(const CLI::App& command);

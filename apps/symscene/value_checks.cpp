@@ -1,7 +1,6 @@
 #include "value_checks.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <limits>
 
@@ -9,18 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "core/nearest_name.hpp"
+#include "core/number_in.hpp"
 
 namespace symscene::app {
 namespace {
-
-/// The whole text as a number. Without a range of its own the parser would wrap negative and large
-/// numbers around.
-template <class Number>
-bool is_number(const std::string& text, Number& number) {
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && after == end;
-}
 
 std::string sentence(const std::string& expected, const std::string& text) {
   return fmt::format("expected {}, found {}", expected, text.empty() ? "none" : text);
@@ -30,8 +21,9 @@ std::string sentence(const std::string& expected, const std::string& text) {
 
 std::string check_whole_number(const std::string& text, const Range& range) {
   constexpr auto most = static_cast<double>(std::numeric_limits<std::uint64_t>::max());
-  std::uint64_t number = 0;
-  if (is_number(text, number) && range.contains(static_cast<double>(number))) return "";
+  // Without a range of its own the parser would wrap negative and large numbers around.
+  const auto number = number_in<std::uint64_t>(text);
+  if (number && range.contains(static_cast<double>(*number))) return "";
   if (range.high < most) return sentence(fmt::format("a whole number {}", to_string(range)), text);
   return sentence(fmt::format("a whole number from {} to {}", range.low,
                               std::numeric_limits<std::uint64_t>::max()),
@@ -46,8 +38,8 @@ std::string check_choice(const std::string& text, const std::vector<std::string>
 
 std::string check_depth_scale(const std::string& text) {
   constexpr Range range = between(0.1, 1e6);
-  double number = 0.0;
-  if (is_number(text, number) && range.contains(number)) return "";
+  const auto number = number_in<double>(text);
+  if (number && range.contains(*number)) return "";
   return sentence("a number in [0.1, 1000000]", text);
 }
 

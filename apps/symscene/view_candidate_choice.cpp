@@ -77,11 +77,8 @@ void ViewCandidateChoice::add_to(Arguments& arguments) {
                  "weighed by the option cost_weight; inf: it cannot be reached");
 }
 
-void ViewCandidateChoice::require_not_input(const fs::path& output) const {
-  if (candidates != on_sphere) app::require_not_input(output, candidates);
-  for (const fs::path& file : {camera_file, costs}) {
-    if (!file.empty()) app::require_not_input(output, file);
-  }
+std::vector<fs::path> ViewCandidateChoice::files() const {
+  return {candidates == on_sphere ? "" : candidates, camera_file, costs};
 }
 
 CameraIntrinsics ViewCandidateChoice::camera(

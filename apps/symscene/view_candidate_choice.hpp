@@ -24,8 +24,8 @@ struct ViewCandidateChoice {
   std::filesystem::path costs;        ///< one number per candidate; empty: none
 
   void add_to(Arguments& arguments);
-  /// Throws InputError if writing `output` would replace one of the files.
-  void require_not_input(const std::filesystem::path& output) const;
+  /// The files that are read; some are empty.
+  std::vector<std::filesystem::path> files() const;
 
   /// That of the file, else `of_input`, else of intrinsics.txt in `folder`. Throws InputError if
   /// there is none, or it cannot be read or has no size.

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "method_parts.hpp"
+#include "core/looking_at.hpp"
 #include "simulation/depth_renderer.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/grasping/gripper.hpp"
@@ -66,11 +66,7 @@ Eigen::Isometry3d image_pose(const Grasp& grasp) {
   constexpr double distance = 0.55, steepness = 0.7;
   const Eigen::Vector3d outward =
       (along.normalized() + steepness * Eigen::Vector3d::UnitZ()).normalized();
-  const Eigen::Vector3d right = (-outward).cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  T_world_camera.linear() << right, (-outward).cross(right), -outward;
-  T_world_camera.translation() = Eigen::Vector3d(0.15, 0.15, 0.1) + distance * outward;
-  return T_world_camera;
+  return looking_along(Eigen::Vector3d(0.15, 0.15, 0.1) + distance * outward, -outward);
 }
 
 std::string features_of(const Grasp& grasp) {
@@ -84,7 +80,7 @@ std::string features_of(const Grasp& grasp) {
 }  // namespace
 
 ColorImage grasp_image(const ClutterWorld& world, const Grasp& grasp) {
-  std::vector<TriangleMesh> meshes = present_surfaces(world);
+  std::vector<TriangleMesh> meshes = world.surfaces();
   for (std::size_t i = 0; i < meshes.size(); ++i)
     set_color(meshes[i], item_colors[i % item_colors.size()]);
   for (TriangleMesh& part : gripper_meshes(panda_hand(), grasp.T_world_tool))

@@ -4,7 +4,6 @@
 
 #include "clutter/grasp_aim.hpp"
 #include "core/random.hpp"
-#include "method_parts.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/physics/physics_world.hpp"
 
@@ -24,7 +23,7 @@ class Aims {
   Aims(const ClutterWorld& world, int views)
       : items_(world.present()),
         occlusion_(clutter_occlusion(world, views)),
-        surface_(present_surfaces(world)) {}
+        surface_(world.surfaces()) {}
 
   const std::vector<std::size_t>& items() const { return items_; }
   const std::vector<double>& occlusion() const { return occlusion_; }

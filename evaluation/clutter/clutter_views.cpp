@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/looking_at.hpp"
 #include "core/random.hpp"
 #include "simulation/depth_renderer.hpp"
 
@@ -32,12 +33,7 @@ TriangleMesh table_mesh() {
 Eigen::Isometry3d camera_pose(double theta, double phi) {
   const Eigen::Vector3d outward(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                                 std::cos(theta));
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  const Eigen::Vector3d forward = -outward;
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  T_world_camera.linear() << right, forward.cross(right), forward;
-  T_world_camera.translation() = target + distance * outward;
-  return T_world_camera;
+  return looking_along(target + distance * outward, -outward);
 }
 
 /// A sample of the gamma distribution of this shape, at least 1, with mean 1 (Marsaglia and Tsang
@@ -92,14 +88,8 @@ class Grain {
   Eigen::MatrixXd values_;
 };
 
-std::vector<TriangleMesh> item_meshes(const ClutterWorld& world) {
-  std::vector<TriangleMesh> meshes;
-  for (const std::size_t item : world.present()) meshes.push_back(world.surface(item));
-  return meshes;
-}
-
 std::vector<TriangleMesh> world_meshes(const ClutterWorld& world) {
-  std::vector<TriangleMesh> meshes = item_meshes(world);
+  std::vector<TriangleMesh> meshes = world.surfaces();
   meshes.push_back(table_mesh());
   return meshes;
 }
@@ -121,6 +111,8 @@ std::size_t pixels_of(const SensorFrame& frame, Index mesh) {
 }  // namespace
 
 CameraIntrinsics clutter_camera() { return {640, 480, 540.0, 540.0, 320.0, 240.0}; }
+
+CameraIntrinsics small_clutter_camera() { return {160, 120, 135.0, 135.0, 79.625, 59.625}; }
 
 std::vector<Eigen::Isometry3d> clutter_view_poses(int views) {
   if (views == 1) return {camera_pose(radians(60.0), radians(-90.0))};
@@ -164,9 +156,9 @@ std::vector<ClutterView> clutter_views(const ClutterWorld& world, int views,
 }
 
 std::vector<double> clutter_occlusion(const ClutterWorld& world, int views) {
-  const CameraIntrinsics camera{160, 120, 135.0, 135.0, 79.625, 59.625};  // a quarter
+  const CameraIntrinsics camera = small_clutter_camera();
   const Eigen::Isometry3d pose = clutter_view_poses(views).front();
-  const std::vector<TriangleMesh> meshes = item_meshes(world);
+  const std::vector<TriangleMesh> meshes = world.surfaces();
   if (meshes.empty()) return {};
   const SensorFrame together = DepthRenderer(meshes).render(camera, pose);
   std::vector<double> occlusion;

@@ -132,6 +132,12 @@ TriangleMesh ClutterWorld::surface(std::size_t item) const {
   return mesh;
 }
 
+std::vector<TriangleMesh> ClutterWorld::surfaces() const {
+  std::vector<TriangleMesh> meshes;
+  for (const std::size_t item : present()) meshes.push_back(surface(item));
+  return meshes;
+}
+
 void ClutterWorld::advance(double seconds) {
   world_->advance(seconds);
   time_ += seconds;

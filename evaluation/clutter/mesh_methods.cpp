@@ -39,7 +39,7 @@ Eigen::Vector3d random_approach(const Eigen::Vector3d& closing, Random& random) 
 }
 
 PointCloud sampled_surfaces(const ClutterWorld& world) {
-  return sample_surface(joined(present_surfaces(world)), samples_of_all);
+  return sample_surface(joined(world.surfaces()), samples_of_all);
 }
 
 /// The point of the surface that a line from point `i` along `inward` leaves it at.
@@ -69,12 +69,6 @@ Grasp grasp_of(const Eigen::Isometry3d& T_world_tool, double opening) {
 }
 
 }  // namespace
-
-std::vector<TriangleMesh> present_surfaces(const ClutterWorld& world) {
-  std::vector<TriangleMesh> meshes;
-  for (const std::size_t item : world.present()) meshes.push_back(world.surface(item));
-  return meshes;
-}
 
 std::vector<Grasp> random_grasps(const ClutterWorld& world, const Gripper& gripper, Random random) {
   const PointCloud surface = sampled_surfaces(world);
@@ -110,7 +104,7 @@ std::vector<Grasp> random_antipodal_grasps(const ClutterWorld& world, const Grip
 
 GraspScene true_grasp_scene(const ClutterWorld& world) {
   GraspScene scene;
-  for (const TriangleMesh& mesh : present_surfaces(world)) {
+  for (const TriangleMesh& mesh : world.surfaces()) {
     GraspObject object;
     object.observed = sample_surface(mesh, samples);
     object.surface.mesh = mesh;

@@ -10,9 +10,6 @@ namespace symscene {
 
 class Random;
 
-/// The surfaces of the items that are present.
-std::vector<TriangleMesh> present_surfaces(const ClutterWorld& world);
-
 /// Poses whose fingertips enclose a random point of the surface, approached from above or the side
 /// from a random direction.
 std::vector<Grasp> random_grasps(const ClutterWorld& world, const Gripper& gripper, Random random);

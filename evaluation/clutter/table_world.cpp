@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "core/parallel.hpp"
+#include "clutter/object_bodies.hpp"
 #include "symscene/clutter/grasp_trials.hpp"
-#include "symscene/core/error.hpp"
-#include "symscene/core/solid.hpp"
 
 namespace symscene {
 namespace {
@@ -13,27 +11,15 @@ namespace {
 constexpr double rest_interval = 0.25;  // simulated between two checks for rest [s]
 constexpr double longest_rest = 2.0;    // simulated [s]
 
-double mass_of(const ObjectModel& model, double density) {
-  const double volume = solid_properties(model.mesh).volume;
-  if (!(volume > 0.0))
-    throw InputError(model.name, "a closed mesh with its outside counter-clockwise", "no volume");
-  return density * volume;
-}
-
 }  // namespace
 
 TableWorld::TableWorld(const Tabletop& tabletop, const DropOptions& drop,
                        const GraspWorldOptions& physics)
     : tabletop_(tabletop), area_(drop.area), T_table_world_(tabletop.T_world_table.inverse()) {
   const std::vector<PlacedObject>& objects = tabletop_.objects;
-  parts_.resize(objects.size());
-  parallel_for_each(objects.size(), [&](std::size_t i) {
-    parts_[i] = convex_parts(objects[i].object.mesh, drop.parts);
-  });
-  std::vector<WeighedBody> bodies;
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    bodies.push_back({&parts_[i], mass_of(objects[i].object, drop.physics.density)});
-  world_.emplace(bodies, panda_parallel_hand(), std::span<const FixedBox>(), physics);
+  const std::vector<ConvexParts> parts = parts_of_objects(objects, drop.parts);
+  world_.emplace(bodies_of_objects(objects, parts, drop.physics.density), panda_parallel_hand(),
+                 std::span<const FixedBox>(), physics);
   for (std::size_t i = 0; i < objects.size(); ++i)
     world_->put(i, T_table_world_ * objects[i].T_world_object);
   settle();

@@ -14,24 +14,10 @@ constexpr double label_reach = 0.01;  // of a point from the object that it is o
 constexpr double spacing = 0.003;     // of places on surfaces [m]
 constexpr std::size_t places_per_mesh = 2000;
 
-std::vector<TriangleMesh> present_meshes(const ClutterWorld& world) {
-  std::vector<TriangleMesh> meshes;
-  for (const std::size_t item : world.present()) meshes.push_back(world.surface(item));
-  return meshes;
-}
-
 void append(Points& all, const Points& more) {
   const Eigen::Index before = all.rows();
   all.conservativeResize(before + more.rows(), 3);
   all.bottomRows(more.rows()) = more;
-}
-
-/// Points all over a surface.
-Points points_on(const TriangleMesh& mesh) {
-  const double area = surface_area(mesh);
-  if (!(area > 0.0)) return Points(0, 3);
-  return sample_surface(mesh, static_cast<std::size_t>(std::ceil(area / (spacing * spacing))))
-      .positions;
 }
 
 /// Surface on which an object stands can be seen by no camera.
@@ -48,7 +34,7 @@ double mean(const std::vector<double>& values) {
 }  // namespace
 
 TrueCoverage::TrueCoverage(const ClutterWorld& world)
-    : meshes_(present_meshes(world)), surface_(meshes_), renderer_(meshes_) {
+    : meshes_(world.surfaces()), surface_(meshes_), renderer_(meshes_) {
   places_.positions.resize(0, 3);
   places_.normals.resize(0, 3);
   for (Index mesh = 0; mesh < meshes_.size(); ++mesh) {
@@ -91,7 +77,8 @@ double TrueCoverage::observed(const Scene& scene) const {
 
 double TrueCoverage::completed(const Scene& scene, const SegmentationResult& result) const {
   Points points = scene.cloud.positions;
-  for (const ObjectSurface& surface : result.surfaces) append(points, points_on(surface.mesh));
+  for (const ObjectSurface& surface : result.surfaces)
+    append(points, sample_surface_at(surface.mesh, spacing).positions);
   return mean_share(points);
 }
 
@@ -106,15 +93,21 @@ DetectionCounts TrueCoverage::masks(const SegmentationResult& result) const {
   return mask_detections(overlap_matrix(truth, found), min_overlap);
 }
 
-std::size_t TrueCoverage::unseen_places(const CameraIntrinsics& camera,
-                                        const Eigen::Isometry3d& T_world_camera,
-                                        const Points& seen) const {
-  const std::vector<std::uint8_t> is_near = near(seen);
+PointIndices TrueCoverage::uncovered(const Points& points) const {
+  const std::vector<std::uint8_t> is_near = near(points);
+  PointIndices places;
+  for (Index i = 0; i < places_.size(); ++i) {
+    if (is_near[i] == 0) places.push_back(i);
+  }
+  return places;
+}
+
+std::size_t TrueCoverage::count_visible(const PointIndices& places, const CameraIntrinsics& camera,
+                                        const Eigen::Isometry3d& T_world_camera) const {
   const std::vector<float> depth = renderer_.render(camera, T_world_camera).depth;
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
   std::size_t count = 0;
-  for (Index i = 0; i < places_.size(); ++i) {
-    if (is_near[i] != 0) continue;
+  for (const Index i : places) {
     const Eigen::Vector3d at = T_camera_world * places_.position(i).cast<double>();
     const Eigen::Vector2d pixel = camera.project(at);
     const auto u = static_cast<std::ptrdiff_t>(std::lround(pixel.x()));

@@ -24,9 +24,11 @@ class TrueCoverage {
   double completed(const Scene& scene, const SegmentationResult& result) const;
   /// Masks of the result against the objects whose surface its points are nearest to.
   DetectionCounts masks(const SegmentationResult& result) const;
-  /// Places of surface that no point is near to and that a camera at the pose would see.
-  std::size_t unseen_places(const CameraIntrinsics& camera, const Eigen::Isometry3d& T_world_camera,
-                            const Points& seen) const;
+  /// Places of surface that no point is near to.
+  PointIndices uncovered(const Points& points) const;
+  /// How many of these places a camera at the pose would see.
+  std::size_t count_visible(const PointIndices& places, const CameraIntrinsics& camera,
+                            const Eigen::Isometry3d& T_world_camera) const;
   const TrueSurface& surface() const { return surface_; }
 
  private:

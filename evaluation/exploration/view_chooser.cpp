@@ -69,11 +69,11 @@ std::size_t ViewChooser::drawn() {
 }
 
 std::size_t ViewChooser::most_unseen(const ExploredScene& known) const {
-  const CameraIntrinsics camera{160, 120, 135.0, 135.0, 79.625, 59.625};  // a quarter
+  const CameraIntrinsics camera = small_clutter_camera();
+  const PointIndices unseen = known.truth.uncovered(known.scene.cloud.positions);
   std::vector<std::size_t> gains(candidates_.size(), 0);
   parallel_for_each(candidates_.size(), [&](std::size_t i) {
-    if (visited_[i] == 0)
-      gains[i] = 1 + known.truth.unseen_places(camera, candidates_[i], known.scene.cloud.positions);
+    if (visited_[i] == 0) gains[i] = 1 + known.truth.count_visible(unseen, camera, candidates_[i]);
   });
   return static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
 }

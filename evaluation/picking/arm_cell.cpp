@@ -2,21 +2,12 @@
 
 #include <algorithm>
 
-#include "core/parallel.hpp"
-#include "symscene/core/error.hpp"
-#include "symscene/core/solid.hpp"
+#include "clutter/object_bodies.hpp"
 
 namespace symscene {
 namespace {
 
 constexpr double rest_speed = 0.01;  // [m/s]
-
-double mass_of(const ObjectModel& model, double density) {
-  const double volume = solid_properties(model.mesh).volume;
-  if (!(volume > 0.0))
-    throw InputError(model.name, "a closed mesh with its outside counter-clockwise", "no volume");
-  return density * volume;
-}
 
 /// The hand as the benchmarks have it where its shapes are known, else as boxes.
 ParallelHand hand_of(const Gripper& gripper) {
@@ -30,15 +21,9 @@ ArmCell::ArmCell(const PickTable& table, const Robot& robot, const RobotArm& arm
                  OnStep on_step)
     : table_(table), bin_(bin), options_(options), on_step_(std::move(on_step)) {
   const std::vector<PlacedObject>& objects = table.tabletop.objects;
-  parts_.resize(objects.size());
-  parallel_for_each(objects.size(), [&](std::size_t i) {
-    parts_[i] = convex_parts(objects[i].object.mesh, table.parts);
-  });
-  std::vector<WeighedBody> bodies;
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    bodies.push_back({&parts_[i], mass_of(objects[i].object, table.density)});
-  world_.emplace(bodies, robot, robot.T_world_base, arm.arm, arm.T_tip_tool(gripper),
-                 hand_of(gripper), bin.boxes(), options.physics);
+  const std::vector<ConvexParts> parts = parts_of_objects(objects, table.parts);
+  world_.emplace(bodies_of_objects(objects, parts, table.density), robot, robot.T_world_base,
+                 arm.arm, arm.T_tip_tool(gripper), hand_of(gripper), bin.boxes(), options.physics);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     poses_.push_back(objects[i].T_world_object);
     world_->put(i, poses_[i]);

@@ -61,7 +61,6 @@ class ArmCell {
   const PickBin& bin_;
   const SimulatedPickOptions& options_;
   OnStep on_step_;
-  std::vector<ConvexParts> parts_;
   std::optional<ArmWorld> world_;
   std::vector<Eigen::Isometry3d> poses_;
   Eigen::VectorXd target_;

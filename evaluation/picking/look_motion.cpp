@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/looking_at.hpp"
 #include "free_motion.hpp"
-#include "simulation/looking_at.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/robots/inverse_kinematics.hpp"
 

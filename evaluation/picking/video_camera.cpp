@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "simulation/looking_at.hpp"
+#include "core/looking_at.hpp"
 #include "symscene/core/point_cloud.hpp"
 #include "symscene/core/types.hpp"
 

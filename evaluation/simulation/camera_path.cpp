@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/looking_at.hpp"
 #include "core/random.hpp"
 #include "hand_shake.hpp"
-#include "simulation/looking_at.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {

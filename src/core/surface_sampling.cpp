@@ -80,4 +80,10 @@ PointCloud sample_surface(const TriangleMesh& mesh, std::size_t count) {
   return cloud;
 }
 
+PointCloud sample_surface_at(const TriangleMesh& mesh, double spacing) {
+  const double area = surface_area(mesh);
+  if (!(area > 0.0)) return {};
+  return sample_surface(mesh, static_cast<std::size_t>(std::ceil(area / (spacing * spacing))));
+}
+
 }  // namespace symscene

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -7,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/number_in.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/tree_model.hpp"
 
@@ -26,14 +26,6 @@ std::string_view trimmed(std::string_view text) {
 std::pair<std::string_view, std::string_view> split_word(std::string_view line) {
   const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
   return {line.substr(0, end), trimmed(line.substr(end))};
-}
-
-template <class Number>
-std::optional<Number> number_in(std::string_view word) {
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
 }
 
 /// Reads the lines of a model's text in order; blank lines and those that begin with # are skipped.

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "camera_formats.hpp"
-#include "gripper_json.hpp"
 #include "image_formats.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_names.hpp"
+#include "io/pose_json.hpp"
 #include "ros_camera_info.hpp"
 #include "symscene/core/error.hpp"
 #include "yaml.hpp"

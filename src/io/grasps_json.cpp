@@ -1,4 +1,5 @@
 #include "gripper_json.hpp"
+#include "io/pose_json.hpp"
 #include "symscene/io/grasps.hpp"
 
 namespace symscene {

@@ -4,6 +4,7 @@
 
 #include "gripper_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/pose_json.hpp"
 #include "symscene/io/grasps.hpp"
 
 namespace symscene {

@@ -10,6 +10,7 @@
 #include "gripper_json.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_names.hpp"
+#include "io/pose_json.hpp"
 #include "symscene/core/error.hpp"
 #include "yaml.hpp"
 
@@ -68,14 +69,11 @@ std::string expected_instead(const std::string& name) {
                                     : fmt::format("\"{}\", with its unit", with_unit->second);
 }
 
-void refuse_unknown(const JsonCursor& object, const std::set<std::string>& known) {
-  for (const auto& [name, value] : object.members()) {
+void require_members(const JsonCursor& root) {
+  const std::set<std::string> known = known_members();
+  for (const auto& [name, value] : root.members()) {
     if (!known.contains(name)) value.fail(expected_instead(name));
   }
-}
-
-void require_members(const JsonCursor& root) {
-  refuse_unknown(root, known_members());
   for (const char* name : required) root.at(name);
 }
 
@@ -89,34 +87,6 @@ void read_numbers(const JsonCursor& root, Gripper& gripper) {
 }
 
 }  // namespace
-
-Eigen::Isometry3d pose_of(const JsonCursor& json) {
-  refuse_unknown(json, {"position_m", "orientation_xyzw"});
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translation() = json.at("position_m").vector3();
-  const std::vector<JsonCursor> items = json.at("orientation_xyzw").items(4);
-  Eigen::Quaterniond orientation(items[3].number(), items[0].number(), items[1].number(),
-                                 items[2].number());
-  if (!(std::abs(orientation.norm() - 1.0) < 1e-3))
-    json.at("orientation_xyzw").fail("a unit quaternion x, y, z, w");
-  pose.linear() = orientation.normalized().toRotationMatrix();
-  return pose;
-}
-
-Eigen::Quaterniond orientation_of(const Eigen::Isometry3d& pose) {
-  Eigen::Quaterniond q(pose.linear());
-  if (q.w() < 0.0) q.coeffs() *= -1.0;
-  return q;
-}
-
-Json pose_json(const Eigen::Isometry3d& pose, const char* what) {
-  const Eigen::Quaterniond q = orientation_of(pose);
-  Json orientation = Json::array();
-  for (const double value : {q.x(), q.y(), q.z(), q.w()})
-    orientation.push_back(to_json(value, what));
-  return {{"position_m", to_json(Eigen::Vector3d(pose.translation()), what)},
-          {"orientation_xyzw", orientation}};
-}
 
 Json gripper_json(const Gripper& gripper, const char* what) {
   Json json = {{"name", gripper.name}, {"kind", to_string(gripper.kind)}};

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "gripper_json.hpp"
+#include "io/pose_json.hpp"
 #include "ros_json.hpp"
 #include "symscene/core/error.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "io/json_cursor.hpp"
+#include "io/pose_json.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/result.hpp"
 
@@ -51,17 +51,9 @@ Json format_class(const ObjectClass& symmetry_class) {
   return json;
 }
 
-Json format_pose(const ObjectPose& pose) {
-  Json orientation = Json::array();
-  for (const int k : {0, 1, 2, 3})  // x, y, z, w
-    orientation.push_back(to_json(pose.orientation.coeffs()[k], result_to_write));
-  return {{"position_m", to_json(pose.position, result_to_write)},
-          {"orientation_xyzw", std::move(orientation)}};
-}
-
 void add_box(const ObjectBox& box, Json& json) {
-  json["T_world_object"] = format_pose(box.T_world_object);
-  json["box"] = {{"T_world_box", format_pose(box.T_world_box)},
+  json["T_world_object"] = pose_json(box.T_world_object, result_to_write);
+  json["box"] = {{"T_world_box", pose_json(box.T_world_box, result_to_write)},
                  {"size_m", to_json(box.size, result_to_write)}};
 }
 
@@ -172,21 +164,9 @@ ObjectClass parse_class(const JsonCursor& json) {
   return symmetry_class;
 }
 
-/// The numbers as they are, so that a file that is read and written keeps its bytes.
-ObjectPose parse_pose(const JsonCursor& json) {
-  ObjectPose pose;
-  pose.position = json.at("position_m").vector3();
-  const std::vector<JsonCursor> items = json.at("orientation_xyzw").items(4);
-  for (int k = 0; k < 4; ++k)
-    pose.orientation.coeffs()[k] = items[static_cast<std::size_t>(k)].number();
-  if (!(std::abs(pose.orientation.norm() - 1.0) < 1e-3))
-    json.at("orientation_xyzw").fail("a unit quaternion x, y, z, w");
-  return pose;
-}
-
 ObjectBox parse_box(const JsonCursor& object, const JsonCursor& box) {
-  ObjectBox result{parse_pose(object.at("T_world_object")), parse_pose(box.at("T_world_box")),
-                   box.at("size_m").vector3()};
+  ObjectBox result{object_pose_of(object.at("T_world_object")),
+                   object_pose_of(box.at("T_world_box")), box.at("size_m").vector3()};
   if (!(result.size.minCoeff() >= 0.0)) box.at("size_m").fail("three edges of at least 0 m");
   return result;
 }

@@ -12,6 +12,7 @@
 #include "gripper_json.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_names.hpp"
+#include "io/pose_json.hpp"
 #include "symscene/core/error.hpp"
 #include "yaml.hpp"
 

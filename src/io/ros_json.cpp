@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gripper_json.hpp"
+#include "io/pose_json.hpp"
 
 namespace symscene {
 

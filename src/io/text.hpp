@@ -1,12 +1,13 @@
 #pragma once
 
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "core/number_in.hpp"
 
 namespace symscene {
 
@@ -53,14 +54,11 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// Parses all of `word` as a number.
+/// Parses all of `word` as a number, which may begin with a plus.
 template <class Number>
 std::optional<Number> to_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return value;
+  return number_in<Number>(word);
 }
 
 /// Text from a file for a message: quoted, shortened, printable.

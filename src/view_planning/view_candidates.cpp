@@ -4,21 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "core/looking_at.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
-
-Eigen::Isometry3d view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
-                               const Eigen::Vector3d& up) {
-  const Eigen::Vector3d z = (target - eye).normalized();
-  const Eigen::Vector3d down = -up + up.dot(z) * z;
-  const Eigen::Vector3d y =
-      down.norm() > 1e-6 * up.norm() ? Eigen::Vector3d(down.normalized()) : z.unitOrthogonal();
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  T_world_camera.linear() << y.cross(z), y, z;
-  T_world_camera.translation() = eye;
-  return T_world_camera;
-}
 
 std::vector<Eigen::Isometry3d> views_on_sphere(const Eigen::Vector3d& target,
                                                const Eigen::Vector3d& up, double radius,
@@ -35,7 +24,7 @@ std::vector<Eigen::Isometry3d> views_on_sphere(const Eigen::Vector3d& target,
       const Eigen::Vector3d level = Eigen::AngleAxisd(azimuth, vertical) * x;
       const Eigen::Vector3d direction =
           std::cos(ring.from_vertical) * vertical + std::sin(ring.from_vertical) * level;
-      views.push_back(view_towards(target + radius * direction, target, vertical));
+      views.push_back(looking_at(target + radius * direction, target, vertical));
     }
   }
   return views;

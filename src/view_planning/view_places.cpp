@@ -181,11 +181,9 @@ class PlaceFinder {
 
   Eigen::Vector3f centre_of(std::size_t voxel) const {
     const VoxelFrame& frame = space_.grid().frame;
-    const Eigen::Vector3f cell(
-        static_cast<float>(voxel % frame.row_length()),
-        static_cast<float>(voxel % frame.slice_length() / frame.row_length()),
-        static_cast<float>(voxel / frame.slice_length()));
-    return frame.origin + frame.resolution * (cell.array() + 0.5F).matrix();
+    const auto [x, y, z] = cell_of(frame, voxel);
+    const Eigen::Array3f cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+    return frame.origin + frame.resolution * (cell + 0.5F).matrix();
   }
 
   bool is_border(std::size_t voxel) const {
@@ -195,9 +193,7 @@ class PlaceFinder {
     if (scene_.result.table && scene_.result.table->signed_distance(centre) < 0.0) return false;
     const VoxelFrame& frame = grid.frame;
     const auto is_free = [&](std::size_t other) { return grid.states[other] == VoxelState::free; };
-    const std::size_t x = voxel % frame.row_length(),
-                      y = voxel % frame.slice_length() / frame.row_length(),
-                      z = voxel / frame.slice_length();
+    const auto [x, y, z] = cell_of(frame, voxel);
     return (x > 0 && is_free(voxel - 1)) || (x + 1 < frame.row_length() && is_free(voxel + 1)) ||
            (y > 0 && is_free(voxel - frame.row_length())) ||
            (y + 1 < static_cast<std::size_t>(frame.size.y()) &&

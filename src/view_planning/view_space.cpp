@@ -1,7 +1,5 @@
 #include "view_space.hpp"
 
-#include <cmath>
-
 #include "core/surface_sampling.hpp"
 #include "voxel_walk.hpp"
 
@@ -20,6 +18,11 @@ Box box_of(const SegmentationResult& result) {
 }
 
 }  // namespace
+
+VoxelCell cell_of(const VoxelFrame& frame, std::size_t voxel) {
+  return {voxel % frame.row_length(), voxel % frame.slice_length() / frame.row_length(),
+          voxel / frame.slice_length()};
+}
 
 std::size_t voxel_at(const VoxelFrame& frame, const Eigen::Vector3f& point) {
   const Eigen::Array3f at = (point - frame.origin).array() / frame.resolution;
@@ -51,11 +54,8 @@ void ViewSpace::mark(const Eigen::Vector3f& point) {
 
 /// Samples are so dense that no ray passes between their voxels but at grazing incidence.
 void ViewSpace::mark_surface(const TriangleMesh& mesh) {
-  const double area = surface_area(mesh);
-  if (!(area > 0.0)) return;
-  const double spacing = 0.5 * static_cast<double>(grid_.frame.resolution);
-  const auto count = static_cast<std::size_t>(std::ceil(area / (spacing * spacing)));
-  const PointCloud samples = sample_surface(mesh, count);
+  const PointCloud samples =
+      sample_surface_at(mesh, 0.5 * static_cast<double>(grid_.frame.resolution));
   for (Index i = 0; i < samples.size(); ++i) mark(samples.position(i));
 }
 

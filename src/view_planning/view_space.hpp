@@ -32,6 +32,12 @@ class ViewSpace {
   std::vector<std::uint8_t> solid_;
 };
 
+/// The place of a voxel in the grid along x, y and z.
+struct VoxelCell {
+  std::size_t x = 0, y = 0, z = 0;
+};
+VoxelCell cell_of(const VoxelFrame& frame, std::size_t voxel);
+
 /// The index of the voxel that holds a point; no_voxel outside the grid.
 constexpr std::size_t no_voxel = ~std::size_t{0};
 std::size_t voxel_at(const VoxelFrame& frame, const Eigen::Vector3f& point);

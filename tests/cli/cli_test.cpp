@@ -113,6 +113,7 @@ TEST_F(Command, NeverWritesOverItsInput) {
   expect_refusal("view result -o result/objects.json", 1, "outside the input");
   expect_refusal("symmetry scene/cloud.ply -o ./scene/cloud.ply", 1, "outside the input");
   expect_refusal("segment scene -o new --page new/page.html", 1, "outside the input");
+  expect_refusal("segment scene -o new/result --masks new", 1, "new/result: expected");
 }
 
 TEST_F(Command, NeverReplacesFoldersWithOtherFiles) {

@@ -1,96 +1,12 @@
 // symscene reconstruct, run as a process, on complete, broken and empty sequences.
-#include <gtest/gtest.h>
+#include <sstream>
 
-#include <map>
-#include <memory>
-
-#include <nlohmann/json.hpp>
-
-#include "cli/command.hpp"
+#include "cli/small_sweep.hpp"
 
 namespace symscene::testing {
 namespace {
 
-constexpr int frames = 12;
-
-/// A small simulated sweep, one whose camera measures nothing, and the scene of the first.
-class ReconstructCommand : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    workspace_ = std::make_unique<Workspace>();
-    const std::string camera = R"("tabletop": {"objects": 7}, "camera": {"frames": 12, "arc": 0.09,
-      "radius": 0.7, "width": 320, "height": 240, "focal_length": 262})";
-    write(*workspace_ / "sweep.json", "{" + camera + "}");
-    write(*workspace_ / "dark.json", "{" + camera + R"(, "sensor": {"max_depth": 0.05}})");
-    for (const char* name : {"sweep", "dark"}) {
-      const std::string line = std::string("simulate --sequence -o ") + name + " --config " + name;
-      const Outcome simulated = run(line + ".json");
-      ASSERT_EQ(simulated.code, 0) << simulated.err;
-    }
-    const Outcome reconstructed = run("reconstruct sweep -o scene --json");
-    ASSERT_EQ(reconstructed.code, 0) << reconstructed.err;
-    report_ = reconstructed.err + reconstructed.out;
-  }
-  static void TearDownTestSuite() { workspace_.reset(); }
-
-  static Outcome run(const std::string& arguments) { return workspace_->run(arguments); }
-  static fs::path file(const std::string& name) { return *workspace_ / name; }
-  static const std::string& report() { return report_; }
-
-  /// The table of the scene as the value of --plane.
-  static std::string given_plane() {
-    const std::string found = contents(file("scene") / "table_plane.txt");
-    std::string plane = found.substr(0, found.find_last_not_of('\n') + 1);
-    std::replace(plane.begin(), plane.end(), '\n', ',');
-    return plane;
-  }
-
-  /// A copy of the sweep to modify.
-  static fs::path copy_of_sweep(const std::string& name) {
-    fs::remove_all(file(name));
-    fs::copy(file("sweep"), file(name), fs::copy_options::recursive);
-    return file(name);
-  }
-
-  static std::string image(int i) {
-    const std::string number = std::to_string(i);
-    return "depth/" + std::string(6 - number.size(), '0') + number + ".png";
-  }
-
-  static nlohmann::json frames_of(const std::string& scene) {
-    return nlohmann::json::parse(contents(file(scene) / "scene.json")).at("frames");
-  }
-
-  static auto poses_of(const std::string& scene) {
-    const std::string text = contents(file(scene) / "poses.txt");
-    std::size_t poses = 0, begin = 0;
-    while (begin < text.size()) {
-      poses += text[begin] != '#' && text[begin] != '\n' ? 1 : 0;
-      begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
-    }
-    return poses;
-  }
-
-  /// Checks exit code and message, and that nothing was written.
-  static void expect_failure(const std::string& arguments, int code, const std::string& sentence) {
-    const Outcome outcome = run("reconstruct " + arguments);
-    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
-    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << arguments << "\n" << outcome.err;
-    EXPECT_EQ(outcome.err.find("found  "), std::string::npos) << outcome.err;
-    for (const auto& entry : fs::directory_iterator(workspace_->folder())) {
-      EXPECT_EQ(entry.path().filename().string().find("new"), std::string::npos) << entry.path();
-    }
-  }
-
- private:
-  static std::unique_ptr<Workspace> workspace_;
-  static std::string report_;
-};
-
-std::unique_ptr<Workspace> ReconstructCommand::workspace_;
-std::string ReconstructCommand::report_;
-
-TEST_F(ReconstructCommand, WritesASceneThatInfoAndSegmentRead) {
+TEST_F(SweepCommand, WritesASceneThatInfoAndSegmentRead) {
   for (const char* name : {"cloud.ply", "mesh.ply", "occupancy.bt", "occupancy.ot",
                            "table_plane.txt", "poses.txt", "scene.json", "truth.json"}) {
     EXPECT_GT(fs::file_size(file("scene") / name), 10U) << name;
@@ -111,13 +27,13 @@ TEST_F(ReconstructCommand, WritesASceneThatInfoAndSegmentRead) {
   EXPECT_NE(run("masks result dark -o sweep").code, 0);
 }
 
-TEST_F(ReconstructCommand, ReportsItsErrorAgainstThePosesOfTheSequence) {
+TEST_F(SweepCommand, ReportsItsErrorAgainstThePosesOfTheSequence) {
   const std::size_t at = report().find("absolute error ");
   ASSERT_NE(at, std::string::npos) << report();
   EXPECT_LT(std::stod(report().substr(at + 15)), 5.0) << report();
 }
 
-TEST_F(ReconstructCommand, WritesTheSameBytesForAnyNumberOfThreads) {
+TEST_F(SweepCommand, WritesTheSameBytesForAnyNumberOfThreads) {
   for (const char* threads : {"1", "2"}) {
     const std::string scene = std::string("threads") + threads;
     ASSERT_EQ(run("reconstruct sweep -o " + scene + " --threads " + threads).code, 0);
@@ -128,7 +44,7 @@ TEST_F(ReconstructCommand, WritesTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST_F(ReconstructCommand, StitchesFramesThatAreTooFarApartToBeTracked) {
+TEST_F(SweepCommand, StitchesFramesThatAreTooFarApartToBeTracked) {
   write(file("far.json"), R"({"tabletop": {"objects": 7}, "camera": {"frames": 8, "arc": 1.1,
       "radius": 0.7, "width": 320, "height": 240, "focal_length": 262}})");
   ASSERT_EQ(run("simulate --sequence -o far --config far.json").code, 0);
@@ -148,7 +64,7 @@ TEST_F(ReconstructCommand, StitchesFramesThatAreTooFarApartToBeTracked) {
   EXPECT_FALSE(frames_of("scene").contains("warnings"));
 }
 
-TEST_F(ReconstructCommand, UsesThePosesOfTheSequence) {
+TEST_F(SweepCommand, UsesThePosesOfTheSequence) {
   for (const char* use : {"exact", "start"}) {
     const Outcome outcome = run(std::string("reconstruct sweep -o posed --poses ") + use);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -161,7 +77,7 @@ TEST_F(ReconstructCommand, UsesThePosesOfTheSequence) {
   expect_failure("sweep -o new --poses roughly", 2, "--poses");
 }
 
-TEST_F(ReconstructCommand, SkipsUnreadableFramesAndNamesThem) {
+TEST_F(SweepCommand, SkipsUnreadableFramesAndNamesThem) {
   const fs::path sequence = copy_of_sweep("cut");
   fs::resize_file(sequence / image(7), fs::file_size(sequence / image(7)) / 2);
   write(sequence / image(8), "not an image");
@@ -174,7 +90,7 @@ TEST_F(ReconstructCommand, SkipsUnreadableFramesAndNamesThem) {
   EXPECT_EQ(poses_of("patched"), std::size_t{frames - 2});
 }
 
-TEST_F(ReconstructCommand, SkipsBlackFramesAndContinuesAfterThem) {
+TEST_F(SweepCommand, SkipsBlackFramesAndContinuesAfterThem) {
   const fs::path sequence = copy_of_sweep("blinking");
   for (const int i : {0, 1, 8, 9}) {
     fs::copy_file(file("dark") / image(i), sequence / image(i),
@@ -188,14 +104,14 @@ TEST_F(ReconstructCommand, SkipsBlackFramesAndContinuesAfterThem) {
   EXPECT_NE(outcome.out.find("too little of the image is measured"), std::string::npos);
 }
 
-TEST_F(ReconstructCommand, ReportsWhyNoFrameCanBeFused) {
+TEST_F(SweepCommand, ReportsWhyNoFrameCanBeFused) {
   expect_failure("dark -o new", 1, "too little of the image is measured");
   const fs::path sequence = copy_of_sweep("ruin");
   for (int i = 0; i < frames; ++i) fs::resize_file(sequence / image(i), 30);
   expect_failure("ruin -o new", 1, "ruin");
 }
 
-TEST_F(ReconstructCommand, WritesNothingIfNoneOfManyFramesCanBeFused) {
+TEST_F(SweepCommand, WritesNothingIfNoneOfManyFramesCanBeFused) {
   const fs::path sequence = copy_of_sweep("motley");
   for (int i = 0; i < frames; ++i) {
     fs::copy_file(file("dark") / image(i), sequence / image(i),
@@ -208,69 +124,7 @@ TEST_F(ReconstructCommand, WritesNothingIfNoneOfManyFramesCanBeFused) {
   EXPECT_FALSE(fs::exists(file("new")));
 }
 
-TEST_F(ReconstructCommand, AcceptsASequenceOfOneFrame) {
-  const fs::path sequence = copy_of_sweep("single");
-  for (int i = 1; i < frames; ++i) fs::remove(sequence / image(i));
-  fs::remove(sequence / "poses.txt");
-  const Outcome outcome = run("reconstruct single -o glimpse");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(poses_of("glimpse"), 1U);
-  EXPECT_EQ(run("info glimpse").code, 0);
-}
-
-TEST_F(ReconstructCommand, SegmentGoesFromOneDepthImageToObjects) {
-  const std::string png = (fs::path("sweep") / image(6)).string();
-  const Outcome view =
-      run("segment " + png + " --intrinsics sweep/intrinsics.txt -o view -v --json");
-  ASSERT_EQ(view.code, 0) << view.err;
-  EXPECT_NE(view.err.find("unproject"), std::string::npos) << view.err;
-  const auto objects = nlohmann::json::parse(contents(file("view") / "objects.json"));
-  EXPECT_GE(objects.at("objects").size(), 3U);
-  EXPECT_TRUE(objects.contains("table"));
-  EXPECT_EQ(poses_of("view"), 1U);
-  EXPECT_GT(fs::file_size(file("view") / "surface.ply"), 10000U);
-  const Outcome masks = run("masks view " + png +
-                            " --depth-scale 1000 -o view_masks --intrinsics sweep/intrinsics.txt");
-  EXPECT_EQ(masks.code, 0) << masks.err;
-  EXPECT_NE(masks.out.find(" in 1 frame\n"), std::string::npos) << masks.out;
-}
-
-TEST_F(ReconstructCommand, MasksRefuseFramesThatSeeThroughTheObjects) {
-  const std::string camera = " --intrinsics sweep/intrinsics.txt ";
-  const std::string png = (fs::path("sweep") / image(6)).string();
-  ASSERT_EQ(run("segment " + png + camera + "-o near").code, 0);
-  write(file("far.json"), R"({"tabletop": {"objects": 1}, "camera": {"frames": 1, "radius": 1.6,
-      "width": 320, "height": 240, "focal_length": 262}})");
-  ASSERT_EQ(run("simulate --sequence -o far --config far.json").code, 0);
-  const Outcome masks =
-      run("masks near far/" + image(0) + camera + "--depth-scale 1000 -o foreign_masks");
-  EXPECT_NE(masks.code, 0);
-  EXPECT_NE(masks.err.find("expected the frames of near"), std::string::npos) << masks.err;
-  EXPECT_FALSE(fs::exists(file("foreign_masks")));
-}
-
-TEST_F(ReconstructCommand, OneFrameGivesTheSameObjectsThroughAScene) {
-  const fs::path one = copy_of_sweep("one");
-  for (int i = 1; i < frames; ++i) fs::remove(one / image(i));
-  fs::remove(one / "poses.txt");
-  ASSERT_EQ(run("segment one -o direct").code, 0);
-  const Outcome reconstructed = run("reconstruct one -o one_scene");
-  ASSERT_EQ(reconstructed.code, 0) << reconstructed.err;
-  EXPECT_TRUE(fs::exists(file("one_scene") / "intrinsics.txt"));
-  ASSERT_EQ(run("segment one_scene -o through").code, 0);
-  const auto count = [](const std::string& result) {
-    return nlohmann::json::parse(contents(file(result) / "objects.json")).at("objects").size();
-  };
-  EXPECT_EQ(count("direct"), count("through"));
-  // A plane that nothing is near does not cost the scene.
-  const Outcome aside = run("reconstruct one -o one_aside --plane 0,1,0,50");
-  ASSERT_EQ(aside.code, 0) << aside.err;
-  EXPECT_NE(aside.err.find("--plane: expected a plane with points on it"), std::string::npos)
-      << aside.err;
-  EXPECT_GT(fs::file_size(file("one_aside") / "cloud.ply"), 10000U);
-}
-
-TEST_F(ReconstructCommand, UsesEveryNthFrameAndTellsItsRate) {
+TEST_F(SweepCommand, UsesEveryNthFrameAndTellsItsRate) {
   const Outcome outcome = run("reconstruct sweep -o third --every 3 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find(" per second\n"), std::string::npos) << outcome.err;
@@ -291,7 +145,7 @@ TEST_F(ReconstructCommand, UsesEveryNthFrameAndTellsItsRate) {
   EXPECT_EQ(times("third")[1], times("scene")[3]);
 }
 
-TEST_F(ReconstructCommand, WritesBesideTheImagesOfItsInput) {
+TEST_F(SweepCommand, WritesBesideTheImagesOfItsInput) {
   const fs::path sweep = copy_of_sweep("inner");
   ASSERT_EQ(run("reconstruct inner -o inner/scene --every 4").code, 0);
   ASSERT_EQ(run("reconstruct inner -o ./inner/scene/ --every 4").code, 0);  // replaces it
@@ -302,33 +156,14 @@ TEST_F(ReconstructCommand, WritesBesideTheImagesOfItsInput) {
     expect_failure(std::string("inner -o ") + output, 1, "outside the input");
 }
 
-TEST_F(ReconstructCommand, AWrongDepthScaleIsNoticed) {
-  const std::string png = (fs::path("sweep") / image(6)).string();
-  const std::string segment = "segment " + png + " --intrinsics sweep/intrinsics.txt -o scaled";
-  for (const char* scale : {"50", "10000"}) {
-    const Outcome outcome = run(segment + " --depth-scale " + scale);
-    for (const char* part : {"100 % of the depths are outside 0.2 to 6 m", "the median depth is ",
-                             "try --depth-scale 1000, which makes it 0."})
-      EXPECT_NE(outcome.err.find(part), std::string::npos) << scale << "\n" << outcome.err;
-  }
-  EXPECT_EQ(run(segment).err.find("--depth-scale"), std::string::npos);
-}
-
-TEST_F(ReconstructCommand, ANamedSensorIsNotPrintedAsFound) {
-  const std::string png = (fs::path("sweep") / image(6)).string();
-  const std::string segment = "segment " + png + " --intrinsics sweep/intrinsics.txt -o seen";
-  EXPECT_NE(run(segment + " --sensor tof").out.find("sensor tof: named; "), std::string::npos);
-  EXPECT_EQ(run(segment).out.find("named"), std::string::npos);
-}
-
-TEST_F(ReconstructCommand, SegmentSaysWhatToDoWithManyFrames) {
+TEST_F(SweepCommand, SegmentSaysWhatToDoWithManyFrames) {
   const Outcome outcome = run("segment sweep -o new");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.err.find("run symscene reconstruct first"), std::string::npos) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-TEST_F(ReconstructCommand, WithoutATableEverythingIsWrittenAllTheSame) {
+TEST_F(SweepCommand, WithoutATableEverythingIsWrittenAllTheSame) {
   const Outcome reconstructed = run("reconstruct sweep -o whole --no-table");
   ASSERT_EQ(reconstructed.code, 0) << reconstructed.err;
   EXPECT_EQ(reconstructed.err, "");
@@ -346,7 +181,7 @@ TEST_F(ReconstructCommand, WithoutATableEverythingIsWrittenAllTheSame) {
 }
 
 /// A scene as `reconstruct` writes it of a table on which nothing stands.
-TEST_F(ReconstructCommand, ABareTableKeepsItsSurface) {
+TEST_F(SweepCommand, ABareTableKeepsItsSurface) {
   fs::copy(file("scene"), file("bare"), fs::copy_options::recursive);
   fs::remove(file("bare") / "occupancy.bt");
   write(file("bare") / "cloud.ply",
@@ -361,7 +196,7 @@ TEST_F(ReconstructCommand, ABareTableKeepsItsSurface) {
             0U);
 }
 
-TEST_F(ReconstructCommand, SegmentFindsTheTableInACloud) {
+TEST_F(SweepCommand, SegmentFindsTheTableInACloud) {
   const Outcome whole = run("reconstruct sweep -o cloud_scene --no-table");
   ASSERT_EQ(whole.code, 0) << whole.err;
   const Outcome found = run("segment cloud_scene/cloud.ply -o cloud_result");
@@ -371,7 +206,7 @@ TEST_F(ReconstructCommand, SegmentFindsTheTableInACloud) {
   EXPECT_GE(objects.at("objects").size(), 3U);
 }
 
-TEST_F(ReconstructCommand, UsesAGivenTablePlaneAndRefusesInvalidOnes) {
+TEST_F(SweepCommand, UsesAGivenTablePlaneAndRefusesInvalidOnes) {
   const std::string found = contents(file("scene") / "table_plane.txt");
   const Outcome outcome = run("reconstruct sweep -o given --plane=" + given_plane());
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -381,7 +216,7 @@ TEST_F(ReconstructCommand, UsesAGivenTablePlaneAndRefusesInvalidOnes) {
   }
 }
 
-TEST_F(ReconstructCommand, RefusesOptionsOutOfRangeByName) {
+TEST_F(SweepCommand, RefusesOptionsOutOfRangeByName) {
   const std::vector<std::pair<const char*, const char*>> cases = {
       {R"({"tsdf": {"voxel_size": 0}})", "voxel_size"},
       {R"({"tracking": {"min_overlap": 2}})", "min_overlap"},
@@ -395,7 +230,7 @@ TEST_F(ReconstructCommand, RefusesOptionsOutOfRangeByName) {
   }
 }
 
-TEST_F(ReconstructCommand, NeverReplacesInputOrFoldersWithOtherFiles) {
+TEST_F(SweepCommand, NeverReplacesInputOrFoldersWithOtherFiles) {
   expect_failure("sweep -o sweep", 1, "outside the input");
   fs::create_directories(file("mine"));
   write(file("mine") / "thesis.txt", "text");

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "core/looking_at.hpp"
 #include "reconstruction/surface_extraction.hpp"
 
 /// Bodies whose depth images are known in closed form, and cameras that look at them.
@@ -113,12 +114,7 @@ inline void paint(DepthFrame& frame, std::uint8_t red, std::uint8_t green, std::
 inline Eigen::Isometry3d look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
   const Eigen::Vector3d forward = (target - eye).normalized();
   const bool steep = std::abs(forward.z()) > 0.99;
-  const Eigen::Vector3d up = steep ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d right = forward.cross(up).normalized();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  return pose;
+  return looking_along(eye, forward, steep ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
 }
 
 /// Cameras spread evenly over a sphere (a Fibonacci lattice) that look at its centre.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/looking_at.hpp"
 #include "core/random.hpp"
 #include "simulation/depth_renderer.hpp"
 #include "simulation/shapes.hpp"
@@ -63,12 +64,7 @@ inline Eigen::Isometry3d view_from(double azimuth) {
   const Eigen::Vector3d target(0.0, 0.0, 0.05);
   const Eigen::Vector3d away(std::cos(azimuth) * std::cos(elevation),
                              std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
-  const Eigen::Vector3d z = -away;
-  const Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() << x, z.cross(x), z;
-  T.translation() = target + 0.8 * away;
-  return T;
+  return looking_along(target + 0.8 * away, -away);
 }
 
 inline DepthFrame photograph(const DepthRenderer& renderer, const Eigen::Isometry3d& T_world_camera,

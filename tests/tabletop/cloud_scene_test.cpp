@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/looking_at.hpp"
 #include "core/random.hpp"
 #include "symscene/core/error.hpp"
 
@@ -56,12 +57,9 @@ TEST(CloudScene, ATableInTheCloudIsFoundAndCroppedWhereverItIs) {
 /// The table with its box in the frame of a camera that looks along +z, rolled about that axis.
 PointCloud seen_by_rolled_camera(double roll) {
   PointCloud cloud = table_with_box(true);
-  const Eigen::Vector3d forward = -viewpoint.normalized();
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Matrix3d R_camera_world;
-  R_camera_world << right.transpose(), forward.cross(right).transpose(), forward.transpose();
-  const Eigen::Matrix3d R =
-      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R_camera_world;
+  const Eigen::Matrix3d R_world_camera = looking_along(viewpoint, -viewpoint.normalized()).linear();
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+                            R_world_camera.transpose();
   cloud.positions.rowwise() -= viewpoint.cast<float>().transpose();
   cloud.positions = (cloud.positions * R.cast<float>().transpose()).eval();
   return cloud;

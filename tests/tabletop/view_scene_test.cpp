@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "core/looking_at.hpp"
 #include "core/random.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
@@ -55,17 +56,6 @@ struct World {
     return nearest;
   }
 };
-
-/// A camera at `eye` that looks at `target`, held upright.
-Eigen::Isometry3d looking(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
-                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ()) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const Eigen::Vector3d z = (target - eye).normalized();
-  const Eigen::Vector3d x = z.cross(up).normalized();
-  pose.linear() << x, z.cross(x), z;
-  pose.translation() = eye;
-  return pose;
-}
 
 struct Image {
   CameraIntrinsics camera{160, 120, 135.0, 135.0, 79.5, 59.5};
@@ -129,7 +119,7 @@ TEST(ViewPoints, HaveTheNormalsOfTheirPlaneAtEveryDistance) {
   for (const double distance : distances) {
     World world;
     world.add({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, 0);
-    const Eigen::Isometry3d pose = looking({0, -0.8 * distance, 0.6 * distance}, {0, 0, 0});
+    const Eigen::Isometry3d pose = looking_at({0, -0.8 * distance, 0.6 * distance}, {0, 0, 0});
     const Image image = render(world, pose, noise);
     const ViewPoints points = unproject(image.frame, image.camera);
     ASSERT_GT(points.cloud.size(), 0.95 * static_cast<double>(image.camera.pixels()));
@@ -143,7 +133,7 @@ TEST(ViewPoints, HaveTheNormalsOfTheirPlaneAtEveryDistance) {
 }
 
 TEST(ViewPoints, AreInTheirPixels) {
-  const Eigen::Isometry3d pose = looking({0, -1, 1.6}, {0, 0, 0.8});
+  const Eigen::Isometry3d pose = looking_at({0, -1, 1.6}, {0, 0, 0.8});
   const Image image = render(table_on_floor(), pose);
   const ViewPoints points = unproject(image.frame, image.camera);
   ASSERT_EQ(points.pixels.size(), points.cloud.size());
@@ -158,7 +148,7 @@ TEST(ViewPoints, AreInTheirPixels) {
 }
 
 TEST(ViewPoints, OfAnImageWithAHoleAtEveryThirdPixelAreOnTheSameSurface) {
-  const Eigen::Isometry3d pose = looking({0, -1, 1.6}, {0, 0, 0.8});
+  const Eigen::Isometry3d pose = looking_at({0, -1, 1.6}, {0, 0, 0.8});
   Image image = render(table_on_floor(), pose, noise);
   const Index whole = unproject(image.frame, image.camera).cloud.size();
   Index holes = 0;
@@ -178,7 +168,7 @@ TEST(ViewPoints, ThinThingsKeepTheirPointsAndFlyingPixelsDoNot) {
   World world;
   world.add({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, 0);
   world.add({-0.2, -0.01, 0.3}, {0.4, 0, 0}, {0, 0.02, 0}, 1);  // a strip 3 pixels wide
-  const Eigen::Isometry3d pose = looking({0, 0, 1.2}, {0, 0, 0}, Eigen::Vector3d::UnitY());
+  const Eigen::Isometry3d pose = looking_at({0, 0, 1.2}, {0, 0, 0}, Eigen::Vector3d::UnitY());
   Image image = render(world, pose, 0.5 * noise);
   std::vector<bool> flying(image.camera.pixels(), false);
   for (Index v = 10; v < 20; ++v) {
@@ -199,7 +189,7 @@ TEST(ViewPoints, ThinThingsKeepTheirPointsAndFlyingPixelsDoNot) {
 }
 
 TEST(ViewPoints, TheMeshDoesNotSpanDepthEdges) {
-  const Eigen::Isometry3d pose = looking({0, -1, 1.6}, {0, 0, 0.8});
+  const Eigen::Isometry3d pose = looking_at({0, -1, 1.6}, {0, 0, 0.8});
   const Image image = render(table_on_floor(), pose);
   const TriangleMesh mesh = view_mesh(unproject(image.frame, image.camera));
   ASSERT_GT(mesh.triangles.rows(), 10000);
@@ -215,7 +205,7 @@ TEST(ViewScene, TheTableIsFoundBeforeALargerFloorAtEveryDistance) {
   for (const double distance : distances) {
     const Eigen::Vector3d middle(0, 0, 0.78);
     const Eigen::Isometry3d pose =
-        looking(middle + distance * Eigen::Vector3d(0.1, -0.75, 0.65), middle);
+        looking_at(middle + distance * Eigen::Vector3d(0.1, -0.75, 0.65), middle);
     const Image image = render(table_on_floor(), pose, noise);
     const ViewScene view = view_scene({image.frame, image.camera});
     expect_table(view, pose, 0.75);
@@ -228,7 +218,7 @@ TEST(ViewScene, TheTableIsFoundBeforeALargerFloorAtEveryDistance) {
 TEST(ViewScene, ACameraThatLooksStraightDownFindsItsTable) {
   for (const double turn : {0.0, 1.0, 2.0, 4.0}) {
     const Eigen::Vector3d side(std::cos(turn), std::sin(turn), 0.0);
-    const Eigen::Isometry3d pose = looking({0, 0, 1.65}, {0, 0, 0}, side);
+    const Eigen::Isometry3d pose = looking_at({0, 0, 1.65}, {0, 0, 0}, side);
     const Image image = render(table_on_floor(), pose, noise);
     const ViewScene view = view_scene({image.frame, image.camera});
     expect_table(view, pose, 0.75);
@@ -246,7 +236,7 @@ TEST(ViewScene, ACameraOnItsSideOrUpsideDownFindsItsTableAndWarns) {
   };
   using Eigen::Vector3d;
   for (const Vector3d& up : {Vector3d(0, 0, -1), Vector3d(1, 0, 0), Vector3d(-1, 0, 0)}) {
-    const Eigen::Isometry3d pose = looking({0.05, -1.1, 1.25}, {0, 0, 0.8}, up);
+    const Eigen::Isometry3d pose = looking_at({0.05, -1.1, 1.25}, {0, 0, 0.8}, up);
     const Image image = render(table_on_floor(), pose, noise);
     const ViewScene view = view_scene({image.frame, image.camera});
     expect_table(view, pose, 0.75);
@@ -254,7 +244,7 @@ TEST(ViewScene, ACameraOnItsSideOrUpsideDownFindsItsTableAndWarns) {
     for (const int object : {1, 2, 3}) EXPECT_GT(counts.at(object), 50) << object;
     EXPECT_TRUE(warns(view)) << up.transpose();
   }
-  const Image upright = render(table_on_floor(), looking({0, -1.1, 1.25}, {0, 0, 0.8}), noise);
+  const Image upright = render(table_on_floor(), looking_at({0, -1.1, 1.25}, {0, 0, 0.8}), noise);
   EXPECT_FALSE(warns(view_scene({upright.frame, upright.camera})));
 }
 
@@ -264,7 +254,7 @@ TEST(ViewScene, AFaceOfAnObjectWithSomethingOnItIsNoTableOfACameraOnItsSide) {
   // A box whose side faces the upward direction of the turned camera, with a knob on that side.
   world.add_box({-0.45, 0.05, 0.75}, {0.1, 0.25, 0.25}, 4);
   world.add_box({-0.35, 0.12, 0.82}, {0.06, 0.08, 0.08}, 5);
-  const Eigen::Isometry3d pose = looking({0.5, -0.9, 1.35}, {0, 0, 0.8}, {1, 0, 0});
+  const Eigen::Isometry3d pose = looking_at({0.5, -0.9, 1.35}, {0, 0, 0.8}, {1, 0, 0});
   const Image image = render(world, pose, noise);
   const ViewScene view = view_scene({image.frame, image.camera});
   expect_table(view, pose, 0.75);
@@ -276,7 +266,7 @@ TEST(ViewScene, AnEmptyTableIsNotReplacedByASmallerWallWithThingsOnIt) {
   world.add({-0.5, -0.35, 0.75}, {1.0, 0, 0}, {0, 0.7, 0}, 0);
   world.add({-0.3, 0.36, 0.75}, {0.6, 0, 0}, {0, 0, 0.5}, -1);
   world.add_box({-0.1, 0.26, 0.95}, {0.2, 0.1, 0.1}, 1);
-  const Eigen::Isometry3d pose = looking({0, -0.9, 1.3}, {0, 0, 0.85});
+  const Eigen::Isometry3d pose = looking_at({0, -0.9, 1.3}, {0, 0, 0.85});
   const Image image = render(world, pose, noise);
   const ViewScene view = view_scene({image.frame, image.camera});
   expect_table(view, pose, 0.75);
@@ -285,7 +275,7 @@ TEST(ViewScene, AnEmptyTableIsNotReplacedByASmallerWallWithThingsOnIt) {
 TEST(ViewScene, WhatStandsBehindAShadowThatSplitsTheTableIsKept) {
   World world = table_on_floor();
   world.add_box({-0.5, -0.3, 0.75}, {1.0, 0.05, 0.15}, 4);  // from border to border
-  const Eigen::Isometry3d pose = looking({0, -1.0, 1.5}, {0, 0, 0.8});
+  const Eigen::Isometry3d pose = looking_at({0, -1.0, 1.5}, {0, 0, 0.8});
   const Image image = render(world, pose, noise);
   const ViewScene view = view_scene({image.frame, image.camera});
   expect_table(view, pose, 0.75);
@@ -294,7 +284,7 @@ TEST(ViewScene, WhatStandsBehindAShadowThatSplitsTheTableIsKept) {
 }
 
 TEST(ViewScene, MovesWithTheCamera) {
-  const Eigen::Isometry3d pose = looking({0, -1, 1.6}, {0, 0, 0.8});
+  const Eigen::Isometry3d pose = looking_at({0, -1, 1.6}, {0, 0, 0.8});
   const Image image = render(table_on_floor(), pose, noise);
   const ViewScene in_camera = view_scene({image.frame, image.camera});
   const ViewScene in_world = view_scene({image.frame, image.camera, pose});
@@ -306,7 +296,7 @@ TEST(ViewScene, MovesWithTheCamera) {
 }
 
 TEST(ViewScene, SpaceIsFreeBeforeTheSurfaceAndUnknownBehindItAndInHoles) {
-  const Eigen::Isometry3d pose = looking({0, -1, 1.6}, {0, 0, 0.8});
+  const Eigen::Isometry3d pose = looking_at({0, -1, 1.6}, {0, 0, 0.8});
   Image image = render(table_on_floor(), pose);
   for (Index v = 0; v < image.camera.height; ++v) {
     for (Index u = 100; u < 110; ++u) image.frame.depth[v * image.camera.width + u] = 0.0F;
@@ -344,7 +334,7 @@ TEST(ViewScene, SpaceIsFreeBeforeTheSurfaceAndUnknownBehindItAndInHoles) {
 }
 
 TEST(ViewScene, IsTheSameForAnyNumberOfThreads) {
-  const Image image = render(table_on_floor(), looking({0, -1, 1.6}, {0, 0, 0.8}), noise);
+  const Image image = render(table_on_floor(), looking_at({0, -1, 1.6}, {0, 0, 0.8}), noise);
   const auto run = [&] { return view_scene({image.frame, image.camera}); };
   const ViewScene one = testing::with_threads(1, run), two = testing::with_threads(2, run);
   EXPECT_EQ(one.points.cloud.normals, two.points.cloud.normals);
@@ -352,7 +342,7 @@ TEST(ViewScene, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(ViewScene, MovesWithTheCameraAndKeepsThePointsInItsFrame) {
-  const Image image = render(table_on_floor(), looking({0, -1, 1.6}, {0, 0, 0.8}), noise);
+  const Image image = render(table_on_floor(), looking_at({0, -1, 1.6}, {0, 0, 0.8}), noise);
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   T_world_camera.rotate(Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()));
   T_world_camera.pretranslate(Eigen::Vector3d(0.3, -0.2, -2.0));
@@ -367,7 +357,7 @@ TEST(ViewScene, MovesWithTheCameraAndKeepsThePointsInItsFrame) {
 }
 
 TEST(ViewScene, RefusesBadInput) {
-  const Image image = render(table_on_floor(), looking({0, -1, 1.6}, {0, 0, 0.8}));
+  const Image image = render(table_on_floor(), looking_at({0, -1, 1.6}, {0, 0, 0.8}));
   CameraIntrinsics other = image.camera;
   other.width = 80;
   EXPECT_THROW(view_scene({image.frame, other}), InputError);

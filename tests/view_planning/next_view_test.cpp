@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/looking_at.hpp"
 #include "core/surface_sampling.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/core/error.hpp"
@@ -19,7 +20,7 @@ std::vector<Eigen::Isometry3d> four_sides() {
   for (const Eigen::Vector3d& side :
        {Eigen::Vector3d(0.6, 0.0, 0.05), Eigen::Vector3d(0.0, 0.6, 0.05),
         Eigen::Vector3d(-0.6, 0.0, 0.05), Eigen::Vector3d(0.0, -0.6, 0.05)})
-    views.push_back(view_towards(side, {0.0, 0.0, 0.05}, Eigen::Vector3d::UnitZ()));
+    views.push_back(looking_at(side, {0.0, 0.0, 0.05}, Eigen::Vector3d::UnitZ()));
   return views;
 }
 
@@ -131,7 +132,7 @@ double gain_from(const Eigen::Vector3d& eye, const std::optional<Plane>& table =
   add_box(result, 0.0, 0.0, {-Eigen::Vector3f::UnitX()});
   result.table = table;
   const std::array<Eigen::Isometry3d, 1> pose{
-      view_towards(eye, {0.0, 0.0, 0.05}, Eigen::Vector3d::UnitX())};
+      looking_at(eye, {0.0, 0.0, 0.05}, Eigen::Vector3d::UnitX())};
   return rank_views({result, &unseen}, camera(), pose, options).ranked.front().gain.total();
 }
 

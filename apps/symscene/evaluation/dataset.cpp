@@ -151,10 +151,7 @@ void add_dataset(CommandLine& line) {
   arguments.count("--frames", state->frames, range_of(defaults, "camera.frames"),
                   with_default("frames per sweep", defaults.camera.frames));
   arguments.seed(state->seed, defaults.seed);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

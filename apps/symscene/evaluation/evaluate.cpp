@@ -205,10 +205,7 @@ void add_evaluate(CommandLine& line) {
                  fmt::format("baselines to compare with, separated by commas: {} (default: {})",
                              baseline_names(), state->baselines));
   arguments.flag("--fast", state->fast, "leave out the variants without the rotational stream");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

@@ -185,10 +185,7 @@ void add_pick(CommandLine& line) {
                  "also write the run as an animated GIF: a name that ends in .gif");
   arguments.seed(state->seed, state->options.table.tabletop.seed);
   arguments.output_folder(state->shared, "folder to write: run.json and page.html");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app

@@ -155,13 +155,10 @@ void add_simulate(CommandLine& line) {
                   fmt::format("number of frames (default {}, with --sequence {})",
                               state->fused.scan.camera.frames, state->sweep.camera.frames));
   arguments.seed(state->seed, state->tabletop().seed);
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
+  arguments.run_stages(state);
   const auto sweep = std::make_shared<Simulate>();
   sweep->sequence = true;
   arguments.config_with("--sequence", [sweep] { return sweep->configure(); });
-  arguments.run([state] { state->run(); });
 }
 
 }  // namespace symscene::app

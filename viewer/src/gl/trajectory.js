@@ -1,18 +1,12 @@
 // The camera's path as a line, and a few cameras on it as viewing pyramids.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { closed, group, quadrilateral, segments } from './lines.js';
+import { group, quadrilateral, segments } from './lines.js';
+import { pyramid } from './pyramid.js';
 import { css } from '../palette.js';
-import { add, scale } from '../vector.js';
 
 const DEPTH = 0.05; // of a pyramid [m]
 const SLOPE = [0.55, 0.42]; // half its width and height at unit depth
-
-function corners({ position, right, down, forward }) {
-  const at = (x, y) => add(add(position, scale(forward, DEPTH)),
-    add(scale(right, x * SLOPE[0] * DEPTH), scale(down, y * SLOPE[1] * DEPTH)));
-  return [at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)];
-}
 
 function pathPairs(path) {
   const pairs = [];
@@ -33,13 +27,12 @@ export class Trajectory {
       path: line(2.4, 1, true), behind: line(1.6, 0.25, false), edge: line(1.4, 0.9, true),
       first: sheet(0.7), others: sheet(0.16),
     };
-    const frames = cameras.map(corners);
+    const pyramids = cameras.map((camera) => pyramid(camera, SLOPE, DEPTH));
     const pairs = pathPairs(path);
-    const edges = cameras.flatMap(({ position }, i) => [...closed(frames[i]), ...frames[i].map((corner) => [position, corner])]);
     this.object = group(
       ...(pairs.length ? [segments(pairs, this.materials.behind, 2), segments(pairs, this.materials.path, 3)] : []),
-      segments(edges, this.materials.edge, 3),
-      ...frames.map((frame, i) => quadrilateral(frame, i ? this.materials.others : this.materials.first, 2)));
+      segments(pyramids.flatMap(({ edges }) => edges), this.materials.edge, 3),
+      ...pyramids.map(({ frame }, i) => quadrilateral(frame, i ? this.materials.others : this.materials.first, 2)));
   }
 
   setColor(color) {

@@ -1,26 +1,19 @@
 // Views that the camera could take next, as viewing pyramids; the better, the stronger.
 import * as THREE from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { closed, group, quadrilateral, segments } from './lines.js';
+import { group, quadrilateral, segments } from './lines.js';
+import { pyramid } from './pyramid.js';
 import { css, qualityColor } from '../palette.js';
-import { add, scale } from '../vector.js';
 import { gainShare } from '../views.js';
 
 const DEPTH = 0.07; // of a pyramid [m]
-
-function corners({ position, right, down, forward }, [halfWidth, halfHeight]) {
-  const at = (x, y) => add(add(position, scale(forward, DEPTH)),
-    add(scale(right, x * halfWidth * DEPTH), scale(down, y * halfHeight * DEPTH)));
-  return [at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)];
-}
 
 class Pyramid {
   constructor({ camera }, share, halfSize) {
     const color = css(qualityColor(share));
     this.line = new LineMaterial({ linewidth: 1 + 1.5 * share, transparent: true, depthWrite: false, color });
     this.sheet = new THREE.MeshBasicMaterial({ transparent: true, side: THREE.DoubleSide, depthWrite: false, color });
-    const frame = corners(camera, halfSize);
-    const edges = [...closed(frame), ...frame.map((corner) => [camera.position, corner])];
+    const { frame, edges } = pyramid(camera, halfSize, DEPTH);
     this.object = group(segments(edges, this.line, 3), quadrilateral(frame, this.sheet, 2));
     this.share = share;
   }

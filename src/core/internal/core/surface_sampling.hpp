@@ -14,4 +14,7 @@ double surface_area(const TriangleMesh& mesh);
 /// area.
 PointCloud sample_surface(const TriangleMesh& mesh, std::size_t count);
 
+/// The same with one point per `spacing`² of area, or none if the mesh has no area. [m]
+PointCloud sample_surface_at(const TriangleMesh& mesh, double spacing);
+
 }  // namespace symscene

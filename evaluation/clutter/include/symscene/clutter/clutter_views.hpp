@@ -37,6 +37,8 @@ struct ClutterNoiseOptions {
 
 /// The camera of the benchmark.
 CameraIntrinsics clutter_camera();
+/// The same with images of a quarter of the width and height.
+CameraIntrinsics small_clutter_camera();
 
 /// T_world_camera of one view from the side, or of several views around, evenly spaced.
 std::vector<Eigen::Isometry3d> clutter_view_poses(int views);

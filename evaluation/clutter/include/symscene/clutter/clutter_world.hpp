@@ -54,6 +54,8 @@ class ClutterWorld {
   Eigen::Isometry3d pose(std::size_t item) const;
   /// Its surface where it is now.
   TriangleMesh surface(std::size_t item) const;
+  /// The surfaces of the items that are on the table, in the order of present().
+  std::vector<TriangleMesh> surfaces() const;
 
   /// How far the open hand at a grasp reaches into the table or an item other than `aimed`. [m]
   double penetration(const Eigen::Isometry3d& T_world_tool, std::size_t aimed);

@@ -44,7 +44,6 @@ class TableWorld {
   Tabletop tabletop_;  ///< as it was at first
   double area_ = 0.0;  ///< radius beyond which an object has fallen off [m]
   Eigen::Isometry3d T_table_world_;
-  std::vector<ConvexParts> parts_;
   std::optional<GraspWorld> world_;
 };
 

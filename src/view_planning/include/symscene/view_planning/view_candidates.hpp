@@ -20,11 +20,6 @@ struct ViewRing {
 constexpr std::array<ViewRing, 3> default_view_rings{
     {{radians(15.0), 6}, {radians(35.0), 12}, {radians(60.0), 16}}};
 
-/// T_world_camera of a camera at `eye` that looks at `target`, the top of its image towards `up`;
-/// any way round where it looks along `up`. World frame. [m]
-Eigen::Isometry3d view_towards(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
-                               const Eigen::Vector3d& up);
-
 /// T_world_camera of the views of the rings about `target` at a distance of `radius` [m], those of
 /// each ring from `first_azimuth` on [rad]. Throws InputError if the radius is not positive or a
 /// ring has no view.
