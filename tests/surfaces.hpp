@@ -7,6 +7,7 @@
 #include "core/random_clouds.hpp"
 #include "core/surface_sampling.hpp"
 #include "core/voxel_sampling.hpp"
+#include "scaled_options.hpp"
 #include "simulation/shapes.hpp"
 #include "symscene/occupancy/distance_field.hpp"
 #include "symscene/occupancy/occupancy_grid.hpp"
@@ -64,14 +65,19 @@ inline PointIndices all_of(const PointCloud& cloud) {
   return indices;
 }
 
-/// A field that contradicts nothing.
-inline DistanceField nothing_known(const PointCloud& cloud) {
-  return unknown_distance_field(bounding_box(cloud.positions), 0.005F, std::nullopt);
+/// A field that contradicts nothing, of a cloud that is scaled by `scale`.
+inline DistanceField nothing_known(const PointCloud& cloud, double scale = 1.0) {
+  return unknown_distance_field(bounding_box(cloud.positions), static_cast<float>(0.005 * scale),
+                                std::nullopt, scaled_lengths(DistanceFieldOptions{}, scale));
 }
 
-/// The space around a cloud, all of it seen empty except for the voxels with points.
-inline DistanceField all_seen(const PointCloud& cloud) {
-  OccupancyGrid grid = rasterize(OccupancyMap{}, bounding_box(cloud.positions).padded(0.1F));
+/// The space around a cloud that is scaled by `scale`, all of it seen empty except for the voxels
+/// with points.
+inline DistanceField all_seen(const PointCloud& cloud, double scale = 1.0) {
+  OccupancyMap nothing_seen;
+  nothing_seen.resolution *= scale;
+  OccupancyGrid grid = rasterize(
+      nothing_seen, bounding_box(cloud.positions).padded(static_cast<float>(0.1 * scale)));
   std::fill(grid.states.begin(), grid.states.end(), VoxelState::free);
   for (Index i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f voxel = (cloud.position(i) - grid.frame.origin) / grid.frame.resolution;
@@ -80,7 +86,7 @@ inline DistanceField all_seen(const PointCloud& cloud) {
         (at.z() * grid.frame.size.y() + at.y()) * grid.frame.size.x() + at.x())] =
         VoxelState::occupied;
   }
-  return distance_field(grid, std::nullopt);
+  return distance_field(grid, std::nullopt, scaled_lengths(DistanceFieldOptions{}, scale));
 }
 
 }  // namespace symscene::testing

@@ -50,13 +50,15 @@ class SignComponents {
 
 /// Reverses the sign at the nodes of the components that are to flip.
 template <class IsToFlip>
-void flip(const SignComponents& components, const IsToFlip& is_to_flip, std::vector<float>& field) {
+void flip(const NodeGrid& grid, const SignComponents& components, const IsToFlip& is_to_flip,
+          std::vector<float>& field) {
+  const float least = 1e-4F * grid.spacing;  // a distance of zero has a side too
   std::vector<std::uint8_t> flips(components.count(), 0);
   for (Index label = 0; label < components.count(); ++label)
     flips[label] = is_to_flip(label) ? 1 : 0;
   for (std::size_t node = 0; node < field.size(); ++node) {
     if (flips[components.label(node)] == 0) continue;
-    const float distance = std::max(std::abs(field[node]), 1e-6F);
+    const float distance = std::max(std::abs(field[node]), least);
     field[node] = field[node] < 0.0F ? distance : -distance;
   }
 }
@@ -73,7 +75,7 @@ void remove_small_pieces(const NodeGrid& grid, double min_share, std::vector<flo
   const auto is_small_piece = [&](Index label) {
     return components.is_inside(label) && static_cast<double>(components.size(label)) < fewest;
   };
-  flip(components, is_small_piece, field);
+  flip(grid, components, is_small_piece, field);
 }
 
 void fill_pockets(const NodeGrid& grid, std::vector<float>& field) {
@@ -82,7 +84,7 @@ void fill_pockets(const NodeGrid& grid, std::vector<float>& field) {
   const auto is_pocket = [&](Index label) {
     return !components.is_inside(label) && label != outside;
   };
-  flip(components, is_pocket, field);
+  flip(grid, components, is_pocket, field);
 }
 
 }  // namespace symscene

@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace symscene {
-namespace {
-
-constexpr float max_surface_offset = 0.02F;  ///< points of the surface may be this far off it [m]
-
-}  // namespace
 
 bool is_unobserved(const OccupancyGrid& grid) {
   return std::all_of(grid.states.begin(), grid.states.end(),
@@ -15,14 +10,14 @@ bool is_unobserved(const OccupancyGrid& grid) {
 }
 
 std::vector<std::string> frame_warnings(const Points& points, const DistanceField& field,
-                                        const std::optional<Plane>& table) {
+                                        const std::optional<Plane>& table, double tolerance) {
   Eigen::Index below = 0;
   Eigen::Index in_free_space = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Eigen::Vector3f p = points.row(i);
-    if (table && table->signed_distance(p.cast<double>()) < -double{max_surface_offset}) {
+    if (table && table->signed_distance(p.cast<double>()) < -tolerance) {
       ++below;
-    } else if (field.at(p) > max_surface_offset) {
+    } else if (field.at(p) > static_cast<float>(tolerance)) {
       ++in_free_space;
     }
   }

@@ -7,6 +7,7 @@ WorkspaceOptions workspace_options(const PipelineOptions& options) {
           .stray_radius = options.stray_radius,
           .stray_neighbors = options.stray_neighbors,
           .space_margin = options.space_margin,
+          .frame_tolerance = options.frame_tolerance,
           .normals = options.normals,
           .outward_vote = options.outward_vote,
           .distance_field = options.distance_field,

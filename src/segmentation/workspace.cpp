@@ -114,7 +114,8 @@ Workspace sampled_workspace(const Scene& scene, const WorkspaceOptions& options,
   space.field = timer.time("distance field", [&] {  // section 2.1.2
     return space_around(scene, space.cloud, options, space.warnings);
   });
-  for (std::string& warning : frame_warnings(space.cloud.positions, space.field, scene.table))
+  for (std::string& warning :
+       frame_warnings(space.cloud.positions, space.field, scene.table, options.frame_tolerance))
     space.warnings.push_back(std::move(warning));
   timer.time("normals", [&] { complete_normals(scene, options, space); });
   return space;

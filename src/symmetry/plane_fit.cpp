@@ -12,6 +12,7 @@ namespace symscene {
 namespace {
 
 constexpr std::size_t min_correspondences = 6;
+constexpr double shift_damping = 1e-3;  ///< per match, as PlaneFitOptions::turn_damping
 
 /// The cosine of two normals as matches count it: nearly opposite ones are the two sides of a thin
 /// wall and count as equal where fold_thin_walls is set.
@@ -38,10 +39,12 @@ struct LocalPlane {
 };
 
 /// The step (two rotations, one shift) that minimises the distances of reflections from the tangent
-/// planes of their matches (Eq. 3.7).
+/// planes of their matches (Eq. 3.7). Rotations and shifts that the matches leave open (a flat face
+/// slid in its own plane) stay small.
 Eigen::Vector3d solve_step(const PointCloud& cloud, const std::vector<Correspondence>& matches,
                            const Eigen::Vector3d& reference, const LocalPlane& plane,
-                           const Eigen::Matrix<double, 3, 2>& basis) {
+                           const Eigen::Matrix<double, 3, 2>& basis,
+                           const PlaneFitOptions& options) {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   for (const Correspondence& match : matches) {
@@ -57,9 +60,8 @@ Eigen::Vector3d solve_step(const PointCloud& cloud, const std::vector<Correspond
     hessian += jacobian * jacobian.transpose();
     gradient += residual * jacobian;
   }
-  // Rotations and shifts that the matches leave open (a flat face slid in its own plane) stay
-  // small.
-  hessian.diagonal() += static_cast<double>(matches.size()) * Eigen::Vector3d(1e-5, 1e-5, 1e-3);
+  hessian.diagonal() += static_cast<double>(matches.size()) *
+                        Eigen::Vector3d(options.turn_damping, options.turn_damping, shift_damping);
   return hessian.ldlt().solve(-gradient);
 }
 
@@ -146,7 +148,7 @@ PlaneFit fit_plane(const IndexedCloud& target, std::span<const Index> sources,
       break;
     }
     const Eigen::Matrix<double, 3, 2> basis = orthonormal_complement(plane.normal);
-    const Eigen::Vector3d step = solve_step(cloud, matches, reference, plane, basis);
+    const Eigen::Vector3d step = solve_step(cloud, matches, reference, plane, basis, options);
     if (!step.allFinite()) {
       fit.status = FitStatus::degenerate;
       break;

@@ -11,9 +11,10 @@
 namespace symscene {
 namespace {
 
-/// The point nearest to the lines of all normals: Σ (I − n nᵀ)(p − c) = 0.
+/// The point nearest to the lines of all normals: Σ (I − n nᵀ)(p − c) = 0. Where these are parallel
+/// it is near the centroid of the points, wherever they are.
 Eigen::Vector3d meeting_point_of_normals(const PointCloud& cloud) {
-  NearestPoint meeting(Eigen::Vector3d::Zero(), 1e-9);
+  NearestPoint meeting(centroid(cloud.positions), 1e-9);
   for (Index i = 0; i < cloud.size(); ++i)
     meeting.add_line(cloud.position(i).cast<double>(), cloud.normal(i).cast<double>());
   return meeting.solve();

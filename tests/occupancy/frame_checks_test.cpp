@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "similarity.hpp"
 #include "surfaces.hpp"
 #include "symscene/occupancy/outward_vote.hpp"
 
@@ -10,6 +11,7 @@ namespace {
 
 const Plane table{Eigen::Vector3d::UnitZ(), 0.0};
 const Plane flipped{-Eigen::Vector3d::UnitZ(), 0.0};
+constexpr double tolerance = 0.02;  // [m]
 
 /// Free space above z = 0, never-seen space below.
 DistanceField half_space() {
@@ -23,12 +25,12 @@ DistanceField half_space() {
 
 TEST(FrameWarnings, AreNoneForAVaseOnATable) {
   const PointCloud vase = testing::vase();
-  EXPECT_TRUE(frame_warnings(vase.positions, testing::all_seen(vase), table).empty());
+  EXPECT_TRUE(frame_warnings(vase.positions, testing::all_seen(vase), table, tolerance).empty());
 }
 
 TEST(FrameWarnings, NameATableWhoseNormalPointsDown) {
   const PointCloud vase = testing::vase();
-  const auto warnings = frame_warnings(vase.positions, testing::all_seen(vase), flipped);
+  const auto warnings = frame_warnings(vase.positions, testing::all_seen(vase), flipped, tolerance);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("below the table"), std::string::npos);
 }
@@ -37,11 +39,26 @@ TEST(FrameWarnings, NameAnOccupancyMapThatIsFreeWhereMostPointsAre) {
   const DistanceField field = half_space();
   Points points = Points::Constant(10, 3, -0.05F);
   points.col(2).head(5).setConstant(0.05F);
-  EXPECT_TRUE(frame_warnings(points, field, std::nullopt).empty()) << "half of them";
+  EXPECT_TRUE(frame_warnings(points, field, std::nullopt, tolerance).empty()) << "half of them";
   points(5, 2) = 0.05F;
-  const auto warnings = frame_warnings(points, field, std::nullopt);
+  const auto warnings = frame_warnings(points, field, std::nullopt, tolerance);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("free space"), std::string::npos);
+}
+
+TEST(FrameWarnings, AreThoseOfAScaledScene) {
+  const PointCloud vase = testing::vase();
+  for (const double scale : testing::scales) {
+    const PointCloud scaled = testing::scaling_by(scale)(vase);
+    const DistanceField field = testing::all_seen(scaled, scale);
+    for (const double depth : {0.13, 0.15}) {  // half of the points are below or not
+      const Plane raised{Eigen::Vector3d::UnitZ(), -depth};
+      EXPECT_EQ(frame_warnings(scaled.positions, field, testing::scaling_by(scale)(raised),
+                               scale * tolerance),
+                frame_warnings(vase.positions, testing::all_seen(vase), raised, tolerance))
+          << "scale " << scale << ", depth " << depth;
+    }
+  }
 }
 
 TEST(OccupancyGrid, IsUnobservedUnlessAVoxelIsFreeOrOccupied) {

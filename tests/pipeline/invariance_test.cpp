@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "scaled_models.hpp"
+#include "scaled_options.hpp"
+#include "similarity.hpp"
 #include "surfaces.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/pipeline/pipeline.hpp"
@@ -141,15 +144,117 @@ void expect_same_objects(const std::vector<PointIndices>& masks,
         << "motion " << motion << ", object " << k;
 }
 
-TEST(Invariance, ObjectsMoveWithTheScene) {
+/// The object whose mask overlaps most with `mask`.
+std::size_t most_overlapping(const PointIndices& mask, const std::vector<PointIndices>& others) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < others.size(); ++k) {
+    if (intersection_over_union(mask, others[k]) > intersection_over_union(mask, others[best]))
+      best = k;
+  }
+  return best;
+}
+
+/// Symmetries are fitted to points that are sampled on voxels of 5 mm, which do not move.
+const double same_symmetry_angle = radians(2.0);
+constexpr double same_symmetry_distance = 0.003;  // [m]
+
+void expect_moved_symmetries(const SceneObject& object, const SceneObject& moved,
+                             const testing::Similarity& moved_by) {
+  const Eigen::Vector3d here = moved_by.point(*object.centroid);
+  EXPECT_LT((*moved.centroid - here).norm(), same_symmetry_distance);
+  EXPECT_TRUE(testing::are_the_same(testing::axes_of(moved.rotational),
+                                    moved_by(testing::axes_of(object.rotational)), here,
+                                    same_symmetry_angle, same_symmetry_distance))
+      << moved.rotational.size() << " axes of " << object.rotational.size();
+  EXPECT_TRUE(testing::are_the_same(testing::planes_of(moved.reflectional),
+                                    moved_by(testing::planes_of(object.reflectional)), here,
+                                    same_symmetry_angle, same_symmetry_distance))
+      << moved.reflectional.size() << " planes of " << object.reflectional.size();
+  EXPECT_EQ(moved.symmetry_class->kind, object.symmetry_class->kind);
+}
+
+TEST(Invariance, ObjectsAndTheirSymmetriesMoveWithTheScene) {
   const Scene scene = scene_in_frame(Eigen::Isometry3d::Identity());
-  const std::vector<PointIndices> masks = dense_masks(scene, segment_scene(scene));
+  const SegmentationResult result = segment_scene(scene);
+  const std::vector<PointIndices> masks = dense_masks(scene, result);
   ASSERT_EQ(masks.size(), solids().size());
   std::mt19937 generator(5);
   for (int motion = 0; motion < 3; ++motion) {
-    const Scene moved = scene_in_frame(testing::random_motion(generator));
-    expect_same_objects(masks, dense_masks(moved, segment_scene(moved)), motion);
+    const testing::Similarity moved_by{testing::random_motion(generator)};
+    const Scene moved = scene_in_frame(moved_by.motion);
+    const SegmentationResult moved_result = segment_scene(moved);
+    const std::vector<PointIndices> moved_masks = dense_masks(moved, moved_result);
+    expect_same_objects(masks, moved_masks, motion);
+    for (std::size_t k = 0; k < masks.size(); ++k) {
+      SCOPED_TRACE("motion " + std::to_string(motion) + ", object " + std::to_string(k));
+      expect_moved_symmetries(result.objects[k],
+                              moved_result.objects[most_overlapping(masks[k], moved_masks)],
+                              moved_by);
+    }
   }
+}
+
+/// The options for a scene that is scaled: all their lengths, and those that the models compare.
+PipelineOptions options_at(double scale) {
+  PipelineOptions options = testing::scaled_lengths(PipelineOptions{}, scale);
+  options.models.axis = testing::scaled_axis_model(scale);
+  options.models.plane = testing::scaled_plane_model(scale);
+  return options;
+}
+
+Scene scaled_scene(Scene scene, double scale) {
+  const testing::Similarity scaled_by = testing::scaling_by(scale);
+  scene.cloud = scaled_by(scene.cloud);
+  scene.occupancy->resolution *= scale;
+  scene.table = scaled_by(*scene.table);
+  return scene;
+}
+
+void expect_scaled_object(const SceneObject& object, const SceneObject& scaled, double scale) {
+  const double length = testing::rounding * scale;
+  EXPECT_EQ(scaled.points, object.points);
+  EXPECT_NEAR(*scaled.score, *object.score, testing::rounding);
+  const testing::Similarity scaled_by = testing::scaling_by(scale);
+  const Eigen::Vector3d here = scaled_by.point(*object.centroid);
+  EXPECT_LT((*scaled.centroid - here).norm(), length);
+  EXPECT_TRUE(testing::are_the_same(testing::axes_of(scaled.rotational),
+                                    scaled_by(testing::axes_of(object.rotational)), here,
+                                    testing::rounding, length));
+  EXPECT_TRUE(testing::are_the_same(testing::planes_of(scaled.reflectional),
+                                    scaled_by(testing::planes_of(object.reflectional)), here,
+                                    testing::rounding, length));
+  EXPECT_EQ(scaled.symmetry_class->kind, object.symmetry_class->kind);
+  EXPECT_LT((scaled.box->size - scale * object.box->size).norm(), length);
+  EXPECT_NEAR(scaled.solid->volume / (scale * scale * scale), object.solid->volume,
+              testing::rounding * object.solid->volume);
+}
+
+TEST(Invariance, ObjectsScaleWithTheSceneAndAllLengthsOfTheOptions) {
+  Eigen::Isometry3d T_frame_world = Eigen::Isometry3d::Identity();
+  T_frame_world.translation() = Eigen::Vector3d(0.3, -0.2, 0.4);
+  const Scene scene = scene_in_frame(T_frame_world);
+  const SegmentationResult result = segment_scene(scene);
+  ASSERT_EQ(result.objects.size(), solids().size());
+  for (const double scale : testing::scales) {
+    const SegmentationResult scaled = segment_scene(scaled_scene(scene, scale), options_at(scale));
+    ASSERT_EQ(scaled.objects.size(), result.objects.size()) << "scale " << scale;
+    for (std::size_t k = 0; k < result.objects.size(); ++k) {
+      SCOPED_TRACE("scale " + std::to_string(scale) + ", object " + std::to_string(k));
+      expect_scaled_object(result.objects[k], scaled.objects[k], scale);
+    }
+  }
+}
+
+TEST(ScaledOptions, AreLengthsAloneInEveryStage) {
+  const PipelineOptions before;
+  const PipelineOptions options = testing::scaled_lengths(before, 2.0);
+  EXPECT_EQ(options.voxel_size, 2.0 * before.voxel_size);
+  EXPECT_EQ(options.reflectional_detection.fit.matching.max_distance,
+            2.0 * before.reflectional_detection.fit.matching.max_distance);
+  EXPECT_EQ(options.reflectional_detection.fit.matching.max_angle,
+            before.reflectional_detection.fit.matching.max_angle);
+  EXPECT_EQ(options.stray_neighbors, before.stray_neighbors);
+  EXPECT_NO_THROW(options.validate());
 }
 
 TEST(Invariance, TheOrderOfThePointsDoesNotMatter) {

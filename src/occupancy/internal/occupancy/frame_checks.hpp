@@ -13,8 +13,9 @@ namespace symscene {
 bool is_unobserved(const OccupancyGrid& grid);
 
 /// Warnings (one sentence each) if the cloud, the table and the occupancy are likely in different
-/// frames: more than half of the points (N×3, world frame) lie below the table or in free space.
+/// frames: more than half of the points (N×3, world frame) lie farther than `tolerance` [m] below
+/// the table or inside free space.
 std::vector<std::string> frame_warnings(const Points& points, const DistanceField& field,
-                                        const std::optional<Plane>& table);
+                                        const std::optional<Plane>& table, double tolerance);
 
 }  // namespace symscene

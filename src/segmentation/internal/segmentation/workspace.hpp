@@ -36,7 +36,8 @@ struct WorkspaceOptions {
   double voxel_size = 0.0;    ///< [m]
   double stray_radius = 0.0;  ///< [m]
   int stray_neighbors = 0;
-  double space_margin = 0.0;  ///< [m]
+  double space_margin = 0.0;     ///< [m]
+  double frame_tolerance = 0.0;  ///< [m]
   NormalEstimationOptions normals;
   OutwardVoteOptions outward_vote;
   DistanceFieldOptions distance_field;

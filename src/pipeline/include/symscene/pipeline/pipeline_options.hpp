@@ -27,6 +27,7 @@ struct PipelineOptions {
   double stray_radius = 0.02;
   int stray_neighbors = 3;
   double space_margin = 0.15;
+  double frame_tolerance = 0.02;
   double min_removal_confidence = 0.6;
   bool rotational_stream = true;
   bool planes_of_surfaces = true;
@@ -67,6 +68,10 @@ struct PipelineOptions {
           "a point with fewer others within stray_radius is left out as stray (section 2.1.1)");
     visit("space_margin", self.space_margin, "m", between(0.0, 10.0),
           "margin around the cloud within which free space is read (section 2.1.2)");
+    visit(
+        "frame_tolerance", self.frame_tolerance, "m", at_least(0.0),
+        "a warning tells that the cloud may be in another frame if most of its points are farther "
+        "below the table or inside free space");
     visit("min_removal_confidence", self.min_removal_confidence, "", between(0.0, 1.0),
           "a rotational hypothesis of lower confidence leaves its points to the reflectional "
           "stream too (section 4.4)");

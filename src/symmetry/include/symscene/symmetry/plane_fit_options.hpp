@@ -37,6 +37,7 @@ struct PlaneFitOptions {
   int max_iterations = 20;
   double angle_tolerance = radians(0.05);
   double distance_tolerance = 1e-4;
+  double turn_damping = 1e-5;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -49,6 +50,9 @@ struct PlaneFitOptions {
     visit("distance_tolerance", self.distance_tolerance, "m", above(0.0),
           "the fit ends when a step moves the plane by less and turns it by less than "
           "angle_tolerance");
+    visit("turn_damping", self.turn_damping, "m^2", above(0.0),
+          "added per match to the normal equations of turns: those that the matches leave open "
+          "stay small (Eq. 3.7)");
   }
   void validate() const { check_fields(*this); }
 };
