@@ -8,7 +8,8 @@ import { gainShare } from '../views.js';
 
 const DEPTH = 0.07; // of a pyramid [m]
 
-function corners({ position, right, down, forward }, [halfWidth, halfHeight]) {
+/** The corners of a view's image, `DEPTH` before its camera. */
+export function viewCorners({ position, right, down, forward }, [halfWidth, halfHeight]) {
   const at = (x, y) => add(add(position, scale(forward, DEPTH)),
     add(scale(right, x * halfWidth * DEPTH), scale(down, y * halfHeight * DEPTH)));
   return [at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)];
@@ -19,7 +20,7 @@ class Pyramid {
     const color = css(qualityColor(share));
     this.line = new LineMaterial({ linewidth: 1 + 1.5 * share, transparent: true, depthWrite: false, color });
     this.sheet = new THREE.MeshBasicMaterial({ transparent: true, side: THREE.DoubleSide, depthWrite: false, color });
-    const frame = corners(camera, halfSize);
+    const frame = viewCorners(camera, halfSize);
     const edges = [...closed(frame), ...frame.map((corner) => [camera.position, corner])];
     this.object = group(segments(edges, this.line, 3), quadrilateral(frame, this.sheet, 2));
     this.share = share;
