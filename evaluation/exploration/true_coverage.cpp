@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/surface_sampling.hpp"
+#include "symscene/clutter/clutter_world.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
@@ -13,12 +15,6 @@ constexpr float reach = 0.005F;       // within which surface is covered [m]
 constexpr double label_reach = 0.01;  // of a point from the object that it is on [m]
 constexpr double spacing = 0.003;     // of places on surfaces [m]
 constexpr std::size_t places_per_mesh = 2000;
-
-std::vector<TriangleMesh> present_meshes(const ClutterWorld& world) {
-  std::vector<TriangleMesh> meshes;
-  for (const std::size_t item : world.present()) meshes.push_back(world.surface(item));
-  return meshes;
-}
 
 void append(Points& all, const Points& more) {
   const Eigen::Index before = all.rows();
@@ -47,8 +43,8 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
-TrueCoverage::TrueCoverage(const ClutterWorld& world)
-    : meshes_(present_meshes(world)), surface_(meshes_), renderer_(meshes_) {
+TrueCoverage::TrueCoverage(std::vector<TriangleMesh> objects)
+    : meshes_(std::move(objects)), surface_(meshes_), renderer_(meshes_) {
   places_.positions.resize(0, 3);
   places_.normals.resize(0, 3);
   for (Index mesh = 0; mesh < meshes_.size(); ++mesh) {
