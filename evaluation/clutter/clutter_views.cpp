@@ -98,12 +98,6 @@ std::size_t pixels_of(const SensorFrame& frame, Index mesh) {
 
 }  // namespace
 
-std::vector<TriangleMesh> present_surfaces(const ClutterWorld& world) {
-  std::vector<TriangleMesh> meshes;
-  for (const std::size_t item : world.present()) meshes.push_back(world.surface(item));
-  return meshes;
-}
-
 DepthRenderer table_renderer(std::vector<TriangleMesh> objects) {
   objects.push_back(table_mesh());
   return DepthRenderer(objects);

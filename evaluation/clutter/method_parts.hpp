@@ -3,15 +3,13 @@
 #include <span>
 #include <vector>
 
+#include "clutter/view_rendering.hpp"
 #include "symscene/clutter/clutter_methods.hpp"
 #include "symscene/grasping/planner.hpp"
 
 namespace symscene {
 
 class Random;
-
-/// The surfaces of the items that are present.
-std::vector<TriangleMesh> present_surfaces(const ClutterWorld& world);
 
 /// Poses whose fingertips enclose a random point of the surface, approached from above or the side
 /// from a random direction.
