@@ -26,6 +26,7 @@
   SUBCOMMAND(simulate)                              \
   SUBCOMMAND(pick)
 #define SYMSCENE_EVALUATION_SUBCOMMANDS(SUBCOMMAND) \
+  SUBCOMMAND(explore)                               \
   SUBCOMMAND(dataset)                               \
   SUBCOMMAND(evaluate)
 

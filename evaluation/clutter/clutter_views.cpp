@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "clutter/view_rendering.hpp"
 #include "core/looking_at.hpp"
 #include "core/random.hpp"
-#include "simulation/depth_renderer.hpp"
 
 namespace symscene {
 namespace {
@@ -88,14 +88,19 @@ class Grain {
   Eigen::MatrixXd values_;
 };
 
-std::vector<TriangleMesh> world_meshes(const ClutterWorld& world) {
-  std::vector<TriangleMesh> meshes = world.surfaces();
-  meshes.push_back(table_mesh());
-  return meshes;
+std::size_t pixels_of(const SensorFrame& frame, Index mesh) {
+  return static_cast<std::size_t>(std::count(frame.objects.begin(), frame.objects.end(), mesh));
 }
 
-ClutterView view_of(const DepthRenderer& renderer, const Eigen::Isometry3d& T_world_camera,
-                    const ClutterNoiseOptions& options, const Random& noise) {
+}  // namespace
+
+DepthRenderer table_renderer(std::vector<TriangleMesh> objects) {
+  objects.push_back(table_mesh());
+  return DepthRenderer(objects);
+}
+
+ClutterView noisy_view(const DepthRenderer& renderer, const Eigen::Isometry3d& T_world_camera,
+                       const ClutterNoiseOptions& options, const Random& noise) {
   const CameraIntrinsics camera = clutter_camera();
   std::vector<float> depth = renderer.render(camera, T_world_camera).depth;
   for (float& pixel : depth) {
@@ -103,12 +108,6 @@ ClutterView view_of(const DepthRenderer& renderer, const Eigen::Isometry3d& T_wo
   }
   return {{0.0, with_clutter_noise(depth, camera, options, noise), {}}, T_world_camera};
 }
-
-std::size_t pixels_of(const SensorFrame& frame, Index mesh) {
-  return static_cast<std::size_t>(std::count(frame.objects.begin(), frame.objects.end(), mesh));
-}
-
-}  // namespace
 
 CameraIntrinsics clutter_camera() { return {640, 480, 540.0, 540.0, 320.0, 240.0}; }
 
@@ -143,15 +142,15 @@ std::vector<float> with_clutter_noise(const std::vector<float>& depth,
 
 ClutterView clutter_view(const ClutterWorld& world, const Eigen::Isometry3d& T_world_camera,
                          const ClutterNoiseOptions& options, const Random& noise) {
-  return view_of(DepthRenderer(world_meshes(world)), T_world_camera, options, noise);
+  return noisy_view(table_renderer(world.surfaces()), T_world_camera, options, noise);
 }
 
 std::vector<ClutterView> clutter_views(const ClutterWorld& world, int views,
                                        const ClutterNoiseOptions& options, std::uint64_t seed) {
-  const DepthRenderer renderer(world_meshes(world));
+  const DepthRenderer renderer = table_renderer(world.surfaces());
   std::vector<ClutterView> result;
   for (const Eigen::Isometry3d& pose : clutter_view_poses(views))
-    result.push_back(view_of(renderer, pose, options, Random(seed, result.size())));
+    result.push_back(noisy_view(renderer, pose, options, Random(seed, result.size())));
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "clutter/view_rendering.hpp"
 #include "symscene/clutter/clutter_methods.hpp"
 #include "symscene/grasping/planner.hpp"
 

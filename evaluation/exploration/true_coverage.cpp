@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/surface_sampling.hpp"
+#include "symscene/clutter/clutter_world.hpp"
 #include "symscene/core/neighbors.hpp"
 
 namespace symscene {
@@ -33,8 +35,8 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
-TrueCoverage::TrueCoverage(const ClutterWorld& world)
-    : meshes_(world.surfaces()), surface_(meshes_), renderer_(meshes_) {
+TrueCoverage::TrueCoverage(std::vector<TriangleMesh> objects)
+    : meshes_(std::move(objects)), surface_(meshes_), renderer_(meshes_) {
   places_.positions.resize(0, 3);
   places_.normals.resize(0, 3);
   for (Index mesh = 0; mesh < meshes_.size(); ++mesh) {

@@ -5,16 +5,16 @@
 
 #include "simulation/depth_renderer.hpp"
 #include "simulation/true_surface.hpp"
-#include "symscene/clutter/clutter_world.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
 
 namespace symscene {
 
-/// The true surfaces of a clutter world, and how much of them is known.
+/// The true surfaces of objects on the table of the clutter benchmark, and how much of them is
+/// known. World frame of the benchmark.
 class TrueCoverage {
  public:
-  explicit TrueCoverage(const ClutterWorld& world);
+  explicit TrueCoverage(std::vector<TriangleMesh> objects);
 
   /// Per object: the share of its surface that is near one of the points.
   std::vector<double> shares(const Points& points) const;

@@ -1,7 +1,8 @@
 #include "view_chooser.hpp"
 
 #include <algorithm>
-#include <array>
+#include <limits>
+#include <utility>
 
 #include "core/parallel.hpp"
 #include "symscene/clutter/clutter_views.hpp"
@@ -15,44 +16,37 @@ ViewChooser::ViewChooser(ExplorationPolicy policy, std::span<const Eigen::Isomet
       first_(first),
       options_(options),
       random_(random),
-      visited_(candidates.size(), 0) {
-  visited_[first] = 1;
+      visited_(candidates.size(), 0) {}
+
+ViewChoice ViewChooser::next(const ExploredScene& known) {
+  if (std::find(visited_.begin(), visited_.end(), 0) == visited_.end()) return {};
+  NextViews views;
+  if (const auto policy = ranking_policy(policy_)) views = ranked(known, *policy);
+  const std::size_t view = chosen(known, views);
+  return {view, std::move(views)};
 }
 
-std::optional<std::size_t> ViewChooser::next(const ExploredScene& known) {
-  if (std::find(visited_.begin(), visited_.end(), 0) == visited_.end()) return std::nullopt;
-  const std::size_t view = chosen(known);
-  visited_[view] = 1;
-  return view;
+NextViews ViewChooser::ranked(const ExploredScene& known, ViewPolicy policy) const {
+  if (!known.scene.occupancy || known.result.cloud.empty()) return {};
+  std::vector<double> costs(visited_.size(), 0.0);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    if (visited_[i] != 0) costs[i] = std::numeric_limits<double>::infinity();
+  }
+  return rank_views({known.result, &*known.scene.occupancy}, clutter_camera(), candidates_,
+                    options_, policy, costs);
 }
 
-std::size_t ViewChooser::chosen(const ExploredScene& known) {
+/// Where nothing is known yet, a policy that ranks goes along the arc.
+std::size_t ViewChooser::chosen(const ExploredScene& known, const NextViews& views) {
+  if (!views.ranked.empty()) return views.ranked.front().candidate;
   switch (policy_) {
-    case ExplorationPolicy::symmetry:
-      return ranked(known, ViewPolicy::symmetry);
-    case ExplorationPolicy::unknown_voxels:
-      return ranked(known, ViewPolicy::unknown_voxels);
-    case ExplorationPolicy::rear_side_voxels:
-      return ranked(known, ViewPolicy::rear_side_voxels);
-    case ExplorationPolicy::fixed_arc:
-      return along_arc();
     case ExplorationPolicy::random:
       return drawn();
     case ExplorationPolicy::oracle:
-      break;
+      return most_unseen(known);
+    default:
+      return along_arc();
   }
-  return most_unseen(known);
-}
-
-/// Where nothing is known yet, the arc goes on.
-std::size_t ViewChooser::ranked(const ExploredScene& known, ViewPolicy policy) const {
-  if (!known.scene.occupancy || known.result.cloud.empty()) return along_arc();
-  const NextViews views = rank_views({known.result, &*known.scene.occupancy}, clutter_camera(),
-                                     candidates_, options_, policy);
-  for (const RankedView& view : views.ranked) {
-    if (visited_[view.candidate] == 0) return view.candidate;
-  }
-  return along_arc();
 }
 
 std::size_t ViewChooser::along_arc() const {

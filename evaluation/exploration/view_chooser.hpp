@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,20 +17,30 @@ struct ExploredScene {
   const TrueCoverage& truth;  ///< for the oracle only
 };
 
+/// The view to take next.
+struct ViewChoice {
+  std::optional<std::size_t> candidate;  ///< none if all were visited
+  NextViews views = {};  ///< that it was chosen from; empty if the policy ranks none
+};
+
 /// Chooses one view after the other, none twice.
 class ViewChooser {
  public:
-  /// The candidates must outlive it. `first` was looked from; the fixed arc goes on from there in
-  /// the order of the candidates.
+  /// The candidates must outlive it. The fixed arc starts at `first` and goes on in the order of
+  /// the candidates.
   ViewChooser(ExplorationPolicy policy, std::span<const Eigen::Isometry3d> candidates,
               std::size_t first, const NextViewOptions& options, Random random);
 
-  /// The next candidate, or none if all were chosen.
-  std::optional<std::size_t> next(const ExploredScene& known);
+  /// Must be called with every view that is taken.
+  void visit(std::size_t candidate) { visited_[candidate] = 1; }
+  ViewChoice next(const ExploredScene& known);
+  ExplorationPolicy policy() const { return policy_; }
+
+  /// The candidates that were not visited, ranked. Empty, and not enough, where nothing is known.
+  NextViews ranked(const ExploredScene& known, ViewPolicy policy) const;
 
  private:
-  std::size_t chosen(const ExploredScene& known);
-  std::size_t ranked(const ExploredScene& known, ViewPolicy policy) const;
+  std::size_t chosen(const ExploredScene& known, const NextViews& views);
   std::size_t along_arc() const;
   std::size_t drawn();
   std::size_t most_unseen(const ExploredScene& known) const;

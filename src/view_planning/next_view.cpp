@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -149,10 +150,11 @@ NextViews rank_views(const KnownScene& scene, const CameraIntrinsics& camera,
   require_consistent(scene.result);
   require_near(candidates, scene.result.cloud);
   const ViewSpace space = timer.time("space", [&] { return ViewSpace(scene, options); });
-  const ViewPlaces places =
-      timer.time("places", [&] { return view_places(scene, space, options); });
+  ViewPlaces places = timer.time("places", [&] { return view_places(scene, space, options); });
   views.inferred_area = places.inferred_area;
   views.object_area = places.object_area;
+  views.unknown_area = places.unknown_area;
+  views.areas = std::move(places.areas);
   timer.time("gains", [&] {
     parallel_for_each(views.ranked.size(), [&](std::size_t k) {
       RankedView& view = views.ranked[k];

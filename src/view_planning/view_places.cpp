@@ -87,8 +87,9 @@ class PlaceFinder {
       return surface.observed[static_cast<std::size_t>(t)] == 0 && is_visible(t);
     }));
     areas_.push_back(surface_area(parts_.back()));
-    places_.object_area += surface_area(part_of(surface.mesh, is_visible));
-    places_.inferred_area += areas_.back();
+    places_.areas.push_back({areas_.back(), surface_area(part_of(surface.mesh, is_visible))});
+    places_.object_area += places_.areas.back().all;
+    places_.inferred_area += places_.areas.back().inferred;
   }
 
   float offset() const { return off_surface * space_.grid().frame.resolution; }
@@ -171,6 +172,7 @@ class PlaceFinder {
       if (is_border(i)) border.push_back(i);
     }
     const double edge = grid.frame.resolution;
+    places_.unknown_area = edge * edge * static_cast<double>(border.size());
     const Index kept = static_cast<Index>(options_.samples);
     const double each =
         edge * edge * std::max(1.0, static_cast<double>(border.size()) / static_cast<double>(kept));

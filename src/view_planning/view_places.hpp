@@ -16,8 +16,10 @@ struct ViewPlace {
 /// The places that views are compared by.
 struct ViewPlaces {
   std::vector<ViewPlace> inferred, disputed, unknown;
-  double inferred_area = 0.0;  ///< unweighted [m²]
-  double object_area = 0.0;    ///< of the objects' surfaces [m²]
+  double inferred_area = 0.0;          ///< unweighted [m²]
+  double object_area = 0.0;            ///< of the objects' surfaces [m²]
+  double unknown_area = 0.0;           ///< of the border, unweighted [m²]
+  std::vector<ObjectArea> areas = {};  ///< per object, if the result has surfaces
 };
 
 /// About `samples` places of each kind at most.

@@ -111,6 +111,20 @@ TEST(RankViews, IsEnoughWhereAllIsSeen) {
   EXPECT_EQ(views.inferred_area, 0.0);
 }
 
+TEST(RankViews, TellsPerObjectWhatIsInferredOfItsSurface) {
+  SegmentationResult result;
+  add_box(result, 0.0, 0.0, {-Eigen::Vector3f::UnitX()});
+  add_box(result, 0.3, 0.0, {});
+  const NextViews views = rank_views({result, &unseen}, camera(), four_sides());
+  ASSERT_EQ(views.areas.size(), 2U);
+  // Sides of 10 cm; nothing is known to be a table, so that all six count.
+  EXPECT_NEAR(views.areas[0].inferred, 0.05, 1e-4);
+  EXPECT_NEAR(views.areas[0].all, 0.06, 1e-4);
+  EXPECT_NEAR(views.areas[1].inferred, 0.06, 1e-4);
+  EXPECT_DOUBLE_EQ(views.areas[0].inferred + views.areas[1].inferred, views.inferred_area);
+  EXPECT_DOUBLE_EQ(views.areas[0].all + views.areas[1].all, views.object_area);
+}
+
 TEST(RankViews, WeighsCosts) {
   SegmentationResult result;
   add_box(result, 0.0, 0.0, {-Eigen::Vector3f::UnitX()});

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <vector>
 
+#include "explored_box.hpp"
 #include "planned_run.hpp"
 #include "symscene/viewer/page.hpp"
 
@@ -94,7 +95,7 @@ symscene::PageGrasps grasps_of(const symscene::SegmentationResult& cans) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 2;
+  if (argc != 5) return 2;
   symscene::SegmentationResult result;
   for (const float x : {-0.12F, 0.0F, 0.12F}) add_can(result, x);
   result.timings.push_back({"rotational", 0.02});
@@ -107,4 +108,6 @@ int main(int argc, char** argv) {
   symscene::write_run_page(argv[2], symscene::carried_box(), "One box");
   std::ofstream(argv[3], std::ios::binary)
       << symscene::render_plan_page(symscene::planned_box(), "A plan");
+  std::ofstream(argv[4], std::ios::binary)
+      << symscene::render_exploration_page(symscene::explored_box(), "One box");
 }

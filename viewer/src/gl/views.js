@@ -6,7 +6,7 @@ import { pyramid } from './pyramid.js';
 import { css, qualityColor } from '../palette.js';
 import { gainShare } from '../views.js';
 
-const DEPTH = 0.07; // of a pyramid [m]
+export const DEPTH = 0.07; // of a pyramid [m]
 
 class Pyramid {
   constructor({ camera }, share, halfSize) {

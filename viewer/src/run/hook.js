@@ -33,6 +33,7 @@ export function createHook(recording, { view, store, actions, currentEvent, reco
     get belief() { return recording.beliefAt(store.get().time); },
     get recording() { return recorder.media !== null; },
     get grasp() { return store.get().grasp; },
+    get candidate() { return store.get().candidate; },
     get map() { return store.get().map; },
     get frames() { return view.frames; },
     get tags() { return view.tags.shown.map(({ text }) => text); },

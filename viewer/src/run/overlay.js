@@ -2,12 +2,14 @@
 import { h, setPressed } from '../dom.js';
 import { icon } from '../icons.js';
 import { createViews } from '../toolbar.js';
+import { knownText } from './explore.js';
 import { viewsOf } from './state.js';
 import { clock, progress } from './words.js';
 
-const CHOICES = [['both', 'Both'], ['true', 'True'], ['believed', 'Believed']];
+const choicesOf = ({ exploration }) => [['both', 'Both'], ['true', 'True'], ['believed', exploration ? 'Known' : 'Believed']];
 
-export function beliefText({ beliefTimes, beliefAt, believed }, time) {
+export function beliefText({ beliefTimes, beliefAt, believed, exploration }, time) {
+  if (exploration) return knownText(exploration, time);
   const index = beliefAt(time);
   if (index < 0) return 'before the first look';
   const count = believed(index).length;
@@ -18,7 +20,7 @@ export function createCaptions(recording, store) {
   const details = { true: h('small'), believed: h('small') };
   const captions = {
     true: h('h2', { class: 'caption' }, recording.plan ? 'Planned motion' : 'True scene', details.true),
-    believed: h('h2', { class: 'caption' }, 'What the robot believes', details.believed),
+    believed: h('h2', { class: 'caption' }, recording.exploration ? 'What is known' : 'What the robot believes', details.believed),
   };
   const write = (side, text) => { if (details[side].textContent !== text) details[side].textContent = text; };
   store.subscribe(({ time, views }) => {
@@ -30,7 +32,7 @@ export function createCaptions(recording, store) {
 }
 
 function createChoice(recording, { store, actions }) {
-  const buttons = CHOICES.map(([views, text]) => h('button', {
+  const buttons = choicesOf(recording).map(([views, text]) => h('button', {
     type: 'button', 'data-views': views, title: `${text === 'Both' ? 'Both views' : `${text} scene`} (B)`, onclick: () => actions.setViews(views),
   }, text));
   const labels = h('button', { type: 'button', class: 'labels-toggle', 'aria-label': 'Names', title: 'Names of objects (L)', onclick: actions.toggleLabels }, icon('labels'));

@@ -1,5 +1,6 @@
 // The panel beside the views: summary, events, what was left, help.
 import { h } from '../dom.js';
+import { createExplorationSections } from './explore_panel.js';
 import { keyHelp } from './keyboard.js';
 import { createPlanSections } from './plan_panel.js';
 import { OUTCOMES, clock, outcomeMark, summary } from './words.js';
@@ -42,11 +43,18 @@ function createHelp(recording) {
       'Ticks on the slider are looks.'));
 }
 
+function createSections(recording, player) {
+  if (recording.exploration) return createExplorationSections(recording, player);
+  return recording.plan ? createPlanSections(recording.plan, player) : createLeft(recording);
+}
+
+const nameOf = ({ plan, exploration }) => (exploration ? 'The exploration' : (plan ? 'The plan' : 'The run'));
+
 export function createPanel(recording, player) {
-  return h('aside', { class: 'panel', 'aria-label': recording.plan ? 'The plan' : 'The run' },
+  return h('aside', { class: 'panel', 'aria-label': nameOf(recording) },
     h('header', {}, h('h1', {}, recording.title || 'Run'), h('p', { class: 'stats' }, summary(recording))),
     h('div', { class: 'scroll', tabindex: '-1' },
-      recording.plan ? createPlanSections(recording.plan, player) : createLeft(recording),
+      createSections(recording, player),
       h('div', { class: 'section-head' }, h('h2', {}, 'Events'), h('span', { class: 'aside' }, String(recording.events.length))),
       createEvents(recording, player), createHelp(recording)));
 }

@@ -1,5 +1,6 @@
 // Decodes the payload of a run. Frame of the table: z up, metres and seconds.
 import { decodeAs, decodeSurface } from '../payload.js';
+import { decodeExploration } from './explore.js';
 import { decodePlan } from './plan.js';
 import { decodeTrack, lastNotAfter, poseAt } from './track.js';
 
@@ -66,6 +67,7 @@ export function decodeRecording(payload) {
     events: payload.events,
     left: payload.left,
     plan: decodePlan(payload.plan),
+    exploration: decodeExploration(payload.exploration),
     beliefTimes,
     /** The index of the belief at a time; −1 before the first. */
     beliefAt: (time) => lastNotAfter(beliefTimes, time),

@@ -13,6 +13,7 @@ export const initialState = (recording) => ({
   time: recording.begin, playing: false, speed: 1, views: viewsOf(recording)[0], labels: true,
   map: 'above', // of reach
   grasp: null, // the index of the chosen one of a plan
+  candidate: null, // the number of the chosen view of an exploration
 });
 
 export function createPlayerState(recording) {
@@ -53,6 +54,7 @@ export function createPlayerState(recording) {
     setViews: (views) => { if (viewsOf(recording).includes(views)) store.set({ views }); },
     setMap: (map) => store.set({ map }),
     toggleGrasp: (index) => store.set({ grasp: store.get().grasp === index ? null : index }),
+    toggleCandidate: (candidate) => store.set({ candidate: store.get().candidate === candidate ? null : candidate }),
     toggleLabels: () => store.set({ labels: !store.get().labels }),
   };
   return { store, actions, currentEvent: (time) => lastNotAfter(eventTimes, time) };

@@ -1,6 +1,7 @@
 // Times and outcomes as the page tells them.
 import { svg } from '../dom.js';
 import { plural } from '../format.js';
+import { coverageText, explorationSummary } from './explore.js';
 import { planSummary } from './plan.js';
 
 /** 83.41 → "1:23.4" */
@@ -30,6 +31,7 @@ const picked = ({ objects, left }) => Math.max(0, objects.length - left.length);
 
 /** "2 of 6 picked": until a time. That a whole run succeeded is an event too, which picks no object. */
 export function progress(recording, time) {
+  if (recording.exploration) return coverageText(recording.exploration, time);
   if (recording.plan) return '';
   const successes = numberOf(recording.events.filter((event) => event.time <= time), 'success');
   return `${Math.min(successes, picked(recording))} of ${recording.objects.length} picked`;
@@ -37,6 +39,7 @@ export function progress(recording, time) {
 
 /** "Picked 4 of 6 objects in 83 s · 2 failures" */
 export function summary(recording) {
+  if (recording.exploration) return explorationSummary(recording.exploration);
   if (recording.plan) return planSummary(recording.plan);
   const { objects, events, begin, end } = recording;
   const parts = [`Picked ${picked(recording)} of ${plural(objects.length, 'object')} in ${(end - begin).toFixed(end - begin < 10 ? 1 : 0)} s`];

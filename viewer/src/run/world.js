@@ -1,6 +1,7 @@
 // The scene of both views: what they share, the true objects, and the believed ones.
 import * as THREE from 'three';
 import { Bodies } from './bodies.js';
+import { ExploreMarks } from './explore_marks.js';
 import { frameOf } from './frame.js';
 import { PlanMarks } from './plan_marks.js';
 import { poseAt } from './track.js';
@@ -27,6 +28,11 @@ function createFloor({ center, radius, floor }) {
   return plane;
 }
 
+function createMarks({ plan, exploration }) {
+  if (exploration) return new ExploreMarks(exploration);
+  return plan && new PlanMarks(plan);
+}
+
 export class World {
   constructor(recording) {
     this.recording = recording;
@@ -37,7 +43,7 @@ export class World {
     this.belief = new THREE.Group();
     this.shownBelief = -1;
     const root = new THREE.Group().add(this.shared, this.truth, this.belief);
-    this.marks = recording.plan && new PlanMarks(recording.plan);
+    this.marks = createMarks(recording);
     if (this.marks) root.add(this.marks);
     root.applyMatrix4(this.frame.matrix);
     this.scene = new THREE.Scene().add(root, new THREE.HemisphereLight(0xffffff, 0x8f95a3, 1.5), ...createLamp(this.frame), createFloor(this.frame));
@@ -46,6 +52,7 @@ export class World {
 
   #createSolid(solid) {
     const mesh = this.bodies.solid(solid, this.recording.objects.indexOf(solid));
+    if (this.recording.exploration && solid.kind === 'hand') mesh.castShadow = false; // the camera hangs in the air
     (solid.kind === 'object' ? this.truth : this.shared).add(mesh);
     return { solid, mesh };
   }

@@ -3,33 +3,15 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "symscene/clutter/clutter_rounds.hpp"
 #include "symscene/evaluation/mask_metrics.hpp"
-#include "symscene/view_planning/next_view.hpp"
+#include "symscene/exploration/exploration_policy.hpp"
 
 // Scenes of the clutter benchmark that are looked at one view after the other. The policies by
 // which the next view is chosen are compared on the same scenes with the same noise.
 namespace symscene {
-
-/// By what the next view is chosen.
-enum class ExplorationPolicy : std::uint8_t {
-  symmetry,          ///< ViewPolicy::symmetry
-  unknown_voxels,    ///< ViewPolicy::unknown_voxels
-  rear_side_voxels,  ///< ViewPolicy::rear_side_voxels
-  fixed_arc,         ///< around the scene, always the same way (section 4.6.2 of the thesis)
-  random,
-  oracle  ///< that which shows most of the true surface that was not seen yet
-};
-
-/// The name of a policy in options: "fixed-arc" for fixed_arc.
-const char* to_string(ExplorationPolicy policy);
-/// Throws InputError if no policy has that name.
-ExplorationPolicy parse_exploration_policy(std::string_view name);
-/// All policies.
-std::span<const ExplorationPolicy> exploration_policies();
 
 struct ExplorationOptions {
   ClutterKind kind = ClutterKind::packed;
@@ -57,13 +39,24 @@ struct ExplorationStep {
   DetectionCounts masks;   ///< at an overlap of 0.75
   std::optional<bool> grasped = {};  ///< whether the best grasp of the least visible object held it
   double decision_seconds = 0.0;     ///< of the choice of this view; 0 for the first
+  std::optional<ViewGain> gain = {};  ///< expected of it; none of the first or an unranked one
 };
+
+/// Why no further view was taken.
+enum class ExplorationEnd : std::uint8_t {
+  views,   ///< as many as were asked for
+  enough,  ///< no view is expected to show much more
+  no_view  ///< all candidates were visited
+};
+/// The name of the enumerator with "-" for "_".
+const char* to_string(ExplorationEnd end);
 
 /// One scene, explored by one policy.
 struct Exploration {
   int scene = 0;
   ExplorationPolicy policy = ExplorationPolicy::symmetry;
-  std::vector<ExplorationStep> steps;  ///< fewer than views if physics or sensing gave nothing
+  std::vector<ExplorationStep> steps;
+  ExplorationEnd end = ExplorationEnd::views;
 
   /// Mean over the views of a measure: the area under its curve, between 0 and 1.
   double mean_observed() const;

@@ -40,13 +40,21 @@ struct RankedView {
   ViewGain gain;
 };
 
+/// Of the surface of an object, without what rests on the table. [m²]
+struct ObjectArea {
+  double inferred = 0.0;  ///< not seen yet
+  double all = 0.0;
+};
+
 struct NextViews {
   std::vector<RankedView> ranked;  ///< by descending gain
   /// No view is worth it: the best gain is below min_share, or there is none to rank.
   bool is_enough = false;
-  std::size_t unreachable = 0;  ///< candidates of infinite cost
-  double inferred_area = 0.0;   ///< of the objects' surfaces, not seen yet [m²]
-  double object_area = 0.0;     ///< of the objects' surfaces [m²]
+  std::size_t unreachable = 0;         ///< candidates of infinite cost
+  double inferred_area = 0.0;          ///< of the objects' surfaces, not seen yet [m²]
+  double object_area = 0.0;            ///< of the objects' surfaces [m²]
+  double unknown_area = 0.0;           ///< of the border between free and never seen space [m²]
+  std::vector<ObjectArea> areas = {};  ///< per object; empty if the result has no surfaces
   std::vector<StageTime> timings;
 };
 
