@@ -173,10 +173,7 @@ void add_explore(CommandLine& line) {
   arguments.output_folder(state->shared,
                           "folder to write: exploration.json, page.html, and the last scene and "
                           "result");
-  arguments.threads(state->shared);
-  arguments.reporting(state->shared);
-  arguments.config(state->shared, [state] { return state->configure(); });
-  arguments.run([state] { state->run(); });
+  arguments.run_stages(state);
 }
 
 }  // namespace symscene::app
