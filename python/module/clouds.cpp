@@ -82,11 +82,11 @@ void bind_cloud(py::module_& module) {
         SensorCloud read = read_sensor_cloud(path);
         return CloudHandle{shared(std::move(read.cloud)), read.viewpoint};
       },
-      py::arg("path"));
+      py::arg("path"), py::call_guard<py::gil_scoped_release>());
   module.def(
       "write_cloud",
       [](const fs::path& path, const CloudHandle& cloud) { write_cloud(path, *cloud.cloud); },
-      py::arg("path"), py::arg("cloud"));
+      py::arg("path"), py::arg("cloud"), py::call_guard<py::gil_scoped_release>());
 }
 
 void bind_mesh(py::module_& module) {
@@ -115,11 +115,11 @@ void bind_mesh(py::module_& module) {
       });
   module.def(
       "read_mesh", [](const fs::path& path) { return MeshHandle{shared(read_mesh(path))}; },
-      py::arg("path"));
+      py::arg("path"), py::call_guard<py::gil_scoped_release>());
   module.def(
       "write_mesh",
       [](const fs::path& path, const MeshHandle& mesh) { write_mesh(path, *mesh.mesh); },
-      py::arg("path"), py::arg("mesh"));
+      py::arg("path"), py::arg("mesh"), py::call_guard<py::gil_scoped_release>());
 }
 
 /// The occupancy of a block of voxels: state (x, y, z) is that of the cube that begins at
@@ -177,7 +177,7 @@ void bind_occupancy(py::module_& module) {
   module.def(
       "read_occupancy",
       [](const fs::path& path) { return OccupancyHandle{shared(read_octomap(path))}; },
-      py::arg("path"));
+      py::arg("path"), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace

@@ -92,13 +92,14 @@ void bind_grasps(py::module_& module) {
              py::arg("options"), py::arg("threads"));
   module.def(
       "read_grasps", [](const fs::path& path) { return PlanHandle{shared(read_grasps(path))}; },
-      py::arg("path"), "Read grasps.json.");
+      py::arg("path"), py::call_guard<py::gil_scoped_release>(), "Read grasps.json.");
   module.def(
       "write_grasps",
       [](const fs::path& path, const PlanHandle& plan) {
         write_file_atomically(path, format_grasps_json(plan.file->plan, plan.file->gripper));
       },
-      py::arg("path"), py::arg("plan"), "Write grasps.json.");
+      py::arg("path"), py::arg("plan"), py::call_guard<py::gil_scoped_release>(),
+      "Write grasps.json.");
 }
 
 }  // namespace symscene::python

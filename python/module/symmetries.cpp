@@ -17,18 +17,21 @@ py::array_t<double> rotations_of(const SymmetryGroup& group) {
   return array_of(poses);
 }
 
-SymmetryGroup of_surface(const PointCloud& surface, const std::string& json,
-                         const Running& running) {
+/// Of a mesh or of a cloud.
+template <class Model>
+SymmetryGroup of_whole(const Model& model, const std::string& json, int threads) {
   const auto options = options_from<SymmetryGroupOptions>(json);
-  return running.without_gil([&] { return find_symmetry_group(surface, options); });
+  return Running(py::none(), threads).without_gil([&] {
+    return find_symmetry_group(even_surface(model), options);
+  });
 }
 
 SymmetryGroup of_mesh(const MeshHandle& mesh, const std::string& json, int threads) {
-  return of_surface(even_surface(*mesh.mesh), json, Running(py::none(), threads));
+  return of_whole(*mesh.mesh, json, threads);
 }
 
 SymmetryGroup of_cloud(const CloudHandle& cloud, const std::string& json, int threads) {
-  return of_surface(even_surface(*cloud.cloud), json, Running(py::none(), threads));
+  return of_whole(*cloud.cloud, json, threads);
 }
 
 ObjectSymmetries of_partial(const CloudHandle& cloud, const std::string& json, int threads) {
@@ -102,7 +105,7 @@ void bind_symmetries(py::module_& module) {
   module.def(
       "sampled_surface",
       [](const MeshHandle& mesh) { return CloudHandle{shared(even_surface(*mesh.mesh))}; },
-      py::arg("mesh"));
+      py::arg("mesh"), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace symscene::python

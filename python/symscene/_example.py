@@ -93,7 +93,8 @@ def _render(T_world_camera: Floats, camera: CameraIntrinsics, seed: int) -> NDAr
             depth = _smaller(depth, surface(origin, rays))
     noise = np.random.Generator(np.random.PCG64(seed)).standard_normal(depth.shape)
     depth += _NOISE * depth**2 * noise
-    return np.nan_to_num(np.round(1000.0 * depth)).astype(np.uint16)
+    millimetres: NDArray[np.uint16] = np.nan_to_num(np.round(1000.0 * depth)).astype(np.uint16)
+    return millimetres
 
 
 def example_depth() -> Tuple[NDArray[np.uint16], CameraIntrinsics]:
