@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/file_names.hpp"
-#include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
-#include "symscene/io/gripper.hpp"
+#include "workflow/gripper_choice.hpp"
 
 namespace symscene::app {
 
@@ -16,14 +14,7 @@ void GripperChoice::add_to(Arguments& arguments) {
                              fmt::join(gripper_names(), ", ")));
 }
 
-Gripper GripperChoice::gripper() const {
-  if (is_gripper_file(name)) return read_gripper(name);
-  try {
-    return named_gripper(name);
-  } catch (const InputError& error) {
-    throw InputError("--gripper", error.expected() + " or a .json or .yaml file", error.found());
-  }
-}
+Gripper GripperChoice::gripper() const { return chosen_gripper(name, "--gripper"); }
 
 bool has_gripper(const RobotArm& arm, const Gripper& gripper) {
   return arm.gripper && GripperChoice{*arm.gripper}.gripper().name == gripper.name;

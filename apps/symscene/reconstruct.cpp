@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "core/rigid_motion.hpp"
 #include "frame_log.hpp"
 #include "frame_rate.hpp"
 #include "scene_output.hpp"
@@ -14,7 +13,7 @@
 #include "sweep_stitching.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
-#include "symscene/tabletop/view_scene.hpp"
+#include "symscene/workflow/reconstructed_scene.hpp"
 #include "thinned_sequence.hpp"
 
 namespace symscene::app {
@@ -83,7 +82,7 @@ struct Reconstruct {
   std::optional<int> every;
   TableArguments table_arguments;
   SensorArguments sensor_arguments;
-  SensorChoice sensor;  ///< of the sequence
+  ReportedSensor sensor;  ///< of the sequence
 
   std::size_t step() const { return static_cast<std::size_t>(every.value_or(1)); }
 
@@ -160,16 +159,12 @@ struct Reconstruct {
         timer.time("read", [&] { return sensor.prepared(sequence.read(0), sequence.camera()); });
     const Eigen::Isometry3d pose = given_pose(sequence, 0).value_or(Eigen::Isometry3d::Identity());
     const PlacedFrames placed{{{frame.time, pose}}, {0}};
-    const ViewScene view = naming(path, [&] {
-      return even_if_plane_misses(
-          table_arguments.known(prior_of(placed.trajectory)), [&](const TablePrior& known) {
-            return view_scene({frame, sequence.camera(), pose}, known,
-                              {options.view, options.reconstruction.occupancy, options.scene});
-          });
+    session.on_begin()("find table");
+    const auto [view, surface] = naming(path, [&] {
+      return reconstructed_view({frame, sequence.camera(), pose}, table_arguments.told(),
+                                {options.view, options.reconstruction.occupancy, options.scene});
     });
     for (const StageTime& time : view.stages) timer.add(time.stage, time.seconds);
-    const TriangleMesh surface = timer.time(
-        "extract surface", [&] { return transformed(view_mesh(view.points, options.view), pose); });
     std::vector<ReportMember> members{{"output", shared.output}, {"frames", 1}, {"fused", 1}};
     members.push_back(ReportMember::raw("sensor", sensor.json));
     const std::vector<ReportMember> written = output().write(

@@ -8,6 +8,7 @@
 #include "ground_truth.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/io/table_plane.hpp"
+#include "symscene/workflow/reconstructed_scene.hpp"
 
 namespace symscene::app {
 
@@ -34,14 +35,6 @@ std::optional<Plane> TableArguments::table() const {
   std::string words = plane;
   std::replace(words.begin(), words.end(), ',', ' ');
   return parse_table_plane(words, "--plane");
-}
-
-TablePrior TableArguments::known(TablePrior from_cameras) const {
-  from_cameras.plane = table();
-  from_cameras.absent = none;
-  from_cameras.any_up = any_up;
-  if (any_up) from_cameras.up.reset();
-  return from_cameras;
 }
 
 void print_table(const BuiltScene& built, Session& session) {
@@ -74,17 +67,12 @@ std::vector<ReportMember> SceneOutput::write(const Reconstruction& reconstructio
                                              StageTimer& timer) const {
   const TriangleMesh surface =
       timer.time("extract surface", [&] { return reconstruction.surface(extraction); });
-  BuiltScene built = timer.time("find table", [&] {
+  const BuiltScene built = timer.time("find table", [&] {
     return naming(input, [&] {
-      return even_if_plane_misses(
-          table.known(prior_of(source.placed.trajectory)), [&](const TablePrior& known) {
-            return build_scene({surface.vertices, surface.normals, surface.colors},
-                               reconstruction.occupancy(), known, building);
-          });
+      return reconstructed_scene({reconstruction, surface, source.placed.trajectory}, table.told(),
+                                 building);
     });
   });
-  for (std::string& warning : reconstruction.warnings())
-    built.scene.warnings.push_back(std::move(warning));
   std::vector<ReportMember> members =
       write({built, reconstruction.occupancy(), surface}, source, session, timer);
   const auto memory = static_cast<std::uint64_t>(reconstruction.bytes());

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include "arguments.hpp"
 #include "session.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/sequence.hpp"
 #include "symscene/reconstruction/reconstruction.hpp"
 #include "symscene/tabletop/scene_building.hpp"
+#include "symscene/workflow/known_table.hpp"
+#include "workflow/plane_fallback.hpp"
 
 namespace symscene::app {
 
@@ -49,8 +49,11 @@ struct TableArguments {
     return any_up ? "--any-up" : nullptr;
   }
 
+  /// What the command line tells. Throws as table().
+  KnownTable told() const { return {table(), none, any_up}; }
+
   /// What is known about the table, from the command line and the cameras.
-  TablePrior known(TablePrior from_cameras) const;
+  TablePrior known(TablePrior from_cameras) const { return told().with(std::move(from_cameras)); }
 };
 
 /// What a scene folder is made from.
@@ -90,27 +93,5 @@ void print_table(const BuiltScene& built, Session& session);
 
 /// Prints the table that was found and the warnings of the scene.
 void report_table(const BuiltScene& built, Session& session);
-
-/// What build(known) makes: a BuiltScene, or a struct with one as `built`. If no point is on the
-/// plane of --plane, all that is seen is taken, and a warning of the scene says so.
-template <class Build>
-auto even_if_plane_misses(TablePrior known, const Build& build) {
-  const auto scene_in = [](auto& made) -> Scene& {
-    if constexpr (requires { made.built; })
-      return made.built.scene;
-    else
-      return made.scene;
-  };
-  try {
-    return build(known);
-  } catch (const InputError& error) {
-    if (!known.plane) throw;
-    known.plane.reset();
-    known.absent = true;
-    auto made = build(known);
-    scene_in(made).warnings.push_back(fmt::format("{}; all that is seen is taken", error.what()));
-    return made;
-  }
-}
 
 }  // namespace symscene::app

@@ -8,10 +8,10 @@
 #include "mask_images.hpp"
 #include "result_page.hpp"
 #include "results.hpp"
-#include "score_models.hpp"
 #include "segment_input.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/pipeline/pipeline.hpp"
+#include "workflow/score_models.hpp"
 
 namespace symscene::app {
 namespace {

@@ -68,13 +68,6 @@ SequenceOptions in_millimetres(SequenceOptions options, const fs::path& path) {
 
 }  // namespace
 
-SegmentationResult nothing_found(const Scene& scene) {
-  SegmentationResult nothing;
-  nothing.table = scene.table;
-  nothing.warnings = scene.warnings;
-  return nothing;
-}
-
 void SegmentSource::add_to(Arguments& arguments) {
   arguments.sequence_options(sequence);
   table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
@@ -179,30 +172,24 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
                      fmt::format("{} frames", sequence->size()));
   }
   DepthFrame frame = timer.time("read", [&] { return sequence->read(0); });
-  const SensorChoice chosen = timer.time("estimate sensor", [&] {
+  const ReportedSensor chosen = timer.time("estimate sensor", [&] {
     constexpr bool tracked = false;
     const DepthUse depths{sequence->depth_scale(), options.view.points.min_depth,
                           options.view.points.max_depth};
     return sensor.choose({&frame, 1}, tracked, sequence->camera(), depths, options.sensor, session);
   });
-  frame = chosen.prepared(std::move(frame), sequence->camera());
-  ViewSceneOptions view_options = options.view;
-  if (chosen.noise) view_options.points.noise = *chosen.noise;
-  const Trajectory cameras{{frame.time, Eigen::Isometry3d::Identity()}};
-  ViewScene view = naming(path, [&] {
-    return view_scene({frame, sequence->camera()}, table.known(prior_of(cameras)), view_options);
+  ViewInput view = naming(path, [&] {
+    return view_input(std::move(frame), sequence->camera(), chosen, table.told(), options.view);
   });
-  for (const StageTime& stage : view.stages) timer.add(stage.stage, stage.seconds);
-  report_table(view.built, session);
-  SegmentInput input{std::move(view.built.scene),
-                     view_mesh(view.points, view_options.points),
-                     cameras,
-                     timer.stages(),
-                     {},
-                     sequence->camera(),
-                     chosen};
-  input.frame = frame;
-  return input;
+  for (const StageTime& stage : view.scene.stages) timer.add(stage.stage, stage.seconds);
+  report_table(view.scene.built, session);
+  return {std::move(view.scene.built.scene),
+          std::move(view.surface),
+          std::move(view.cameras),
+          timer.stages(),
+          std::move(view.frame),
+          sequence->camera(),
+          chosen};
 }
 
 SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session) const {

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "scene_output.hpp"
-#include "segment_options.hpp"
 #include "sensor_choice.hpp"
+#include "symscene/workflow/scene_input.hpp"
+#include "symscene/workflow/segment_options.hpp"
 
 namespace symscene::app {
 
@@ -14,11 +15,8 @@ struct SegmentInput {
   std::vector<StageTime> stages;    ///< wall time of making the scene
   std::optional<DepthFrame> frame;  ///< of a scene that was made of one, in its camera's frame
   CameraIntrinsics camera;          ///< of the frame
-  SensorChoice sensor;              ///< of the frame
+  ReportedSensor sensor;            ///< of the frame
 };
-
-/// The result of a scene without points: its table and warnings.
-SegmentationResult nothing_found(const Scene& scene);
 
 /// Where `symscene segment` finds its scene.
 struct SegmentSource {

@@ -3,15 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "symscene/core/depth_noise.hpp"
-#include "symscene/core/point_cloud.hpp"
-
 namespace symscene::app {
 namespace {
-
-double median_depth(const SensorEstimate& estimate) {
-  return estimate.samples.empty() ? 1.0 : estimate.samples[estimate.samples.size() / 2].depth;
-}
 
 std::string found(const SensorEstimate& estimate) {
   if (estimate.too_little) return estimate.reason;
@@ -21,14 +14,17 @@ std::string found(const SensorEstimate& estimate) {
       1e3 * estimate.deviation_at_1m, estimate.exponent, estimate.correlation);
 }
 
-std::string shown(const SensorEstimate& estimate, bool is_named) {
-  if (!is_named) return found(estimate);
+std::string shown(const SensorChoice& choice) {
+  const SensorEstimate& estimate = choice.estimate;
+  if (!choice.is_named) return found(estimate);
   return (estimate.too_little ? "named; " : "named; the frames show ") + found(estimate);
 }
 
-std::string json_of(const SensorEstimate& estimate, const SensorChoice& choice, bool is_named) {
+std::string json_of(const SensorChoice& choice) {
+  const SensorEstimate& estimate = choice.estimate;
   nlohmann::ordered_json object = {
-      {"sensor", choice.sensor ? to_string(*choice.sensor) : "unknown"}, {"named", is_named}};
+      {"sensor", choice.sensor ? to_string(*choice.sensor) : "unknown"},
+      {"named", choice.is_named}};
   object["found"] = estimate.sensor ? to_string(*estimate.sensor) : "unknown";
   if (!estimate.reason.empty()) object["reason"] = estimate.reason;
   if (!estimate.too_little) {
@@ -61,22 +57,6 @@ std::string used(const SensorChoice& choice) {
 
 }  // namespace
 
-std::vector<DepthFrame> some_frames(const DepthSequence& sequence, int count) {
-  std::vector<DepthFrame> frames;
-  for (const Index i : evenly_spread(static_cast<Index>(sequence.size()), Index(count))) {
-    try {
-      frames.push_back(sequence.read(i));
-    } catch (const InputError&) {
-    }
-  }
-  return frames;
-}
-
-DepthFrame SensorChoice::prepared(DepthFrame frame, const CameraIntrinsics& camera) const {
-  if (sensor != Sensor::time_of_flight) return frame;
-  return without_flying_pixels(std::move(frame), camera, options.flying_step);
-}
-
 void SensorArguments::add_to(Arguments& arguments) {
   arguments.choice(
       "--sensor", name, {"auto", "structured-light", "stereo", "tof"},
@@ -86,31 +66,21 @@ void SensorArguments::add_to(Arguments& arguments) {
       "of a sequence show noisy stereo it tracks with that noise");
 }
 
-SensorChoice SensorArguments::choose(std::span<const DepthFrame> frames, bool tracked,
-                                     const CameraIntrinsics& camera, const DepthUse& depths,
-                                     const SensorEstimationOptions& options,
-                                     Session& session) const {
+ReportedSensor SensorArguments::choose(std::span<const DepthFrame> frames, bool tracked,
+                                       const CameraIntrinsics& camera, const DepthUse& depths,
+                                       const SensorEstimationOptions& options,
+                                       Session& session) const {
   if (const auto warning = depth_range_warning(frames, depths)) session.warn(*warning);
-  SensorChoice choice;
-  choice.options = options;
-  const SensorEstimate estimate = estimate_sensor(frames, camera, options);
-  const bool named = is_named();
-  choice.sensor = named ? parse_sensor(name) : estimate.sensor;
-  const double depth = median_depth(estimate);
-  if (named) choice.noise = depth_noise(*choice.sensor, camera, depth, options);
-  choice.tracking_noise = choice.noise;
-  const bool is_noisy_stereo =
-      estimate.sensor == Sensor::stereo && estimate.deviation_at_1m > structured_light_noise;
-  if (tracked && !named && is_noisy_stereo)
-    choice.tracking_noise = depth_noise(Sensor::stereo, camera, depth, options);
-  choice.json = json_of(estimate, choice, named);
+  const auto sensor = is_named() ? std::optional(parse_sensor(name)) : std::nullopt;
+  const SensorChoice choice = choose_sensor(frames, tracked, camera, sensor, options);
+  const SensorEstimate& estimate = choice.estimate;
   session.print_line(fmt::format("sensor {}: {}; used: {}",
                                  choice.sensor ? to_string(*choice.sensor) : "unknown",
-                                 shown(estimate, named), used(choice)));
-  if (!named && !estimate.sensor && !estimate.too_little)
+                                 shown(choice), used(choice)));
+  if (!choice.is_named && !estimate.sensor && !estimate.too_little)
     session.warn(
         fmt::format("{}: {} (--sensor names the sensor)", estimate.reason, found(estimate)));
-  return choice;
+  return {choice, json_of(choice)};
 }
 
 }  // namespace symscene::app

@@ -62,7 +62,7 @@ struct Stitch {
   std::filesystem::path path;
   TableArguments table_arguments;
   SensorArguments sensor_arguments;
-  SensorChoice sensor;  ///< of the sequence
+  ReportedSensor sensor;  ///< of the sequence
   std::optional<int> every;
 
   OptionFields configure() { return configure_options(options, shared.config); }

@@ -6,7 +6,6 @@
 
 #include "commands.hpp"
 #include "core/number_in.hpp"
-#include "core/surface_sampling.hpp"
 #include "io/atomic_file.hpp"
 #include "models.hpp"
 #include "session.hpp"
@@ -22,8 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t sampled_points = 20000;
-
 /// A model as points of even density with normals, and the points that give its extent.
 struct Model {
   std::string name;
@@ -32,7 +29,7 @@ struct Model {
 };
 
 Model model_of(const NamedMesh& named) {
-  return {named.name, sample_surface(named.mesh, sampled_points), named.mesh};
+  return {named.name, even_surface(named.mesh), named.mesh};
 }
 
 /// The number in a name like obj_000012; 0 in others.

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/surface_sampling.hpp"
 #include "core/voxel_sampling.hpp"
 #include "object_normals.hpp"
 #include "symmetry/greatest_distance.hpp"
@@ -19,6 +20,11 @@ PointCloud even_surface(const PointCloud& cloud) {
   PointCloud even = voxel_downsample(finite, spacing * diameter);
   const Eigen::Vector3f center = centroid(even.positions).cast<float>();
   return oriented_surface(std::move(even), center);
+}
+
+PointCloud even_surface(const TriangleMesh& mesh) {
+  constexpr std::size_t count = 20000;
+  return sample_surface(mesh, count);
 }
 
 }  // namespace symscene

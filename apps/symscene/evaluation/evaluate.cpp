@@ -10,11 +10,11 @@
 #include "commands.hpp"
 #include "evaluation_baselines.hpp"
 #include "io/atomic_file.hpp"
-#include "score_models.hpp"
-#include "segment_options.hpp"
 #include "session.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 #include "symscene/evaluation/report.hpp"
+#include "symscene/workflow/segment_options.hpp"
+#include "workflow/score_models.hpp"
 
 namespace symscene::app {
 namespace {

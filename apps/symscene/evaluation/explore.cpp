@@ -6,13 +6,13 @@
 
 #include "commands.hpp"
 #include "io/atomic_file.hpp"
-#include "score_models.hpp"
 #include "session.hpp"
 #include "symscene/exploration/exploration_output.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/physics/physics_world.hpp"
 #include "symscene/simulation/scanned_models.hpp"
+#include "workflow/score_models.hpp"
 
 namespace symscene::app {
 namespace {

@@ -7,6 +7,7 @@
 #include "symscene/core/geometry.hpp"
 #include "symscene/core/options.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "symscene/core/triangle_mesh.hpp"
 
 namespace symscene {
 
@@ -116,5 +117,9 @@ SymmetryGroup find_symmetry_group(const PointCloud& surface,
 /// A cloud of a whole object as find_symmetry_group() needs it: thinned to even density, with
 /// normals estimated where there are none. Throws InputError if the points span no surface.
 PointCloud even_surface(const PointCloud& cloud);
+
+/// Points of even density on a mesh, with normals, as find_symmetry_group() needs them. Throws
+/// InputError if the mesh has no triangle of positive area.
+PointCloud even_surface(const TriangleMesh& mesh);
 
 }  // namespace symscene

@@ -6,7 +6,7 @@
 #include "symscene/tabletop/cloud_scene.hpp"
 #include "symscene/tabletop/view_scene.hpp"
 
-namespace symscene::app {
+namespace symscene {
 
 /// The options of `symscene segment` and `symscene evaluate`: of the stages, and of what makes a
 /// scene of a single view or of a cloud, and of label images.
@@ -34,4 +34,4 @@ struct SegmentOptions {
   }
 };
 
-}  // namespace symscene::app
+}  // namespace symscene

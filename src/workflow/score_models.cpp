@@ -1,10 +1,10 @@
-#include "score_models.hpp"
+#include "workflow/score_models.hpp"
 
 #include <memory>
 
 #include "symscene/io/tree_model.hpp"
 
-namespace symscene::app {
+namespace symscene {
 
 void read_score_models(ModelOptions& options) {
   options.for_each([](ModelChoice& choice) {
@@ -13,4 +13,4 @@ void read_score_models(ModelOptions& options) {
   });
 }
 
-}  // namespace symscene::app
+}  // namespace symscene

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "symscene/io/sequence.hpp"
+#include "symscene/reconstruction/sensor.hpp"
+
+namespace symscene {
+
+/// The sensor that is named or that the frames show, and the noise that stages take from it.
+struct SensorChoice {
+  std::optional<Sensor> sensor = {};
+  bool is_named = false;
+  std::optional<double> noise = {};  ///< in place of the options' noise, if it is named [1/m]
+  std::optional<double> tracking_noise = {};  ///< the same of tracking and fusion, also of a stereo
+                                              ///< camera found with more noise than usual [1/m]
+  SensorEstimate estimate = {};               ///< what the frames show
+  SensorEstimationOptions options = {};
+
+  /// The frame as the stages take it: of a time-of-flight camera without flying pixels.
+  DepthFrame prepared(DepthFrame frame, const CameraIntrinsics& camera) const;
+};
+
+/// Looks at frames, which are to be tracked or not. Throws InputError as estimate_sensor().
+SensorChoice choose_sensor(std::span<const DepthFrame> frames, bool tracked,
+                           const CameraIntrinsics& camera, std::optional<Sensor> named,
+                           const SensorEstimationOptions& options = {});
+
+/// At most `count` frames that are spread over the sequence; those that cannot be read are left
+/// out.
+std::vector<DepthFrame> some_frames(const DepthSequence& sequence, int count);
+
+}  // namespace symscene
