@@ -41,19 +41,6 @@ float fitting_cell_size(const Eigen::Vector3f& extent, float wanted, double most
       fmt::format("{:.4g} x {:.4g} x {:.4g} m", extent.x(), extent.y(), extent.z()));
 }
 
-/// Each cell with those `step` before and after it, within runs of `length` cells.
-std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& cells, std::size_t step,
-                                 std::size_t length) {
-  std::vector<std::uint8_t> wide = cells;
-  for (std::size_t begin = 0; begin < cells.size(); begin += length) {
-    const std::uint8_t* const from = cells.data() + begin;
-    std::uint8_t* const to = wide.data() + begin;
-    for (std::size_t i = step; i < length; ++i) to[i] |= from[i - step];
-    for (std::size_t i = step; i < length; ++i) to[i - step] |= from[i];
-  }
-  return wide;
-}
-
 /// nanoflann's view of a point array.
 struct PointsAdaptor {
   const Points& points;
@@ -114,7 +101,6 @@ CellList::CellList(const Points& points, float cell_size) {
   inverse_cell_size_ = 1.0F / fitting;
   cells_ = cells_along(box.extent(), fitting).cast<int>().matrix();
   sort(points);
-  mark_surroundings();
 }
 
 std::size_t CellList::cell_of(const Eigen::Vector3f& point) const {
@@ -136,17 +122,6 @@ void CellList::sort(const Points& points) {
     entries_[next[cell_of(points.row(i))]++] = {points(i, 0), points(i, 1), points(i, 2),
                                                 static_cast<Index>(i)};
   }
-}
-
-void CellList::mark_surroundings() {
-  std::vector<std::uint8_t> filled(cell_begin_.size() - 1);
-  for (std::size_t cell = 0; cell < filled.size(); ++cell)
-    filled[cell] = cell_begin_[cell + 1] > cell_begin_[cell] ? 1 : 0;
-  const auto row = static_cast<std::size_t>(cells_.x());
-  const std::size_t layer = row * static_cast<std::size_t>(cells_.y());
-  const std::vector<std::uint8_t> along_x = spread(filled, 1, row);
-  const std::vector<std::uint8_t> along_xy = spread(along_x, row, layer);
-  near_points_ = spread(along_xy, layer, filled.size());
 }
 
 inline void CellList::visit_row(const Row& row, const Eigen::Vector3f& query,
@@ -182,7 +157,6 @@ std::pair<Index, float> CellList::nearest(const Eigen::Vector3f& query, float ra
     low[axis] = static_cast<int>(std::max(at[axis] - reach, 0.0F));
     high[axis] = static_cast<int>(std::min(at[axis] + reach, last));
   }
-  if (reach <= 1.0F && near_points_[cell_of(query)] == 0) return nothing;
   std::pair<Index, float> best{none, radius * radius};
   const int own_y = std::clamp(static_cast<int>(at.y()), low.y(), high.y());
   const int own_z = std::clamp(static_cast<int>(at.z()), low.z(), high.z());

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
@@ -53,8 +52,6 @@ class CellList {
 
   /// Sorts the points by cell.
   void sort(const Points& points);
-  /// Marks the cells that hold a point and those beside them.
-  void mark_surroundings();
   std::size_t cell_of(const Eigen::Vector3f& point) const;
   int clamped_cell(float coordinate, int axis) const;
   /// The first cell of the row along x at (y, z).
@@ -71,8 +68,6 @@ class CellList {
   Eigen::Vector3i cells_ = Eigen::Vector3i::Zero();
   std::vector<Index> cell_begin_;
   std::vector<Entry> entries_;  ///< by cell, then by index
-  /// One per cell: 1 if a point lies in it or in one of the 26 cells around it.
-  std::vector<std::uint8_t> near_points_;
 };
 
 /// For every point the other points within `radius` [m], ascending.
