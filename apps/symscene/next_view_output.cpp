@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "io/pose_json.hpp"
+#include "io/view_json.hpp"
 
 namespace symscene::app {
 namespace {
@@ -41,25 +42,15 @@ std::string format_next_views_json(const RankedCandidates& ranked) {
   Json views = Json::array();
   for (const RankedView& view : ranked.views.ranked)
     views.push_back(to_json(view, ranked.poses[view.candidate]));
-  Json times = Json::array();
-  for (const StageTime& time : ranked.views.timings)
-    times.push_back({{"stage", time.stage}, {"seconds", time.seconds}});
-  const CameraIntrinsics& c = ranked.camera;
   const Json json = {{"version", 1},
                      {"policy", to_string(ranked.policy)},
                      {"gain_unit", counts_voxels(ranked.policy) ? "voxels" : "m2"},
                      {"is_enough", ranked.views.is_enough},
                      {"inferred_area_m2", ranked.views.inferred_area},
                      {"object_area_m2", ranked.views.object_area},
-                     {"camera",
-                      {{"width", c.width},
-                       {"height", c.height},
-                       {"fx", c.fx},
-                       {"fy", c.fy},
-                       {"cx", c.cx},
-                       {"cy", c.cy}}},
+                     {"camera", camera_json(ranked.camera)},
                      {"views", std::move(views)},
-                     {"timings", std::move(times)}};
+                     {"timings", stage_times_json(ranked.views.timings)}};
   return json.dump(1) + "\n";
 }
 
@@ -82,13 +73,13 @@ std::string format_next_views(const RankedCandidates& ranked) {
 }
 
 PageViews page_views(const RankedCandidates& ranked) {
-  const CameraIntrinsics& c = ranked.camera;
+  const Eigen::Vector2d half = ranked.camera.half_size();
   PageViews page;
   page.policy = to_string(ranked.policy);
   page.unit = counts_voxels(ranked.policy) ? "voxels" : "cm²";
   const double scale = counts_voxels(ranked.policy) ? 1.0 : square_centimetres;
-  page.half_width = 0.5 * static_cast<double>(c.width) / c.fx;
-  page.half_height = 0.5 * static_cast<double>(c.height) / c.fy;
+  page.half_width = half.x();
+  page.half_height = half.y();
   page.is_enough = ranked.views.is_enough;
   for (const RankedView& view : ranked.views.ranked) {
     if (page.views.size() == drawn_views) break;

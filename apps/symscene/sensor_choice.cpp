@@ -71,8 +71,7 @@ ReportedSensor SensorArguments::choose(std::span<const DepthFrame> frames, bool 
                                        const SensorEstimationOptions& options,
                                        Session& session) const {
   if (const auto warning = depth_range_warning(frames, depths)) session.warn(*warning);
-  const auto sensor = is_named() ? std::optional(parse_sensor(name)) : std::nullopt;
-  const SensorChoice choice = choose_sensor(frames, tracked, camera, sensor, options);
+  const SensorChoice choice = choose_sensor(frames, tracked, camera, named_sensor(name), options);
   const SensorEstimate& estimate = choice.estimate;
   session.print_line(fmt::format("sensor {}: {}; used: {}",
                                  choice.sensor ? to_string(*choice.sensor) : "unknown",

@@ -21,7 +21,7 @@ struct SensorArguments {
 
   void add_to(Arguments& arguments);
 
-  bool is_named() const { return !name.empty() && name != "auto"; }
+  bool is_named() const { return named_sensor(name).has_value(); }
 
   /// Looks at frames, which are to be tracked or not, says what it finds, and warns if no sensor
   /// explains it or if their depths suggest another scale.

@@ -1,25 +1,11 @@
-#include <nlohmann/json.hpp>
-
+#include "io/pose_json.hpp"
+#include "io/view_json.hpp"
 #include "symscene/exploration/exploration_output.hpp"
 
 namespace symscene {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// As in the other files (docs/formats.md); the quaternion has w >= 0.
-Json pose_json(const Eigen::Isometry3d& pose) {
-  const Eigen::Vector3d p = pose.translation();
-  Eigen::Quaterniond q(pose.linear());
-  if (q.w() < 0.0) q.coeffs() *= -1.0;
-  return {{"position_m", {p.x(), p.y(), p.z()}},
-          {"orientation_xyzw", {q.x(), q.y(), q.z(), q.w()}}};
-}
-
-Json camera_json(const CameraIntrinsics& camera) {
-  return {{"width", camera.width}, {"height", camera.height}, {"fx", camera.fx},
-          {"fy", camera.fy},       {"cx", camera.cx},         {"cy", camera.cy}};
-}
+constexpr const char* to_write = "exploration to write";
 
 Json gain_json(const ViewGain& gain) {
   return {{"total", gain.total()},
@@ -35,13 +21,6 @@ Json best_json(const NextViews& views) {
   return {{"candidate", best.candidate}, {"gain_m2", gain_json(best.gain)}};
 }
 
-Json timings_json(const std::vector<StageTime>& timings) {
-  Json times = Json::array();
-  for (const StageTime& time : timings)
-    times.push_back({{"stage", time.stage}, {"seconds", time.seconds}});
-  return times;
-}
-
 Json known_json(const ExploredView& view) {
   return {{"objects", view.objects.size()},
           {"objects_correct", view.step.masks.correct},
@@ -54,11 +33,11 @@ Json known_json(const ExploredView& view) {
 
 Json view_json(const ExploredView& view) {
   return {{"candidate", view.step.view},
-          {"T_world_camera", pose_json(view.T_world_camera)},
+          {"T_world_camera", pose_json(view.T_world_camera, to_write)},
           {"gain", view.step.gain ? gain_json(*view.step.gain) : Json(nullptr)},
           {"known", known_json(view)},
           {"expected", best_json(view.expected)},
-          {"timings", timings_json(view.timings)}};
+          {"timings", stage_times_json(view.timings)}};
 }
 
 Json views_json(const TableExploration& exploration) {
@@ -89,7 +68,7 @@ Json truth_json(const TableExploration& exploration, const Tabletop& table) {
 
 Json candidates_json(const std::vector<Eigen::Isometry3d>& poses) {
   Json candidates = Json::array();
-  for (const Eigen::Isometry3d& pose : poses) candidates.push_back(pose_json(pose));
+  for (const Eigen::Isometry3d& pose : poses) candidates.push_back(pose_json(pose, to_write));
   return candidates;
 }
 

@@ -24,14 +24,13 @@ double time_of(std::size_t view) { return static_cast<double>(view) * (rest + tr
 
 /// A pyramid from the camera's centre to its image.
 TriangleMesh camera_mesh(const CameraIntrinsics& camera) {
-  const double half_width = 0.5 * static_cast<double>(camera.width) / camera.fx;
-  const double half_height = 0.5 * static_cast<double>(camera.height) / camera.fy;
+  const Eigen::Vector2d half = camera.half_size();
   TriangleMesh mesh;
   mesh.vertices.resize(5, 3);
   mesh.vertices.row(0).setZero();
   for (int k = 0; k < 4; ++k) {
-    const double x = k == 1 || k == 2 ? half_width : -half_width;
-    const double y = k >= 2 ? half_height : -half_height;
+    const double x = k == 1 || k == 2 ? half.x() : -half.x();
+    const double y = k >= 2 ? half.y() : -half.y();
     mesh.vertices.row(k + 1) = (camera_size * Eigen::RowVector3d(x, y, 1.0)).cast<float>();
   }
   mesh.triangles.resize(6, 3);
@@ -152,12 +151,12 @@ class ShownViews {
   }
 
   PageViews best(const NextViews& next) const {
-    const CameraIntrinsics& camera = exploration_.camera;
+    const Eigen::Vector2d half = exploration_.camera.half_size();
     PageViews page;
     page.policy = to_string(exploration_.policy);
     page.unit = gain_unit(exploration_.policy);
-    page.half_width = 0.5 * static_cast<double>(camera.width) / camera.fx;
-    page.half_height = 0.5 * static_cast<double>(camera.height) / camera.fy;
+    page.half_width = half.x();
+    page.half_height = half.y();
     page.is_enough = next.is_enough;
     for (std::size_t k = 0; k < std::min(listed, next.ranked.size()); ++k)
       page.views.push_back(view(next.ranked[k]));

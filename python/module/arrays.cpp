@@ -87,6 +87,12 @@ py::array_t<double> array_of(const Trajectory& trajectory) {
   return array;
 }
 
+py::list list_of(const std::vector<StageTime>& times) {
+  py::list list;
+  for (const StageTime& time : times) list.append(py::make_tuple(time.stage, time.seconds));
+  return list;
+}
+
 std::string described(py::handle value) {
   if (!py::isinstance<py::array>(value))
     return "a value of type " + std::string(py::str(py::type::of(value).attr("__name__")));

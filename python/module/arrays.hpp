@@ -12,6 +12,7 @@
 
 #include "symscene/core/depth_frame.hpp"
 #include "symscene/core/geometry.hpp"
+#include "symscene/core/stage_timer.hpp"
 #include "symscene/core/types.hpp"
 
 namespace symscene::python {
@@ -54,6 +55,16 @@ py::array_t<double> array_of(const Eigen::Matrix3d& matrix);
 py::array_t<double> array_of(const Eigen::Isometry3d& pose);  ///< 4×4
 py::array_t<double> array_of(const Plane& plane);             ///< a, b, c, d
 py::array_t<double> array_of(const Trajectory& trajectory);   ///< N×4×4
+
+/// None where there is no value.
+template <class Value>
+py::object array_or_none(const std::optional<Value>& value) {
+  if (!value) return py::none();
+  return array_of(*value);
+}
+
+/// List of (stage, seconds).
+py::list list_of(const std::vector<StageTime>& times);
 
 /// "an array of shape (4, 2)", or the type of what is no array.
 std::string described(py::handle value);

@@ -52,10 +52,7 @@ void bind_frame(py::module_& module) {
           "time", [](const FrameHandle& f) { return f.data->frame.time; }, "[s]")
       .def_property_readonly(
           "T_world_camera",
-          [](const FrameHandle& f) -> py::object {
-            if (!f.data->T_world_camera) return py::none();
-            return array_of(*f.data->T_world_camera);
-          },
+          [](const FrameHandle& f) { return array_or_none(f.data->T_world_camera); },
           "(4, 4) [m], or None");
 }
 

@@ -41,9 +41,8 @@ class SharedReconstruction {
                        const std::string& json, int threads)
       : intrinsics_(std::move(intrinsics)),
         options_(options_from<TrackedSceneOptions>(json)),
-        running_(py::none(), threads) {
-    if (sensor && *sensor != "auto") sensor_ = parse_sensor(*sensor);
-  }
+        sensor_(named_sensor(sensor.value_or("auto"))),
+        running_(py::none(), threads) {}
 
   void look_at(const std::vector<FrameHandle>& frames, bool is_tracked) {
     if (frames.empty()) return;

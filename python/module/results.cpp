@@ -29,20 +29,9 @@ std::vector<ObjectHandle> objects_of(const ResultHandle& handle) {
   return objects;
 }
 
-py::object table_of(const SegmentationResult& result) {
-  if (!result.table) return py::none();
-  return array_of(*result.table);
-}
-
-py::list pairs_of(const std::vector<FunnelStep>& funnel) {
+py::list list_of(const std::vector<FunnelStep>& funnel) {
   py::list pairs;
   for (const FunnelStep& step : funnel) pairs.append(py::make_tuple(step.step, step.count));
-  return pairs;
-}
-
-py::list pairs_of(const std::vector<StageTime>& timings) {
-  py::list pairs;
-  for (const StageTime& time : timings) pairs.append(py::make_tuple(time.stage, time.seconds));
   return pairs;
 }
 
@@ -73,10 +62,10 @@ void bind_rejection(py::module_& module) {
       .def_readonly("size", &Rejection::size, "points of the hypothesis");
 }
 
-void bind_object(py::module_& module) {
-  py::class_<ObjectHandle> type(
-      module, "SceneObject",
-      "An object of a result. Arrays are read-only views and keep the result's memory alive.");
+using ObjectType = py::class_<ObjectHandle>;
+
+/// The points of an object.
+void bind_mask(ObjectType& type) {
   type.def_readonly("id", &ObjectHandle::id, "its place in the result")
       .def_property_readonly(
           "indices", [](const ObjectHandle& o) { return view(o.data, o.object().points); },
@@ -92,8 +81,12 @@ void bind_object(py::module_& module) {
       .def_property_readonly(
           "colors",
           [](const ObjectHandle& o) { return view(o.data, o.data->observed[o.id].colors); },
-          "(N, 3) uint8, or (0, 3)")
-      .def_property_readonly(
+          "(N, 3) uint8, or (0, 3)");
+}
+
+/// What is told about an object.
+void bind_findings(ObjectType& type) {
+  type.def_property_readonly(
           "score", [](const ObjectHandle& o) { return o.object().score; },
           "probability of being one whole object, or None")
       .def_property_readonly(
@@ -109,17 +102,17 @@ void bind_object(py::module_& module) {
           "symmetry_class", [](const ObjectHandle& o) { return o.object().symmetry_class; },
           "ObjectClass, or None")
       .def_property_readonly(
-          "centroid",
-          [](const ObjectHandle& o) -> py::object {
-            if (!o.object().centroid) return py::none();
-            return array_of(*o.object().centroid);
-          },
+          "centroid", [](const ObjectHandle& o) { return array_or_none(o.object().centroid); },
           "(3,) centre of mass under the symmetries [m], or None")
       .def_property_readonly(
           "box", [](const ObjectHandle& o) { return o.object().box; }, "ObjectBox, or None")
       .def_property_readonly(
           "solid", [](const ObjectHandle& o) { return o.object().solid; },
           "SolidProperties of the closed surface, or None");
+}
+
+/// The hidden side of an object.
+void bind_hidden_side(ObjectType& type) {
   type.def_property_readonly(
           "completed",
           [](const ObjectHandle& o) {
@@ -139,13 +132,22 @@ void bind_object(py::module_& module) {
           [](const ObjectHandle& o) {
             return view(o.data, o.data->result.surfaces[o.id].observed);
           },
-          "(T,) uint8 per triangle of the mesh: 1 observed, 0 inferred")
-      .def("__repr__", [](const ObjectHandle& o) {
-        const auto& kind = o.object().symmetry_class;
-        return fmt::format("<SceneObject {}: {} points, score {:.2f}, {}>", o.id,
-                           o.object().points.size(), o.object().rank(),
-                           kind ? to_string(kind->kind) : "no class");
-      });
+          "(T,) uint8 per triangle of the mesh: 1 observed, 0 inferred");
+}
+
+void bind_object(py::module_& module) {
+  ObjectType type(
+      module, "SceneObject",
+      "An object of a result. Arrays are read-only views and keep the result's memory alive.");
+  bind_mask(type);
+  bind_findings(type);
+  bind_hidden_side(type);
+  type.def("__repr__", [](const ObjectHandle& o) {
+    const auto& kind = o.object().symmetry_class;
+    return fmt::format("<SceneObject {}: {} points, score {:.2f}, {}>", o.id,
+                       o.object().points.size(), o.object().rank(),
+                       kind ? to_string(kind->kind) : "no class");
+  });
 }
 
 void bind_result(py::module_& module) {
@@ -166,7 +168,7 @@ void bind_result(py::module_& module) {
                              "(height, width) uint16 of a depth image: 0, or 1 + the object's id; "
                              "otherwise None")
       .def_property_readonly(
-          "table", [](const ResultHandle& r) { return table_of(r.data->result); },
+          "table", [](const ResultHandle& r) { return array_or_none(r.data->result.table); },
           "(4,) a, b, c, d with ax + by + cz + d = 0 and the unit normal (a, b, c) up [m], or None")
       .def_property_readonly(
           "scene",
@@ -179,10 +181,10 @@ void bind_result(py::module_& module) {
           "rejected", [](const ResultHandle& r) { return r.data->result.rejected; },
           "list of Rejection")
       .def_property_readonly(
-          "funnel", [](const ResultHandle& r) { return pairs_of(r.data->result.funnel); },
+          "funnel", [](const ResultHandle& r) { return list_of(r.data->result.funnel); },
           "list of (step, candidates that remain)")
       .def_property_readonly(
-          "timings", [](const ResultHandle& r) { return pairs_of(r.data->result.timings); },
+          "timings", [](const ResultHandle& r) { return list_of(r.data->result.timings); },
           "list of (stage, seconds)")
       .def_property_readonly(
           "warnings", [](const ResultHandle& r) { return r.data->result.warnings; },

@@ -102,11 +102,7 @@ void bind_scenes(py::module_& module) {
           },
           "Occupancy, or None")
       .def_property_readonly(
-          "table",
-          [](const SceneHandle& s) -> py::object {
-            if (!s.data->scene.table) return py::none();
-            return array_of(*s.data->scene.table);
-          },
+          "table", [](const SceneHandle& s) { return array_or_none(s.data->scene.table); },
           "(4,) a, b, c, d with ax + by + cz + d = 0 and the unit normal (a, b, c) up [m], or None")
       .def_property_readonly(
           "mesh",
@@ -119,13 +115,7 @@ void bind_scenes(py::module_& module) {
           "T_world_cameras", [](const SceneHandle& s) { return array_of(s.data->cameras); },
           "(N, 4, 4) poses of the fused frames [m]")
       .def_property_readonly(
-          "timings",
-          [](const SceneHandle& s) {
-            py::list timings;
-            for (const StageTime& time : s.data->timings)
-              timings.append(py::make_tuple(time.stage, time.seconds));
-            return timings;
-          },
+          "timings", [](const SceneHandle& s) { return list_of(s.data->timings); },
           "list of (stage, seconds)")
       .def_property_readonly(
           "warnings", [](const SceneHandle& s) { return s.data->scene.warnings; },

@@ -76,11 +76,6 @@ ResultHandle segment_cloud(const CloudHandle& cloud, const OccupancyHandle* occu
   });
 }
 
-std::optional<Sensor> sensor_from(const std::optional<std::string>& name) {
-  if (!name || *name == "auto") return {};
-  return parse_sensor(*name);
-}
-
 /// Per pixel of a frame 0, or 1 + the object that it shows.
 std::vector<std::uint16_t> labels_of(const SegmentationResult& result, const DepthFrame& frame,
                                      const CameraIntrinsics& camera,
@@ -134,7 +129,7 @@ ResultHandle segment_depth(py::handle depth, py::handle intrinsics,
   if (!color.is_none() && static_cast<std::size_t>(frame.colors.rows()) != camera.pixels())
     throw InputError("color", "as many pixels as the depth image", described(color));
   const KnownTable known = table_from(table, any_up);
-  const std::optional<Sensor> named = sensor_from(sensor);
+  const std::optional<Sensor> named = named_sensor(sensor.value_or("auto"));
   const Running running(progress, threads);
   return running.without_gil([&] {
     return segment_frame(std::move(frame), camera, known, named, options, running.on_begin());

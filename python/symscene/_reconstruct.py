@@ -121,6 +121,22 @@ def _first_and_all(
     return first[:count], len(first) > 1, itertools.chain(first, rest)
 
 
+def _with_poses(
+    frames: Iterable[FrameLike],
+    poses: Optional[Iterable[Optional[ArrayLike]]],
+    takes_own: bool,
+) -> Iterator[Tuple[FrameLike, Optional[ArrayLike]]]:
+    """Each frame without its pose, and the pose to use: of `poses`, else its own if `takes_own`."""
+    known = iter(poses) if poses is not None else itertools.repeat(None)
+    for frame in frames:
+        pose = next(known, None)
+        if isinstance(frame, Frame):
+            if pose is None and takes_own:
+                pose = frame.T_world_camera
+            frame = Frame(frame.depth, frame.color, None, frame.time)
+        yield frame, pose
+
+
 def reconstruct(
     frames: Union[DepthSequence, Iterable[FrameLike]],
     intrinsics: Optional[Intrinsics] = None,
@@ -172,19 +188,14 @@ def reconstruct(
     count = merged.get("frames", default_options("reconstruct")["sensor"]["frames"])
     seen, is_tracked, all_frames = _first_and_all(frames, count)
     reconstruction.look_at(seen, is_tracked)
-    known = iter(poses) if poses is not None else itertools.repeat(None)
+    needs_pose = poses is not None or pose_use is not None
+    posed = _with_poses(all_frames, poses, takes_own=pose_use is not None)
     is_fused = False
-    for number, frame in enumerate(all_frames, start=1):
+    for number, (frame, pose) in enumerate(posed, start=1):
         if progress is not None:
             progress(f"frame {number}")
-        pose = next(known, None)
-        if pose is None and pose_use is not None and isinstance(frame, Frame):
-            pose = frame.T_world_camera
-        needs_pose = poses is not None or pose_use is not None
         if needs_pose and pose is None and not is_fused:
             continue  # the first fused frame sets the world frame, which must be that of the poses
-        if isinstance(frame, Frame):
-            frame = Frame(frame.depth, frame.color, None, frame.time)
         is_fused |= reconstruction.add(frame, pose, pose_use or "exact").fused
     if progress is not None:
         progress("find table")

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/rigid_motion.hpp"
+#include "symscene/core/stage_timer.hpp"
 #include "workflow/plane_fallback.hpp"
 
 namespace symscene {
@@ -26,7 +27,11 @@ ReconstructedView reconstructed_view(const DepthView& view, const KnownTable& ta
   ViewScene scene = even_if_plane_misses(
       table.with(prior_of(cameras)),
       [&](const TablePrior& known) { return view_scene(view, known, options); });
-  TriangleMesh surface = transformed(view_mesh(scene.points, options.points), view.T_world_camera);
+  StageTimer timer;
+  TriangleMesh surface = timer.time("extract surface", [&] {
+    return transformed(view_mesh(scene.points, options.points), view.T_world_camera);
+  });
+  scene.stages.push_back(timer.stages().back());
   return {std::move(scene), std::move(surface)};
 }
 

@@ -21,6 +21,11 @@ DepthFrame SensorChoice::prepared(DepthFrame frame, const CameraIntrinsics& came
   return without_flying_pixels(std::move(frame), camera, options.flying_step);
 }
 
+std::optional<Sensor> named_sensor(const std::string& name) {
+  if (name.empty() || name == "auto") return std::nullopt;
+  return parse_sensor(name);
+}
+
 SensorChoice choose_sensor(std::span<const DepthFrame> frames, bool tracked,
                            const CameraIntrinsics& camera, std::optional<Sensor> named,
                            const SensorEstimationOptions& options) {

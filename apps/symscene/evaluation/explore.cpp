@@ -7,19 +7,14 @@
 #include "commands.hpp"
 #include "io/atomic_file.hpp"
 #include "session.hpp"
+#include "simulation/object_choice.hpp"
 #include "symscene/exploration/exploration_output.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/io/scene.hpp"
-#include "symscene/physics/physics_world.hpp"
-#include "symscene/simulation/scanned_models.hpp"
 #include "workflow/score_models.hpp"
 
 namespace symscene::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* household = "household";
 
 DirectoryLayout exploration_layout() {
   return {"a folder of an exploration", "exploration.json", [](const std::string& relative) {
@@ -38,7 +33,7 @@ struct ExploreCommand {
   SharedOptions shared;
   TableExplorationOptions options;
   bool simulate = false;
-  std::string objects = household;
+  ObjectChoice objects;
   std::string kind = to_string(ClutterKind::packed);
   std::string policy = to_string(ExplorationPolicy::symmetry);
   std::optional<int> count;
@@ -55,33 +50,25 @@ struct ExploreCommand {
     });
   }
 
-  bool has_models() const { return objects != household; }
-
   void check() const {
     if (!simulate)
       throw InputError("--simulate", "this flag, as only simulated tables can be explored", "none");
-    if (needs_physics(options, has_models()) && !has_physics())
-      throw InputError(has_models() ? "--objects" : "--scene",
-                       "a build with physics (the package libmujoco-dev, then configure and build "
-                       "again); without it there are household objects side by side",
-                       "one without");
-    if (has_models() && !fs::is_directory(objects))
-      throw InputError("--objects", fmt::format("a folder of meshes, or \"{}\"", household),
-                       objects);
-    if (has_models()) require_not_input(shared.output, objects);
+    if (needs_physics(options, objects.is_folder()))
+      require_physics(objects.is_folder() ? "--objects" : "--scene",
+                      "; without it there are household objects side by side");
+    objects.check(shared.output);
     const AtomicDirectory writable(absolute(shared.output), exploration_layout());
   }
 
   Tabletop furnish(Session& session) const {
-    if (!has_models()) return furnish_exploration({}, options);
-    const ModelFolder folder = read_models(objects, {});
-    session.warn(folder.warnings);
-    return naming(objects, [&] { return furnish_exploration(folder.models, options); });
+    return objects.furnished(session, [&](std::span<const ObjectModel> models) {
+      return furnish_exploration(models, options);
+    });
   }
 
   std::string made_by(const OptionFields& fields) const {
     auto json = nlohmann::ordered_json::parse(describe_run("explore", fields));
-    json["models"] = objects;
+    json["models"] = objects.name;
     json["scene"] = kind;
     json["policy"] = policy;
     return json.dump();
@@ -160,8 +147,7 @@ void add_explore(CommandLine& line) {
                    "by what the next view is chosen: surface that symmetries infer and leave open, "
                    "voxels that were never seen, the next on an arc, at random, or by the ground "
                    "truth (default symmetry)");
-  arguments.text("--objects", "FOLDER|household", state->objects,
-                 "folder of meshes in metres, or household for simulated ones (default household)");
+  state->objects.add_to(arguments);
   arguments.choice("--scene", state->kind, {"packed", "pile"},
                    "upright objects side by side, or dropped in any orientation (default packed)");
   arguments.count("--count", state->count, range_of(state->options, "objects"),

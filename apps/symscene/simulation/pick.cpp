@@ -9,17 +9,14 @@
 #include "io/gif_writer.hpp"
 #include "robot_choice.hpp"
 #include "session.hpp"
-#include "symscene/physics/physics_world.hpp"
+#include "simulation/object_choice.hpp"
 #include "symscene/picking/run_video.hpp"
 #include "symscene/picking/simulated_picks.hpp"
-#include "symscene/simulation/scanned_models.hpp"
 
 namespace symscene::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* household = "household";
 
 /// Options of the table, those of the run, and those of its video.
 struct PickRunOptions {
@@ -51,7 +48,7 @@ struct PickCommand {
   PickRunOptions options;
   bool simulate = false;
   std::string robot = "panda";
-  std::string objects = household;
+  ObjectChoice objects;
   std::string method = "symscene";
   fs::path video;  ///< empty: none is written
   std::optional<int> count;
@@ -70,12 +67,8 @@ struct PickCommand {
   void check() const {
     if (!simulate)
       throw InputError("--simulate", "this flag, as only simulated tables can be cleared", "none");
-    if (!has_physics())
-      throw InputError("--simulate",
-                       "a build with physics (the package libmujoco-dev, then configure and build "
-                       "again)",
-                       "one without");
-    if (objects != household) require_not_input(shared.output, objects);
+    require_physics("--simulate");
+    objects.check(shared.output);
     check_video();
     const AtomicDirectory writable(absolute(shared.output), pick_layout());
   }
@@ -94,13 +87,9 @@ struct PickCommand {
   }
 
   PickTable furnish(Session& session) const {
-    if (objects == household) return furnish_pick_table({}, options.table);
-    if (!fs::is_directory(objects))
-      throw InputError("--objects", fmt::format("a folder of meshes, or \"{}\"", household),
-                       objects);
-    const ModelFolder folder = read_models(objects, {});
-    session.warn(folder.warnings);
-    return naming(objects, [&] { return furnish_pick_table(folder.models, options.table); });
+    return objects.furnished(session, [&](std::span<const ObjectModel> models) {
+      return furnish_pick_table(models, options.table);
+    });
   }
 
   PickObserver observer(Session& session) {
@@ -113,7 +102,7 @@ struct PickCommand {
   std::string made_by(const OptionFields& fields) const {
     auto json = nlohmann::ordered_json::parse(describe_run("pick", fields));
     json["robot"] = robot;
-    json["models"] = objects;
+    json["models"] = objects.name;
     json["method"] = method;
     return json.dump();
   }
@@ -173,8 +162,7 @@ void add_pick(CommandLine& line) {
                  "in physics: the only way so far, no real robot is moved");
   arguments.text("--robot", "NAME|FILE", state->robot,
                  "panda, baxter, or a YAML file that describes a robot (default panda)");
-  arguments.text("--objects", "FOLDER|household", state->objects,
-                 "folder of meshes in metres, or household for simulated ones (default household)");
+  state->objects.add_to(arguments);
   arguments.count(
       "--count", state->count, range_of(state->options, "table.tabletop.objects"),
       fmt::format("number of objects (default {})", state->options.table.tabletop.objects));

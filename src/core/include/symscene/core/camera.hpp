@@ -29,6 +29,11 @@ struct CameraIntrinsics {
   /// The direction of the ray through a pixel, with z = 1: multiplied by the depth it is the point.
   Eigen::Vector3d ray(double u, double v) const { return {(u - cx) / fx, (v - cy) / fy, 1.0}; }
 
+  /// Half the width and height of the image on the plane z = 1.
+  Eigen::Vector2d half_size() const {
+    return {0.5 * static_cast<double>(width) / fx, 0.5 * static_cast<double>(height) / fy};
+  }
+
   /// x of the rays through each column.
   std::vector<float> column_rays() const {
     std::vector<float> x(width);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "symscene/io/sequence.hpp"
@@ -22,6 +23,9 @@ struct SensorChoice {
   /// The frame as the stages take it: of a time-of-flight camera without flying pixels.
   DepthFrame prepared(DepthFrame frame, const CameraIntrinsics& camera) const;
 };
+
+/// The sensor of that name; none for "auto" and an empty name. Throws InputError for other names.
+std::optional<Sensor> named_sensor(const std::string& name);
 
 /// Looks at frames, which are to be tracked or not. Throws InputError as estimate_sensor().
 SensorChoice choose_sensor(std::span<const DepthFrame> frames, bool tracked,
