@@ -7,6 +7,7 @@
 
 #include "core/surface_sampling.hpp"
 #include "grasping/gripper_boxes.hpp"
+#include "symscene/core/geometry.hpp"
 #include "symscene/motion/joint_space.hpp"
 
 #ifdef SYMSCENE_HAS_FCL
@@ -68,7 +69,7 @@ struct LinkShape {
 LinkShape capsule_shape(std::size_t link, const Capsule& capsule) {
   const Eigen::Vector3d along = capsule.end - capsule.begin;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).matrix();
+  pose.linear() = symscene::shortest_rotation(Eigen::Vector3d::UnitZ(), along);
   pose.translation() = 0.5 * (capsule.begin + capsule.end);
   return {link, pose,
           std::make_unique<fcl::CollisionObjectd>(

@@ -19,15 +19,18 @@ target_compile_options(symscene_flags INTERFACE
   # GCC 12 invents these in its own std::string (its bugs 105329, 105651); the sanitizers see true ones.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread>
+  # The heap of a unit grows before it is searched for garbage: a sixth less time for a fifth more memory.
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2097152>
   # The same bits on every machine: no fused multiply-add behind our back.
   -ffp-contract=off
   # No code asks for floating-point exceptions; without them GCC vectorises selections.
   -fno-trapping-math)
 if(SYMSCENE_SANITIZE)
   target_compile_options(symscene_flags INTERFACE
-    -fsanitize=${SYMSCENE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    -fsanitize=${SYMSCENE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/undefined_ignored.txt>)
   target_link_options(symscene_flags INTERFACE -fsanitize=${SYMSCENE_SANITIZE})
-  target_compile_definitions(symscene_flags INTERFACE SYMSCENE_SANITIZED)
+  target_compile_definitions(symscene_flags INTERFACE SYMSCENE_SANITIZED _GLIBCXX_ASSERTIONS)
 endif()
 
 # symscene_library(ROOM [EVALUATION] LINK public... PRIVATE_LINK private...)
@@ -54,7 +57,7 @@ function(symscene_library name)
   add_library(symscene_${name} STATIC ${sources})
   add_library(symscene::${name} ALIAS symscene_${name})
   set_target_properties(symscene_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
-    UNITY_BUILD ${SYMSCENE_UNITY} UNITY_BUILD_BATCH_SIZE 12 SYMSCENE_FOLDER ${folder})
+    UNITY_BUILD ${SYMSCENE_UNITY} UNITY_BUILD_BATCH_SIZE 24 SYMSCENE_FOLDER ${folder})
   target_include_directories(symscene_${name} PUBLIC
     $<BUILD_INTERFACE:${folder}/include> $<BUILD_INTERFACE:${folder}/internal>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -8,6 +8,7 @@
 #include "core/rigid_motion.hpp"
 #include "robots/robot_solids.hpp"
 #include "robots/solid_mesh.hpp"
+#include "symscene/core/geometry.hpp"
 #include "symscene/robots/reachability.hpp"
 
 namespace symscene::app {
@@ -26,8 +27,7 @@ Eigen::Isometry3d T_table_world(const GraspScene& scene) {
   if (scene.table) {
     const Plane& table = *scene.table;
     T_world_table.translation() = -table.offset * table.normal;
-    T_world_table.linear() =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), table.normal).matrix();
+    T_world_table.linear() = shortest_rotation(Eigen::Vector3d::UnitZ(), table.normal);
     return T_world_table.inverse();
   }
   Eigen::AlignedBox3f box;

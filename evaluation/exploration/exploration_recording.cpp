@@ -6,6 +6,7 @@
 
 #include "core/looking_at.hpp"
 #include "exploration_world.hpp"
+#include "symscene/core/geometry.hpp"
 #include "symscene/core/object_class.hpp"
 #include "symscene/exploration/exploration_output.hpp"
 #include "symscene/view_planning/view_candidates.hpp"
@@ -64,7 +65,7 @@ Eigen::Isometry3d between(const Eigen::Isometry3d& from, const Eigen::Isometry3d
   const Eigen::Vector3d target = exploration_target();
   const Eigen::Vector3d a = from.translation() - target, b = to.translation() - target;
   const Eigen::Quaterniond turn =
-      Eigen::Quaterniond::Identity().slerp(share, Eigen::Quaterniond::FromTwoVectors(a, b));
+      Eigen::Quaterniond::Identity().slerp(share, Eigen::Quaterniond(shortest_rotation(a, b)));
   const double radius = (1.0 - share) * a.norm() + share * b.norm();
   return looking_at(target + radius * (turn * a).normalized(), target);
 }

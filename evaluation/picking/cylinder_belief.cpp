@@ -2,6 +2,7 @@
 
 #include "core/rigid_motion.hpp"
 #include "simulation/shapes.hpp"
+#include "symscene/core/geometry.hpp"
 #include "symscene/grasping/bounding_cylinders.hpp"
 
 namespace symscene {
@@ -13,8 +14,7 @@ TriangleMesh surface_of(const BoundingCylinder& cylinder) {
   const std::vector<ProfilePoint> profile{
       {0.0, low}, {cylinder.radius, low}, {cylinder.radius, high}, {0.0, high}};
   Eigen::Isometry3d pose(Eigen::Translation3d(cylinder.center));
-  pose.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), cylinder.direction)
-                      .toRotationMatrix();
+  pose.linear() = shortest_rotation(Eigen::Vector3d::UnitZ(), cylinder.direction);
   return transformed(make_revolution(profile, segments, cylinder.height + cylinder.radius), pose);
 }
 

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <Eigen/SVD>
 
 #include "core/image_checks.hpp"
+#include "core/nearest_orthogonal.hpp"
 #include "core/parallel.hpp"
 #include "core/pixel_showing.hpp"
 #include "core/thinned_size.hpp"
@@ -113,11 +113,8 @@ Eigen::Isometry3d align_poses(std::span<const Eigen::Isometry3d> poses_target,
   Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < poses_target.size(); ++i)
     rotations += poses_target[i].linear() * poses_source[i].linear().transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotations, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
-  const Eigen::Vector3d signs(1.0, 1.0, turn.determinant());
   Eigen::Isometry3d T_target_source = Eigen::Isometry3d::Identity();
-  T_target_source.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  T_target_source.linear() = nearest_rotation(rotations);
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < poses_target.size(); ++i)
     shift +=

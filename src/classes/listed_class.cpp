@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "core/nearest_orthogonal.hpp"
 #include "core/perpendicular_planes.hpp"
 #include "symmetry_frame.hpp"
 
@@ -19,8 +20,7 @@ Eigen::Matrix3d nearest_frame(const std::vector<ReflectionPlane>& planes) {
   normals.col(2) =
       planes.size() > 2 ? planes[2].normal : normals.col(0).cross(normals.col(1)).normalized();
   if (normals.determinant() < 0.0) normals.col(2) = -normals.col(2);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(normals, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  return nearest_orthogonal(normals);
 }
 
 /// The centre of the points, moved onto planes at right angles.

@@ -23,6 +23,11 @@ double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
+// Compiled here only: Eigen's function instantiates a singular value decomposition.
+Eigen::Matrix3d shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
 Eigen::Matrix<double, 3, 2> orthonormal_complement(const Eigen::Vector3d& direction) {
   Eigen::Matrix<double, 3, 2> basis;
   basis.col(0) = direction.unitOrthogonal();

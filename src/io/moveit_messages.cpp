@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/retreat.hpp"
+#include "symscene/core/geometry.hpp"
 
 namespace symscene {
 namespace {
@@ -87,7 +88,7 @@ Json MoveItMessages::mesh(const TriangleMesh& surface) const {
 Eigen::Isometry3d MoveItMessages::T_world_table() const {
   const Plane& table = *scene_.table;
   Eigen::Isometry3d T(Eigen::Translation3d(-table.offset * table.normal));
-  T.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), table.normal).matrix();
+  T.linear() = shortest_rotation(Eigen::Vector3d::UnitZ(), table.normal);
   return T;
 }
 

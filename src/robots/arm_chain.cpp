@@ -6,6 +6,7 @@
 
 #include "chain_arithmetic.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/geometry.hpp"
 
 namespace symscene {
 namespace {
@@ -37,11 +38,10 @@ ArmChain arm_chain(const RobotModel& model, const Arm& arm) {
     if (!joint.position) continue;
     require_limits(model, joint);
     // Turned so that the axis is z, which makes a step along the chain cheap.
-    const Eigen::Quaterniond z_to_axis =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), joint.axis);
+    const Eigen::Isometry3d z_to_axis(shortest_rotation(Eigen::Vector3d::UnitZ(), joint.axis));
     chain.joints.push_back(
         {chain.T_last_tip * z_to_axis, joint.kind, joint.limits.lower, joint.limits.upper});
-    chain.T_last_tip = Eigen::Isometry3d(z_to_axis.inverse());
+    chain.T_last_tip = z_to_axis.inverse();
   }
   return chain;
 }

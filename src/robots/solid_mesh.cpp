@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/rigid_motion.hpp"
+#include "symscene/core/geometry.hpp"
 
 namespace symscene {
 namespace {
@@ -86,8 +87,7 @@ TriangleMesh capsule_mesh(const Capsule& capsule) {
   mesh.vertices = ring_vertices(rings, capsule.radius, way.norm());
   add_triangles(rings.size(), mesh);
   Eigen::Isometry3d pose(Eigen::Translation3d(capsule.begin));
-  pose.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), way).toRotationMatrix();
+  pose.linear() = shortest_rotation(Eigen::Vector3d::UnitZ(), way);
   return transformed(std::move(mesh), pose);
 }
 

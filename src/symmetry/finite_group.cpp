@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <Eigen/SVD>
+#include "core/nearest_orthogonal.hpp"
 
 namespace symscene {
 namespace {
@@ -10,12 +10,6 @@ namespace {
 /// Elements are equal up to this distance (Frobenius), a turn by 8 degrees: those of groups with
 /// axes of order up to 12 are at least 30 degrees apart.
 constexpr double same = 0.2;
-
-/// The nearest orthogonal matrix.
-Eigen::Matrix3d orthogonal(const Eigen::Matrix3d& matrix) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
-}
 
 }  // namespace
 
@@ -64,7 +58,7 @@ FiniteGroup FiniteGroup::exact() const {
       Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
       for (std::size_t b = 0; b < size; ++b)
         sum += last[product[a * size + b]] * last[b].transpose();
-      group.elements_[a] = orthogonal(sum);
+      group.elements_[a] = nearest_orthogonal(sum);
     }
   }
   return group;

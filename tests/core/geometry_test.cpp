@@ -138,6 +138,22 @@ TEST(Angle, IsExactForTinyAnglesAndForOpposites) {
   EXPECT_EQ(angle_between(x, Eigen::Vector3d::Zero()), 0.0);
 }
 
+TEST(ShortestRotation, TurnsOneDirectionIntoTheOtherByTheAngleBetweenThem) {
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Vector3d from = Eigen::Vector3d::Random(), to = Eigen::Vector3d::Random();
+    const Eigen::Matrix3d turn = symscene::shortest_rotation(from, to);
+    EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1e-12);
+    EXPECT_NEAR(Eigen::AngleAxisd(turn).angle(), symscene::angle_between(from, to), 1e-7);
+  }
+}
+
+TEST(ShortestRotation, OfOppositeDirectionsIsAHalfTurn) {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Eigen::Matrix3d turn = symscene::shortest_rotation(up, -up);
+  EXPECT_LT((turn * up + up).norm(), 1e-12);
+  EXPECT_NEAR(turn.determinant(), 1.0, 1e-12);
+}
+
 TEST(Ramp, MapsTheBoundsToZeroAndOneAndClampsOutside) {
   EXPECT_EQ(ramp(10.0, 10.0, 60.0), 0.0);
   EXPECT_EQ(ramp(60.0, 10.0, 60.0), 1.0);

@@ -6,6 +6,7 @@
 #include "motion/segment_distance.hpp"
 #include "small_arm.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/core/geometry.hpp"
 
 #ifdef SYMSCENE_HAS_FCL
 #include <fcl/geometry/shape/capsule.h>
@@ -62,7 +63,7 @@ TEST(CapsuleDistance, EqualsThatOfFcl) {
   const auto fcl_object = [](const Capsule& capsule) {
     const Eigen::Vector3d along = capsule.end - capsule.begin;
     fcl::Transform3d pose = fcl::Transform3d::Identity();
-    pose.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).matrix();
+    pose.linear() = symscene::shortest_rotation(Eigen::Vector3d::UnitZ(), along);
     pose.translation() = 0.5 * (capsule.begin + capsule.end);
     return fcl::CollisionObjectd(std::make_shared<fcl::Capsuled>(capsule.radius, along.norm()),
                                  pose);

@@ -51,6 +51,9 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 /// The angle between two lines with these directions, in [0, π/2]. [rad]
 double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
+/// The rotation by the smallest angle that turns the direction of `from` into that of `to`.
+Eigen::Matrix3d shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 /// Two unit vectors that complete a unit vector to a right-handed orthonormal basis, as columns.
 Eigen::Matrix<double, 3, 2> orthonormal_complement(const Eigen::Vector3d& direction);
 
