@@ -31,6 +31,14 @@ if(SYMSCENE_SANITIZE)
     $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/undefined_ignored.txt>)
   target_link_options(symscene_flags INTERFACE -fsanitize=${SYMSCENE_SANITIZE})
   target_compile_definitions(symscene_flags INTERFACE SYMSCENE_SANITIZED _GLIBCXX_ASSERTIONS)
+else()
+  # Hardened as the distribution's packages are (docs/security.md; tests/build/hardened.sh).
+  include(CheckPIESupported)
+  check_pie_supported()
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(symscene_flags INTERFACE -fstack-protector-strong -fstack-clash-protection
+    $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>)
+  target_link_options(symscene_flags INTERFACE -Wl,-z,relro,-z,now)
 endif()
 
 # symscene_library(ROOM [EVALUATION] LINK public... PRIVATE_LINK private...)
