@@ -25,7 +25,7 @@ struct Cylinders {
     write_result_page(
         page, source.path, result,
         {surface_around(input.surface, result, source.path, session), std::move(input.trajectory)},
-        {.grasps = PageGrasps{hand, plan}, .noun = "cluster"});
+        {.grasps = PageGrasps{hand, plan}, .subject = "cylinders", .noun = "cluster"});
   }
 
   void run() {

@@ -39,7 +39,7 @@ struct GraspCommand {
       write_file_atomically(shared.output, format_grasps_json(plan, hand));
       if (!page.empty()) {
         write_result_page(page, input.source.path, read.result, std::move(read.around),
-                          {.grasps = PageGrasps{hand, plan}});
+                          {.grasps = PageGrasps{hand, plan}, .subject = "grasps"});
       }
     });
     session.print_line(format_grasps(plan));

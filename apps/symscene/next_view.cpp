@@ -74,7 +74,7 @@ struct NextViewCommand {
       write_file_atomically(shared.output, format_next_views_json(ranked));
       if (!page.empty()) {
         write_result_page(page, input.source.path, read.result, std::move(read.around),
-                          {.views = page_views(ranked)});
+                          {.views = page_views(ranked), .subject = "next views"});
       }
     });
     session.print_line(format_next_views(ranked));

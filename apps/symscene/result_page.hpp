@@ -14,16 +14,16 @@ namespace symscene::app {
 TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResult& result,
                             const std::filesystem::path& source, Session& session);
 
-/// The direction that a page without a table shows upwards: −y for a cloud that lies before a
-/// camera at the origin that looks along +z; none for others.
-std::optional<Eigen::Vector3d> camera_up(const PointCloud& cloud);
-
 /// What a page shows beside a result.
 struct PageExtras {
   std::optional<PageGrasps> grasps = std::nullopt;
   std::optional<PageViews> views = std::nullopt;
+  std::string subject;          ///< what the page shows of the objects, told in its title
   std::string noun = "object";  ///< what the page calls an object
 };
+
+/// The page of a result with its table, its surface and the camera's path.
+PageOptions result_page(const SegmentationResult& result, std::string title, Surroundings around);
 
 /// Writes the page of a result that was made of `source`, which gives its title.
 void write_result_page(const std::filesystem::path& page, const std::filesystem::path& source,

@@ -19,14 +19,8 @@ struct View {
   std::filesystem::path result;
 
   PageOptions page_options(const SegmentationResult& input) const {
-    PageOptions options;
-    options.title = title.empty() ? folder_name(result) : title;
-    options.table = input.table;
-    if (!input.table) options.up = camera_up(input.cloud);
-    Surroundings around = read_result_surroundings(result);
-    options.surface = std::move(around.surface);
-    options.trajectory = std::move(around.trajectory);
-    return options;
+    return result_page(input, title.empty() ? folder_name(result) : title,
+                       read_result_surroundings(result));
   }
 
   void run() const {

@@ -137,6 +137,7 @@ TEST_F(GraspCommand, TakesAResultOfAnEarlierVersion) {
   EXPECT_NE(outcome.err.find("no closed surfaces"), std::string::npos) << outcome.err;
   for (const auto& object : json_of("grasps.json").at("objects"))
     EXPECT_EQ(object.at("reason"), "no_surface");
+  EXPECT_NE(contents(file("grasps.html")).find("<title>earlier: grasps"), std::string::npos);
 }
 
 TEST_F(GraspCommand, RefusesAResultInMillimetres) {
