@@ -119,8 +119,12 @@ void Arguments::optional_output_folder(SharedOptions& shared, const std::string&
   command_.add_option("-o,--output", shared.output, help)->type_name("FOLDER");
 }
 
-void Arguments::output_file(SharedOptions& shared, const std::string& help) {
-  command_.add_option("-o,--output", shared.output, help)->required()->type_name("FILE");
+void Arguments::output_file(SharedOptions& shared, const std::string& help,
+                            const std::vector<std::string>& formats) {
+  command_.add_option("-o,--output", shared.output, help)
+      ->required()
+      ->type_name("FILE")
+      ->check([formats](const std::string& text) { return check_ending(text, formats); });
 }
 
 void Arguments::optional_output_file(SharedOptions& shared, const std::string& help) {

@@ -59,7 +59,10 @@ class Arguments {
             const std::string& help);
   void output_folder(SharedOptions& shared, const std::string& help);
   void optional_output_folder(SharedOptions& shared, const std::string& help);
-  void output_file(SharedOptions& shared, const std::string& help);
+  /// A file of one of the formats that these endings name, or without an ending; any without
+  /// formats.
+  void output_file(SharedOptions& shared, const std::string& help,
+                   const std::vector<std::string>& formats = {});
   void optional_output_file(SharedOptions& shared, const std::string& help);
   void file(const char* flag, std::filesystem::path& value, const std::string& help);
   void folder(const char* flag, std::filesystem::path& value, const std::string& help);

@@ -66,7 +66,7 @@ void add_cylinders(CommandLine& line) {
                       "  symscene cylinders scene --gripper reflex -o cylinders.json");
   arguments.input(state->source.path, "INPUT",
                   "scene folder, depth image, folder with one frame, or cloud (.ply, .pcd)");
-  arguments.output_file(state->shared, "JSON file to write");
+  arguments.output_file(state->shared, "JSON file to write", {".json"});
   state->gripper.add_to(arguments);
   arguments.file("--page", state->page, "also write a page that shows cylinders and grasps");
   state->source.add_to(arguments);

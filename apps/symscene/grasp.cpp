@@ -61,7 +61,7 @@ void add_grasp(CommandLine& line) {
   arguments.input(state->input.source.path, "INPUT",
                   "scene folder, depth image, folder with one frame, or cloud, which is segmented "
                   "first; or result folder");
-  arguments.output_file(state->shared, "JSON file to write");
+  arguments.output_file(state->shared, "JSON file to write", {".json"});
   state->gripper.add_to(arguments);
   arguments.file("--page", state->page, "also write a page that shows the grasps");
   state->input.add_to(arguments,

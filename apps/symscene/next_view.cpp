@@ -99,7 +99,7 @@ void add_next_view(CommandLine& line) {
   arguments.input(state->input.source.path, "INPUT",
                   "scene folder, depth image, folder with one frame, or cloud, which is segmented "
                   "first; or result folder");
-  arguments.output_file(state->shared, "JSON file to write");
+  arguments.output_file(state->shared, "JSON file to write", {".json"});
   state->candidates.add_to(arguments);
   arguments.choice("--policy", state->policy,
                    {to_string(ViewPolicy::symmetry), to_string(ViewPolicy::unknown_voxels),

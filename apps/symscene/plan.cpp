@@ -251,7 +251,7 @@ void add_plan(CommandLine& line) {
   arguments.input(state->path, "INPUT",
                   "grasps.json of symscene grasp; or a scene or result, whose grasps are planned "
                   "first");
-  arguments.output_file(state->shared, "trajectory to write: .csv, else JSON");
+  arguments.output_file(state->shared, "trajectory to write: .csv, else JSON", {".csv", ".json"});
   state->robot.add_to(arguments);
   arguments.text("--object", "NUMBER", state->object,
                  "number of the object to pick (default: any)");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -34,6 +35,12 @@ std::string check_choice(const std::string& text, const std::vector<std::string>
   if (std::find(choices.begin(), choices.end(), text) != choices.end()) return "";
   return sentence(fmt::format("one of {}", fmt::join(choices, ", ")),
                   with_nearest_name(text, choices));
+}
+
+std::string check_ending(const std::string& name, const std::vector<std::string>& endings) {
+  const std::string ending = std::filesystem::path(name).extension().string();
+  if (ending.empty() || endings.empty() || std::ranges::count(endings, ending) > 0) return "";
+  return sentence(fmt::format("a name that ends in {}", fmt::join(endings, " or ")), name);
 }
 
 std::string check_depth_scale(const std::string& text) {

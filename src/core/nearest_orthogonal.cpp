@@ -6,7 +6,7 @@ namespace symscene {
 namespace {
 
 Eigen::JacobiSVD<Eigen::Matrix3d> decomposed(const Eigen::Matrix3d& matrix) {
-  return {matrix, Eigen::ComputeFullU | Eigen::ComputeFullV};
+  return Eigen::JacobiSVD<Eigen::Matrix3d>(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
 }
 
 }  // namespace

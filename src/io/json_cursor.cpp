@@ -67,11 +67,16 @@ void JsonCursor::fail(const std::string& expected) const {
 }
 
 JsonCursor JsonCursor::at(const char* key) const {
-  if (const auto found = find(key)) return *found;
+  if (const auto found = member(key)) return *found;
   throw InputError(where(), fmt::format("a member \"{}\"", key), "none");
 }
 
 std::optional<JsonCursor> JsonCursor::find(const char* key) const {
+  const auto found = member(key);
+  return found && !found->value_->is_null() ? found : std::nullopt;
+}
+
+std::optional<JsonCursor> JsonCursor::member(const char* key) const {
   if (!value_->is_object()) fail("an object");
   const auto found = value_->find(key);
   if (found == value_->end()) return std::nullopt;

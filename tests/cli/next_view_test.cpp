@@ -79,7 +79,9 @@ TEST_F(NextViewCommand, RefusesWhatItCannotUse) {
   expect_refusal(scene + " --camera camera.txt --candidates none.txt", 1, "at least one pose");
   expect_refusal(scene + " --camera camera.txt --costs one.txt", 1, "34 numbers");
   expect_refusal(scene + " --camera camera.txt --costs words.txt", 1, "\"near\"");
-  expect_refusal("next-view scene --camera camera.txt -o camera.txt", 1, "outside the input");
+  fs::copy(file("camera.txt"), file("camera"));
+  expect_refusal("next-view scene --camera camera -o camera", 1, "outside the input");
+  expect_refusal("next-view scene --camera camera.txt -o views.yaml", 2, "ends in .json");
   expect_refusal(scene + " --camera camera.txt --candidates poses.txt --page poses.txt", 1,
                  "outside the input");
   expect_refusal("next-view scene --camera camera.txt -o scene/views.json", 1, "outside the input");

@@ -289,6 +289,15 @@ TEST(Result, TimesOfAStageThatRanTwiceAreAdded) {
   EXPECT_EQ(again.timings[0].seconds, 1.25);
 }
 
+TEST(Result, AnOptionalMemberMayBeNull) {
+  const std::string text =
+      R"({"version":3,"cloud":"cloud.ply","table":null,"objects":[{"id":0,"points":[0],
+          "confidence":0.5,"rotational":[],"reflectional":[],"cloud":null}]})";
+  const SegmentationResult result = parse_objects_json(text, "null.json", 40);
+  EXPECT_FALSE(result.table);
+  EXPECT_EQ(result.objects.size(), 1U);
+}
+
 TEST(Result, ARejectionMayHaveNoFiniteValue) {
   SegmentationResult result = small_result();
   result.rejected[0].value = std::numeric_limits<double>::infinity();

@@ -23,7 +23,7 @@ class JsonCursor {
   /// The root of a document. Both must outlive the cursor and all cursors obtained from it.
   JsonCursor(const Json& document, const std::string& name) : value_(&document), name_(&name) {}
 
-  /// A required member, and an optional one.
+  /// A required member, and an optional one, which may also be null.
   JsonCursor at(const char* key) const;
   std::optional<JsonCursor> find(const char* key) const;
 
@@ -55,6 +55,7 @@ class JsonCursor {
   JsonCursor(const Json& value, const std::string& name, std::string path)
       : value_(&value), name_(&name), path_(std::move(path)) {}
   JsonCursor item(std::size_t i) const;
+  std::optional<JsonCursor> member(const char* key) const;
 
   const Json* value_;
   const std::string* name_;
