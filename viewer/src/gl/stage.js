@@ -1,10 +1,10 @@
 // The canvas: table, cloud and mesh in two passes, then lines and sheets. Draws on demand.
 import * as THREE from 'three';
+import { MEASURED_SCALE, detailFor, measured } from './detail.js';
 import { composeFragment, composeVertex } from './shaders.js';
 
 const MAX_PIXEL_RATIO = 2;
 const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
-const MOTION_COST = 40; // longest time per frame during movement [ms]
 
 function createTarget(type) {
   return new THREE.WebGLRenderTarget(2, 2, {
@@ -75,10 +75,12 @@ export class Stage {
     this.compose = createCompose(this.targets);
     this.requested = 0;
     this.restTimer = 0;
-    this.motionScale = 1;
+    this.detail = { motionScale: MEASURED_SCALE, restSamples: 2 };
   }
 
+  /** [CSS pixels] The first call of an observer of the size reports what is known. */
   resize(width, height) {
+    if (width === this.width && height === this.height) return;
     this.width = width;
     this.height = height;
     this.renderer.setSize(width, height, false);
@@ -106,7 +108,7 @@ export class Stage {
     this.requested = 0;
     const moving = this.beforeDraw.map((step) => step()).some(Boolean);
     clearTimeout(this.restTimer);
-    this.#setDetail(this.motionScale);
+    this.#setDetail(this.detail.motionScale);
     if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
     else this.draw(1);
     if (moving || this.frames === 1) this.invalidate();
@@ -119,14 +121,8 @@ export class Stage {
     this.draw(samples);
   }
 
-  // Without a graphics card, fewer pixels keep movement smooth.
   #measure() {
-    const begin = performance.now();
-    this.draw(1);
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until the picture is drawn
-    const cost = performance.now() - begin;
-    this.motionScale = Math.min(1, Math.max(0.4, Math.sqrt(MOTION_COST / cost)));
+    this.detail = detailFor(measured(this.renderer.getContext(), () => this.draw(1)));
   }
 
   #setDetail(scale) {
@@ -134,9 +130,9 @@ export class Stage {
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
   }
 
-  // A still picture gets four samples per pixel unless the screen's density provides them.
+  // A still picture gets four samples per pixel unless the screen's density provides them or they would take long.
   #restSamples() {
-    return this.renderer.getPixelRatio() > 1.5 ? 1 : 2;
+    return this.renderer.getPixelRatio() > 1.5 ? 1 : this.detail.restSamples;
   }
 
   /** Draws at once, with samples² texels per pixel. */

@@ -3,6 +3,7 @@
 import * as THREE from 'three';
 import { Viewpoint } from '../camera.js';
 import { h } from '../dom.js';
+import { MEASURED_SCALE, detailFor, measured } from '../gl/detail.js';
 import { Tags } from './tags.js';
 import { World } from './world.js';
 
@@ -10,7 +11,6 @@ const MAX_PIXEL_RATIO = 2;
 const CAPTION = 40; // height of the captions, which the framed part leaves free [CSS pixels]
 const CONTROLS = 52; // height of the controls below
 const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
-const MOTION_COST = 40; // longest time per frame during movement [ms]
 
 function createRenderer(canvas) {
   const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -33,7 +33,7 @@ export class RunView {
     this.renderer = createRenderer(this.canvas);
     this.requested = 0;
     this.restTimer = 0;
-    this.motionScale = 1;
+    this.motionScale = MEASURED_SCALE;
   }
 
   /** Starts to draw, when the element is in the page. */
@@ -57,7 +57,7 @@ export class RunView {
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.element;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || (width === this.width && height === this.height)) return;
     [this.width, this.height] = [width, height];
     this.renderer.setSize(width, height, false);
     this.#setDetail(1);
@@ -88,11 +88,12 @@ export class RunView {
     this.requested = 0;
     const moving = this.viewpoint.step() || this.store.get().playing;
     clearTimeout(this.restTimer);
+    const isCoarse = this.motionScale < 1;
     this.#setDetail(this.motionScale);
     if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
     else this.draw();
     if (this.frames < 2 || moving) this.invalidate();
-    if (this.motionScale < 1 && !moving) this.restTimer = setTimeout(() => this.drawRested(), REST_DELAY);
+    if (isCoarse && !moving) this.restTimer = setTimeout(() => this.drawRested(), REST_DELAY);
   }
 
   /** Draws at once with all pixels of the screen. */
@@ -101,13 +102,8 @@ export class RunView {
     this.draw();
   }
 
-  // Without a graphics card, fewer pixels keep movement smooth.
   #measure() {
-    const begin = performance.now();
-    this.draw();
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until the picture is drawn
-    this.motionScale = Math.min(1, Math.max(0.4, Math.sqrt(MOTION_COST / (performance.now() - begin))));
+    this.motionScale = detailFor(measured(this.renderer.getContext(), () => this.draw())).motionScale;
   }
 
   #setDetail(scale) {
