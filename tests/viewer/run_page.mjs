@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
-import { openPage, withBrowser } from './browser.mjs';
+import { after, before, describe } from 'node:test';
+import { browserTest } from './browser.mjs';
 import { encodeRun, writePage } from './payload.mjs';
 import { recordedRun } from './run_fixture.mjs';
 import { box } from './run_meshes.mjs';
@@ -48,14 +48,7 @@ after(async () => {
   await rm(folder, { recursive: true, force: true });
 });
 
-function runTest(name, options, body, { hash = '', path = () => pages.run, skip = false } = {}) {
-  test(name, { timeout: 120000, skip }, () => withBrowser(options, async (context) => {
-    const { page, trouble } = await openPage(context, path(), hash);
-    assert.deepEqual(trouble, []);
-    await body(page, context);
-    assert.deepEqual(trouble, []);
-  }));
-}
+const runTest = (name, options, body, { path = () => pages.run, ...rest } = {}) => browserTest(name, path, options, body, rest);
 
 const hook = (page, expression) => page.evaluate(`window.symscene.${expression}`);
 const near = (a, b, message) => assert.ok(Math.abs(a - b) < 1e-6, message ?? `${a} is not ${b}`);

@@ -1,5 +1,7 @@
 // window.symscene: the interface for tests and for scripts that take pictures.
 
+import { initialState } from './store.js';
+
 // A pixel that picks the object, near the centre of its pickable pixels.
 function clickPoint(app, index) {
   const { positions, owners } = app.drawing.cloud;
@@ -60,6 +62,13 @@ export function createHook(app) {
     get views() { return app.drawing.views !== null && store.get().views; },
     get chosenView() { return store.get().view; },
     get frames() { return stage.frames; },
+    /** Whether the picture and its labels show the state. */
+    get drawn() { return stage.requested === 0; },
+    /** Back to how the page begins without a hash. */
+    reset() {
+      store.set(initialState(app.scene));
+      viewpoint.go('home', false);
+    },
     toggle: (key) => app.actions.toggle(key),
     select: (id) => app.actions.select(indexOf(id)),
     view: (name) => viewpoint.go(name, false),

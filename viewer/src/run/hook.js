@@ -1,5 +1,7 @@
 // window.symscene: the interface for tests and for scripts that take pictures.
 
+import { initialState } from './state.js';
+
 // Per drawn view the share of pixels that are not empty, and a hash of all.
 function readPixels(view) {
   view.drawRested();
@@ -36,6 +38,13 @@ export function createHook(recording, { view, store, actions, currentEvent, reco
     get candidate() { return store.get().candidate; },
     get map() { return store.get().map; },
     get frames() { return view.frames; },
+    /** Whether the picture and its tags show the state. */
+    get drawn() { return view.requested === 0; },
+    /** Back to how the page begins without a hash. */
+    reset() {
+      store.set(initialState(recording));
+      view.viewpoint.go('home', false);
+    },
     get tags() { return view.tags.shown.map(({ text }) => text); },
     seek: (time) => actions.seek(time),
     view: (name) => view.viewpoint.go(name, false),
