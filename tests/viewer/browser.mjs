@@ -24,8 +24,9 @@ function browser() {
 
 after(async () => (await started)?.close());
 
-/** Opens a page file and waits for its first picture; `trouble` collects errors and requests. */
-async function openPage(context, path, hash) {
+// A page of a context of its own; `trouble` collects errors and requests.
+async function openContext(options) {
+  const context = await (await browser()).newContext({ reducedMotion: 'reduce', ...options });
   const page = await context.newPage();
   const trouble = [];
   page.on('console', (message) => {
@@ -37,26 +38,29 @@ async function openPage(context, path, hash) {
   page.on('request', (request) => {
     if (!/^(file|data):/.test(request.url())) trouble.push(`request: ${request.url()}`);
   });
+  return { context, page, trouble };
+}
+
+/** Loads a page file and waits for its first picture. */
+async function load({ page, trouble }, path, hash = '') {
   await page.goto(`${pathToFileURL(resolve(path))}${hash}`);
   await page.waitForFunction(() => window.symscene, null, { timeout: 60000 })
     .catch(() => trouble.push('window.symscene never came'));
   if (trouble.length === 0) await page.evaluate(() => window.symscene.ready);
-  return { page, trouble };
-}
-
-async function openContext(path, options, hash) {
-  const context = await (await browser()).newContext({ reducedMotion: 'reduce', ...options });
-  return { context, ...await openPage(context, path, hash) };
 }
 
 /** Waits until the picture shows the state. */
 export const drawn = (page) => page.waitForFunction(() => window.symscene.drawn);
 
-/** Sets an opened page back to how it begins, in the window and the colours of `options`. */
-async function reset({ page }, { viewport, colorScheme = 'light', hasTouch }) {
+/** Sets window, colours and mouse as in a new context with these options. */
+async function fit({ page }, { viewport, colorScheme = 'light', hasTouch }) {
   await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
   await page.setViewportSize(viewport);
   if (!hasTouch) await page.mouse.move(1, viewport.height / 2);
+}
+
+/** Sets a loaded page back to how it begins. */
+async function reset({ page }) {
   await page.evaluate(async () => {
     document.activeElement?.blur();
     await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }); // the new size is observed
@@ -65,8 +69,8 @@ async function reset({ page }, { viewport, colorScheme = 'light', hasTouch }) {
   await drawn(page);
 }
 
-// To load a page and compile its shaders without a graphics card takes longer than most tests. The last page stays open
-// for the next test of the same file on the same kind of screen.
+// To load a page and compile its shaders without a graphics card takes longer than most tests. The last page stays for the
+// next test on the same kind of screen.
 let last = null;
 
 async function closeLast() {
@@ -76,24 +80,33 @@ async function closeLast() {
 
 after(closeLast);
 
-async function openLast(path, options) {
-  const key = JSON.stringify([path, Boolean(options.isMobile), Boolean(options.acceptDownloads)]);
-  if (last?.key === key) {
-    await reset(last, options);
-    return;
+async function openLast(path, options, isFresh) {
+  const screen = Boolean(options.isMobile);
+  if (last?.screen !== screen) {
+    await closeLast();
+    last = { path: null, screen, ...await openContext(options) };
   }
-  await closeLast();
-  last = { key, ...await openContext(path, options, '') };
+  await fit(last, options);
+  if (last.path === path && !isFresh) await reset(last);
+  else await load(last, path);
+  last.path = path;
+  return last;
+}
+
+async function openAlone(path, options, hash) {
+  const opened = await openContext(options);
+  await load(opened, path, hash);
+  return opened;
 }
 
 /**
  * A browser test: `body(page, context)` with the page of the file path(). It fails if the page logs an error or warning, or
- * requests the network. `options` are Playwright's (viewport, colorScheme, ...). A test with a `hash`, or that is `alone`, has
- * a context of its own, which shares nothing with others; the rest may share a page, which is set back between them.
+ * requests the network. `options` are Playwright's (viewport, colorScheme, ...). A test with a `hash` has a context of its own,
+ * one that is `isFresh` loads the page; others may get the page of the test before, which is set back.
  */
-export function browserTest(name, path, options, body, { hash = '', alone = hash !== '', skip = false } = {}) {
+export function browserTest(name, path, options, body, { hash = '', isFresh = false, skip = false } = {}) {
   test(name, { timeout: 120000, skip }, async () => {
-    const opened = alone ? await openContext(path(), options, hash) : await openLast(path(), options).then(() => last);
+    const opened = await (hash ? openAlone(path(), options, hash) : openLast(path(), options, isFresh));
     let passed = false;
     try {
       assert.deepEqual(opened.trouble, []);
@@ -101,7 +114,7 @@ export function browserTest(name, path, options, body, { hash = '', alone = hash
       assert.deepEqual(opened.trouble, []);
       passed = true;
     } finally {
-      if (alone) await opened.context.close();
+      if (hash) await opened.context.close();
       else if (!passed) await closeLast();
     }
   });

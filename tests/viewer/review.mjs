@@ -45,9 +45,9 @@ before(async () => {
 
 after(() => rm(folder, { recursive: true, force: true }));
 
-// Choices are kept in the page, so that each test has its own.
+// Choices are kept in the page, so that each test loads it.
 const reviewTest = (name, body, page = () => path, { skip = false } = {}) =>
-  browserTest(name, page, { ...WINDOW, acceptDownloads: true }, body, { alone: true, skip });
+  browserTest(name, page, WINDOW, body, { isFresh: true, skip });
 
 const hook = (page, expression) => page.evaluate(`window.symscene.${expression}`);
 const words = async (page, m) => (await hook(page, 'choices')).models[m].symmetries.map(({ choice }) => choice);

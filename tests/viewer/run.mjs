@@ -16,7 +16,7 @@ import './run_modules.mjs';
 import './run_page.mjs';
 
 // Tests run without a graphics card, so that those not about layout use a small window.
-const WINDOW = { viewport: { width: 960, height: 600 } };
+const WINDOW = { viewport: { width: 860, height: 480 } };
 const DESKTOP = { viewport: { width: 1280, height: 800 } };
 const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
 const HOSTILE = '</title></script><script>window.hacked=1</script><img src=x onerror="window.hacked=1">';
@@ -259,7 +259,7 @@ describe('a result with the surface that was reconstructed', () => {
     }
   });
 
-  browserTest('shows the path of the camera, and frames it', path, DESKTOP, async (page) => {
+  browserTest('shows the path of the camera, and frames it', path, WINDOW, async (page) => {
     const before = await hook(page, 'pixels()');
     await page.keyboard.press('v');
     assert.equal(await hook(page, 'path'), true);
@@ -485,5 +485,5 @@ describe('other results', () => {
     await page.mouse.click(x, y);
     assert.equal(await hook(page, 'selected'), ids[0]);
     assert.deepEqual(await layoutProblems(page), []);
-  }, { skip: !process.env.SYMSCENE_PAGE, alone: true });
+  }, { skip: !process.env.SYMSCENE_PAGE });
 });

@@ -22,7 +22,7 @@ function clickPoint(app, index) {
 
 // The share of pixels of the canvas that are not empty, and a hash of all pixels.
 function readPixels({ stage }) {
-  stage.drawRested(1);
+  stage.drawNow(1);
   const gl = stage.renderer.getContext();
   const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
   const bytes = new Uint8Array(4 * width * height);

@@ -106,13 +106,27 @@ export class Stage {
 
   #tick() {
     this.requested = 0;
-    const moving = this.beforeDraw.map((step) => step()).some(Boolean);
+    const moving = this.#step();
     clearTimeout(this.restTimer);
     this.#setDetail(this.detail.motionScale);
     if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
     else this.draw(1);
     if (moving || this.frames === 1) this.invalidate();
     else this.restTimer = setTimeout(() => this.drawRested(), this.frames < 3 ? 0 : REST_DELAY);
+  }
+
+  #step() {
+    return this.beforeDraw.map((step) => step()).some(Boolean);
+  }
+
+  /** Draws the state at once, in place of the requested frames. */
+  drawNow(samples) {
+    cancelAnimationFrame(this.requested);
+    clearTimeout(this.restTimer);
+    this.requested = 0;
+    const moving = this.#step();
+    this.drawRested(samples);
+    if (moving || samples !== this.#restSamples()) this.invalidate();
   }
 
   /** Draws at once with all pixels of the screen. */

@@ -4,7 +4,7 @@ import { initialState } from './state.js';
 
 // Per drawn view the share of pixels that are not empty, and a hash of all.
 function readPixels(view) {
-  view.drawRested();
+  view.drawNow();
   const gl = view.renderer.getContext();
   const ratio = view.renderer.getPixelRatio();
   return view.parts.map(({ side, left, width }) => {

@@ -96,6 +96,16 @@ export class RunView {
     if (isCoarse && !moving) this.restTimer = setTimeout(() => this.drawRested(), REST_DELAY);
   }
 
+  /** Draws the state at once, in place of the requested frames. */
+  drawNow() {
+    cancelAnimationFrame(this.requested);
+    clearTimeout(this.restTimer);
+    this.requested = 0;
+    const moving = this.viewpoint.step() || this.store.get().playing;
+    this.drawRested();
+    if (moving) this.invalidate();
+  }
+
   /** Draws at once with all pixels of the screen. */
   drawRested() {
     this.#setDetail(1);
