@@ -63,6 +63,7 @@ async function fit({ page }, { viewport, colorScheme = 'light', hasTouch }) {
 async function reset({ page }) {
   await page.evaluate(async () => {
     document.activeElement?.blur();
+    history.replaceState(null, '', location.pathname);
     await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }); // the new size is observed
     window.symscene.reset();
   });
@@ -93,6 +94,15 @@ async function openLast(path, options, isFresh) {
   return last;
 }
 
+/** Changes the hash of the address, which the page follows. */
+async function follow({ page }, hash) {
+  await page.evaluate((text) => new Promise((resolve) => {
+    addEventListener('hashchange', resolve, { once: true });
+    location.hash = text;
+  }), hash);
+  await drawn(page);
+}
+
 async function openAlone(path, options, hash) {
   const opened = await openContext(options);
   await load(opened, path, hash);
@@ -101,12 +111,14 @@ async function openAlone(path, options, hash) {
 
 /**
  * A browser test: `body(page, context)` with the page of the file path(). It fails if the page logs an error or warning, or
- * requests the network. `options` are Playwright's (viewport, colorScheme, ...). A test with a `hash` has a context of its own,
- * one that is `isFresh` loads the page; others may get the page of the test before, which is set back.
+ * requests the network. `options` are Playwright's (viewport, colorScheme, ...). One that `isFresh` loads the page, with its
+ * `hash` in a context of its own. Others may get the page of the test before, which is set back and then follows the `hash`.
  */
 export function browserTest(name, path, options, body, { hash = '', isFresh = false, skip = false } = {}) {
   test(name, { timeout: 120000, skip }, async () => {
-    const opened = await (hash ? openAlone(path(), options, hash) : openLast(path(), options, isFresh));
+    const isAlone = isFresh && hash !== '';
+    const opened = await (isAlone ? openAlone(path(), options, hash) : openLast(path(), options, isFresh));
+    if (hash && !isAlone) await follow(opened, hash);
     let passed = false;
     try {
       assert.deepEqual(opened.trouble, []);
@@ -114,7 +126,7 @@ export function browserTest(name, path, options, body, { hash = '', isFresh = fa
       assert.deepEqual(opened.trouble, []);
       passed = true;
     } finally {
-      if (hash) await opened.context.close();
+      if (isAlone) await opened.context.close();
       else if (!passed) await closeLast();
     }
   });

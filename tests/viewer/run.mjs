@@ -90,7 +90,7 @@ describe('a result with objects', () => {
     assert.equal(await page.title(), 'Synthetic tabletop');
     const { filled } = await hook(page, 'pixels()');
     assert.ok(filled > 0.1 && filled < 0.9, `${filled} of the canvas is filled`);
-    await page.waitForTimeout(500);
+    await page.waitForFunction(() => window.symscene.rested);
     const frames = await hook(page, 'frames');
     await page.waitForTimeout(600);
     assert.equal(await hook(page, 'frames'), frames, 'nothing is drawn while nothing changes');
@@ -185,7 +185,7 @@ describe('a result with objects', () => {
     assert.deepEqual(await hook(page, 'visible'), [1, 3]);
     assert.deepEqual(await hook(page, 'completed'), [3]);
     assert.equal(await pressed(page, '[data-toggle=planes]'), 'false');
-  }, { hash: '#view=top&select=3&mode=objects&only=1,3&completed=3&planes=0' });
+  }, { hash: '#view=top&select=3&mode=objects&only=1,3&completed=3&planes=0', isFresh: true });
 
   const sizes = {
     'a desk': DESKTOP,

@@ -113,7 +113,7 @@ describe('the page of a run', () => {
   });
 
   runTest('draws nothing while it rests, plays to the end and begins again', WINDOW, async (page) => {
-    await page.waitForTimeout(600);
+    await page.waitForFunction(() => window.symscene.rested);
     const frames = await hook(page, 'frames');
     await page.waitForTimeout(400);
     assert.equal(await hook(page, 'frames'), frames);
@@ -184,7 +184,7 @@ describe('the page of a run', () => {
     assert.match(await page.evaluate('location.hash'), /show=believed/);
     await page.evaluate(() => { location.hash = '#t=4'; });
     await page.waitForFunction(() => window.symscene.time === 4);
-  }, { hash: '#t=12.3&show=believed&speed=2&view=top' });
+  }, { hash: '#t=12.3&show=believed&speed=2&view=top', isFresh: true });
 
   runTest('ignores an address that makes no sense', WINDOW, async (page) => {
     assert.equal(await hook(page, 'time'), 0);

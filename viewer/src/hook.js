@@ -64,6 +64,7 @@ export function createHook(app) {
     get frames() { return stage.frames; },
     /** Whether the picture and its labels show the state. */
     get drawn() { return stage.requested === 0; },
+    get rested() { return stage.isRested; },
     /** Back to how the page begins without a hash. */
     reset() {
       store.set(initialState(app.scene));

@@ -1,10 +1,9 @@
 // The canvas: table, cloud and mesh in two passes, then lines and sheets. Draws on demand.
 import * as THREE from 'three';
-import { MEASURED_SCALE, detailFor, measured } from './detail.js';
+import { FIRST_DETAIL, detailFor, measured } from './detail.js';
 import { composeFragment, composeVertex } from './shaders.js';
 
 const MAX_PIXEL_RATIO = 2;
-const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
 
 function createTarget(type) {
   return new THREE.WebGLRenderTarget(2, 2, {
@@ -75,7 +74,7 @@ export class Stage {
     this.compose = createCompose(this.targets);
     this.requested = 0;
     this.restTimer = 0;
-    this.detail = { motionScale: MEASURED_SCALE, restSamples: 2 };
+    this.detail = FIRST_DETAIL;
   }
 
   /** [CSS pixels] The first call of an observer of the size reports what is known. */
@@ -108,11 +107,21 @@ export class Stage {
     this.requested = 0;
     const moving = this.#step();
     clearTimeout(this.restTimer);
+    this.restTimer = 0;
     this.#setDetail(this.detail.motionScale);
     if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
     else this.draw(1);
     if (moving || this.frames === 1) this.invalidate();
-    else this.restTimer = setTimeout(() => this.drawRested(), this.frames < 3 ? 0 : REST_DELAY);
+    else this.#restAfter(this.frames < 3 ? 0 : this.detail.restDelay);
+  }
+
+  #restAfter(delay) {
+    this.restTimer = setTimeout(() => { this.restTimer = 0; this.drawRested(); }, delay);
+  }
+
+  /** Whether nothing is drawn until something changes. */
+  get isRested() {
+    return !this.requested && !this.restTimer;
   }
 
   #step() {
@@ -123,7 +132,7 @@ export class Stage {
   drawNow(samples) {
     cancelAnimationFrame(this.requested);
     clearTimeout(this.restTimer);
-    this.requested = 0;
+    this.requested = this.restTimer = 0;
     const moving = this.#step();
     this.drawRested(samples);
     if (moving || samples !== this.#restSamples()) this.invalidate();

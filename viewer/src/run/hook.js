@@ -40,6 +40,7 @@ export function createHook(recording, { view, store, actions, currentEvent, reco
     get frames() { return view.frames; },
     /** Whether the picture and its tags show the state. */
     get drawn() { return view.requested === 0; },
+    get rested() { return view.isRested; },
     /** Back to how the page begins without a hash. */
     reset() {
       store.set(initialState(recording));

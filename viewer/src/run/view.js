@@ -3,14 +3,13 @@
 import * as THREE from 'three';
 import { Viewpoint } from '../camera.js';
 import { h } from '../dom.js';
-import { MEASURED_SCALE, detailFor, measured } from '../gl/detail.js';
+import { FIRST_DETAIL, detailFor, measured } from '../gl/detail.js';
 import { Tags } from './tags.js';
 import { World } from './world.js';
 
 const MAX_PIXEL_RATIO = 2;
 const CAPTION = 40; // height of the captions, which the framed part leaves free [CSS pixels]
 const CONTROLS = 52; // height of the controls below
-const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
 
 function createRenderer(canvas) {
   const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -33,7 +32,7 @@ export class RunView {
     this.renderer = createRenderer(this.canvas);
     this.requested = 0;
     this.restTimer = 0;
-    this.motionScale = MEASURED_SCALE;
+    this.detail = FIRST_DETAIL;
   }
 
   /** Starts to draw, when the element is in the page. */
@@ -88,19 +87,29 @@ export class RunView {
     this.requested = 0;
     const moving = this.viewpoint.step() || this.store.get().playing;
     clearTimeout(this.restTimer);
-    const isCoarse = this.motionScale < 1;
-    this.#setDetail(this.motionScale);
+    this.restTimer = 0;
+    const isCoarse = this.detail.motionScale < 1;
+    this.#setDetail(this.detail.motionScale);
     if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
     else this.draw();
     if (this.frames < 2 || moving) this.invalidate();
-    if (isCoarse && !moving) this.restTimer = setTimeout(() => this.drawRested(), REST_DELAY);
+    if (isCoarse && !moving) this.#restAfter(this.frames < 3 ? 0 : this.detail.restDelay);
+  }
+
+  #restAfter(delay) {
+    this.restTimer = setTimeout(() => { this.restTimer = 0; this.drawRested(); }, delay);
+  }
+
+  /** Whether nothing is drawn until something changes. */
+  get isRested() {
+    return !this.requested && !this.restTimer;
   }
 
   /** Draws the state at once, in place of the requested frames. */
   drawNow() {
     cancelAnimationFrame(this.requested);
     clearTimeout(this.restTimer);
-    this.requested = 0;
+    this.requested = this.restTimer = 0;
     const moving = this.viewpoint.step() || this.store.get().playing;
     this.drawRested();
     if (moving) this.invalidate();
@@ -113,7 +122,7 @@ export class RunView {
   }
 
   #measure() {
-    this.motionScale = detailFor(measured(this.renderer.getContext(), () => this.draw())).motionScale;
+    this.detail = detailFor(measured(this.renderer.getContext(), () => this.draw()));
   }
 
   #setDetail(scale) {
