@@ -96,6 +96,10 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'frames'), frames, 'nothing is drawn while nothing changes');
   });
 
+  browserTest('chooses its detail by a frame that it measured', path, WINDOW, async (page) => {
+    assert.ok((await hook(page, 'detail')).restDelay > 0);
+  });
+
   browserTest('shows and hides objects', path, WINDOW, async (page) => {
     const everything = await hook(page, 'pixels()');
     await page.click('.object:nth-child(3) .eye');

@@ -86,6 +86,10 @@ describe('the page of a run', () => {
     assert.equal(await page.locator('.look').count(), 6);
   });
 
+  runTest('chooses its detail by a frame that it measured', WINDOW, async (page) => {
+    assert.ok((await hook(page, 'detail')).restDelay > 0);
+  });
+
   runTest('draws both views, and other pixels in each', WINDOW, async (page) => {
     await hook(page, 'seek(8)');
     const [left, right] = await hook(page, 'pixels()');

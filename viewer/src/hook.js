@@ -42,7 +42,7 @@ export function createHook(app) {
   const ids = (set) => objects.filter(({ index }) => set.has(index)).map(({ id }) => id);
   window.symscene = {
     ready: new Promise((resolve) => {
-      const check = () => (stage.frames >= 3 ? resolve(true) : requestAnimationFrame(check));
+      const check = () => (stage.frames >= 3 && stage.detail.restDelay > 0 ? resolve(true) : requestAnimationFrame(check));
       check();
     }),
     get selected() { return objects[store.get().selected]?.id ?? null; },
@@ -64,6 +64,8 @@ export function createHook(app) {
     get frames() { return stage.frames; },
     /** Whether the picture and its labels show the state. */
     get drawn() { return stage.requested === 0; },
+    /** As in gl/detail.js; its delay is 0 until a frame was measured. */
+    get detail() { return stage.detail; },
     get rested() { return stage.isRested; },
     /** Back to how the page begins without a hash. */
     reset() {

@@ -109,10 +109,12 @@ export class Stage {
     clearTimeout(this.restTimer);
     this.restTimer = 0;
     this.#setDetail(this.detail.motionScale);
-    if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
+    const delay = this.detail.restDelay;
+    const isFirst = this.frames === 0; // it also compiles the shaders
+    if (!isFirst && this.detail === FIRST_DETAIL) this.#measure();
     else this.draw(1);
-    if (moving || this.frames === 1) this.invalidate();
-    else this.#restAfter(this.frames < 3 ? 0 : this.detail.restDelay);
+    if (moving || isFirst) this.invalidate();
+    else this.#restAfter(delay);
   }
 
   #restAfter(delay) {

@@ -23,7 +23,7 @@ function readPixels(view) {
 export function createHook(recording, { view, store, actions, currentEvent, recorder }) {
   window.symscene = {
     ready: new Promise((resolve) => {
-      const check = () => (view.frames >= 2 ? resolve(true) : requestAnimationFrame(check));
+      const check = () => (view.frames >= 2 && view.detail.restDelay > 0 ? resolve(true) : requestAnimationFrame(check));
       check();
       view.invalidate();
     }),
@@ -40,6 +40,8 @@ export function createHook(recording, { view, store, actions, currentEvent, reco
     get frames() { return view.frames; },
     /** Whether the picture and its tags show the state. */
     get drawn() { return view.requested === 0; },
+    /** As in gl/detail.js; its delay is 0 until a frame was measured. */
+    get detail() { return view.detail; },
     get rested() { return view.isRested; },
     /** Back to how the page begins without a hash. */
     reset() {

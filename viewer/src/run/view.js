@@ -90,10 +90,12 @@ export class RunView {
     this.restTimer = 0;
     const isCoarse = this.detail.motionScale < 1;
     this.#setDetail(this.detail.motionScale);
-    if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
+    const delay = this.detail.restDelay;
+    const isFirst = this.frames === 0; // it also compiles the shaders
+    if (!isFirst && this.detail === FIRST_DETAIL) this.#measure();
     else this.draw();
-    if (this.frames < 2 || moving) this.invalidate();
-    if (isCoarse && !moving) this.#restAfter(this.frames < 3 ? 0 : this.detail.restDelay);
+    if (moving || isFirst) this.invalidate();
+    else if (isCoarse) this.#restAfter(delay);
   }
 
   #restAfter(delay) {
