@@ -4,6 +4,6 @@ import { writePage } from './payload.mjs';
 import { recordedRun } from './run_fixture.mjs';
 
 const [path = 'demo.html', run = 'run_demo.html'] = process.argv.slice(2);
-await writePage(path, tabletop());
+await writePage(path, tabletop({ cell: 0.005 }));
 await writePage(run, recordedRun(), 'run.html');
 console.log(`${path}\n${run}`);

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { chartPoint, decodeExploration, depthPixels, knownText } from '../../viewer/src/run/explore.js';
-import { openPage, withBrowser } from './browser.mjs';
+import { browserTest } from './browser.mjs';
 import { exploredBoxes } from './explore_fixture.mjs';
 import { writePage } from './payload.mjs';
 
@@ -29,14 +29,8 @@ before(async () => {
 
 after(() => rm(folder, { recursive: true, force: true }));
 
-function exploreTest(name, body, { options = WINDOW, path = () => pages.explored, skip = false } = {}) {
-  test(name, { timeout: 120000, skip }, () => withBrowser(options, async (context) => {
-    const { page, trouble } = await openPage(context, path());
-    assert.deepEqual(trouble, []);
-    await body(page);
-    assert.deepEqual(trouble, []);
-  }));
-}
+const exploreTest = (name, body, { options = WINDOW, path = () => pages.explored, ...rest } = {}) =>
+  browserTest(name, path, options, body, rest);
 
 const hook = (page, expression) => page.evaluate(`window.symscene.${expression}`);
 const hashes = async (page) => (await hook(page, 'pixels()')).map(({ hash }) => hash);

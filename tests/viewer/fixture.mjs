@@ -192,7 +192,7 @@ function viewsAround() {
 /** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain;
  * `scan` adds the surface and the camera's path, `closed` the closed surfaces of the objects, `grasps` grasps
  * of a gripper with the given differences from a parallel one, `views` candidates for the next view. */
-export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.005, scan = false, closed = false, grasps = null, views = false } = {}) {
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.008, scan = false, closed = false, grasps = null, views = false } = {}) {
   const random = randomNumbers(seed);
   const parts = SOLIDS.map((solid) => thin(solid.kind(solid, cell, random), cell));
   const seen = visibleSamples(parts.flat());

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { NO_POINT, coverage } from '../../viewer/src/coverage.js';
 import { overlaps, placeLabels } from '../../viewer/src/declutter.js';
+import { detailFor } from '../../viewer/src/gl/detail.js';
 import { footprint } from '../../viewer/src/footprint.js';
 import { gripperParts } from '../../viewer/src/gl/grippers.js';
 import { drawnGrasps, failure, graspOf, graspsOfObject } from '../../viewer/src/grasps.js';
@@ -193,4 +194,14 @@ test('qualities from 0 to 1 have distinct colours, and others those of the ends'
   assert.deepEqual(qualityColor(-1), qualityColor(0));
   assert.deepEqual(qualityColor(2), qualityColor(1));
   assert.deepEqual(qualityColor(null), qualityColor(0));
+});
+
+test('the slower a frame, the coarser are pictures and the later comes the still one, within bounds', () => {
+  const details = [0, 1, 5, 20, 50, 200, 1000, 10000].map(detailFor);
+  assert.deepEqual(details[0], { motionScale: 1, restSamples: 2, restDelay: 140 });
+  assert.deepEqual(details.at(-1), { motionScale: 0.4, restSamples: 1, restDelay: 800 });
+  details.slice(1).forEach((slower, i) => {
+    assert.ok(slower.motionScale <= details[i].motionScale && slower.restSamples <= details[i].restSamples);
+    assert.ok(slower.restDelay >= details[i].restDelay);
+  });
 });

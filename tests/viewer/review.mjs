@@ -5,9 +5,9 @@ import { execFile } from 'node:child_process';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { after, before, describe } from 'node:test';
 import { promisify } from 'node:util';
-import { openPage, withBrowser } from './browser.mjs';
+import { browserTest } from './browser.mjs';
 import { encodeSurface, writePage } from './payload.mjs';
 
 const WINDOW = { viewport: { width: 1000, height: 640 } };
@@ -45,14 +45,9 @@ before(async () => {
 
 after(() => rm(folder, { recursive: true, force: true }));
 
-function reviewTest(name, body, page = () => path, options = {}) {
-  test(name, { timeout: 120000, ...options }, () => withBrowser({ ...WINDOW, acceptDownloads: true }, async (context) => {
-    const opened = await openPage(context, page());
-    assert.deepEqual(opened.trouble, []);
-    await body(opened.page);
-    assert.deepEqual(opened.trouble, []);
-  }));
-}
+// Choices are kept in the page, so that each test loads it.
+const reviewTest = (name, body, page = () => path, { skip = false } = {}) =>
+  browserTest(name, page, WINDOW, body, { isFresh: true, skip });
 
 const hook = (page, expression) => page.evaluate(`window.symscene.${expression}`);
 const words = async (page, m) => (await hook(page, 'choices')).models[m].symmetries.map(({ choice }) => choice);

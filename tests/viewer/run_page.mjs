@@ -3,13 +3,13 @@ import assert from 'node:assert/strict';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, describe, test } from 'node:test';
-import { openPage, withBrowser } from './browser.mjs';
+import { after, before, describe } from 'node:test';
+import { browserTest } from './browser.mjs';
 import { encodeRun, writePage } from './payload.mjs';
 import { recordedRun } from './run_fixture.mjs';
 import { box } from './run_meshes.mjs';
 
-const WINDOW = { viewport: { width: 900, height: 480 }, acceptDownloads: true };
+const WINDOW = { viewport: { width: 860, height: 400 } };
 const DESKTOP = { viewport: { width: 1280, height: 800 } };
 const SMALL = { viewport: { width: 700, height: 460 } };
 const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
@@ -48,14 +48,7 @@ after(async () => {
   await rm(folder, { recursive: true, force: true });
 });
 
-function runTest(name, options, body, { hash = '', path = () => pages.run, skip = false } = {}) {
-  test(name, { timeout: 120000, skip }, () => withBrowser(options, async (context) => {
-    const { page, trouble } = await openPage(context, path(), hash);
-    assert.deepEqual(trouble, []);
-    await body(page, context);
-    assert.deepEqual(trouble, []);
-  }));
-}
+const runTest = (name, options, body, { path = () => pages.run, ...rest } = {}) => browserTest(name, path, options, body, rest);
 
 const hook = (page, expression) => page.evaluate(`window.symscene.${expression}`);
 const near = (a, b, message) => assert.ok(Math.abs(a - b) < 1e-6, message ?? `${a} is not ${b}`);
@@ -93,6 +86,10 @@ describe('the page of a run', () => {
     assert.equal(await page.locator('.look').count(), 6);
   });
 
+  runTest('chooses its detail by a frame that it measured', WINDOW, async (page) => {
+    assert.ok((await hook(page, 'detail')).restDelay > 0);
+  });
+
   runTest('draws both views, and other pixels in each', WINDOW, async (page) => {
     await hook(page, 'seek(8)');
     const [left, right] = await hook(page, 'pixels()');
@@ -120,7 +117,7 @@ describe('the page of a run', () => {
   });
 
   runTest('draws nothing while it rests, plays to the end and begins again', WINDOW, async (page) => {
-    await page.waitForTimeout(600);
+    await page.waitForFunction(() => window.symscene.rested);
     const frames = await hook(page, 'frames');
     await page.waitForTimeout(400);
     assert.equal(await hook(page, 'frames'), frames);
@@ -191,7 +188,7 @@ describe('the page of a run', () => {
     assert.match(await page.evaluate('location.hash'), /show=believed/);
     await page.evaluate(() => { location.hash = '#t=4'; });
     await page.waitForFunction(() => window.symscene.time === 4);
-  }, { hash: '#t=12.3&show=believed&speed=2&view=top' });
+  }, { hash: '#t=12.3&show=believed&speed=2&view=top', isFresh: true });
 
   runTest('ignores an address that makes no sense', WINDOW, async (page) => {
     assert.equal(await hook(page, 'time'), 0);
@@ -221,6 +218,12 @@ describe('the page of a run', () => {
     assert.ok(Math.abs(size[0] - width) <= 1 && size[1] > height, `${size} for a canvas of ${width} × ${height}`);
   });
 
+  runTest('has a name for every control', WINDOW, async (page) => {
+    const unnamed = await page.evaluate(() => [...document.querySelectorAll('button, input, select')]
+      .filter((e) => !e.closest('[aria-hidden=true]') && !(e.getAttribute('aria-label') || e.textContent.trim())).map((e) => e.outerHTML));
+    assert.deepEqual(unnamed, []);
+  });
+
   for (const [name, options] of [['desktop', DESKTOP], ['window', WINDOW], ['small window', SMALL], ['phone', PHONE]]) {
     runTest(`has nothing that covers another thing: ${name}`, options, async (page) => {
       assert.deepEqual(await layoutProblems(page), []);
@@ -236,12 +239,6 @@ describe('the page of a run', () => {
     const drawn = await hook(page, 'pixels()');
     assert.deepEqual(drawn.map(({ side }) => side), ['believed']);
     assert.notEqual(drawn[0].hash, hash);
-  });
-
-  runTest('has a name for every control', WINDOW, async (page) => {
-    const unnamed = await page.evaluate(() => [...document.querySelectorAll('button, input, select')]
-      .filter((e) => !e.closest('[aria-hidden=true]') && !(e.getAttribute('aria-label') || e.textContent.trim())).map((e) => e.outerHTML));
-    assert.deepEqual(unnamed, []);
   });
 
   runTest('shows hostile names as text, and a run of one moment', DESKTOP, async (page) => {

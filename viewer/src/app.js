@@ -43,7 +43,7 @@ export function createApp(scene) {
   app.layout = createLayout(app);
   const panel = createPanel({
     scene, store, actions, cell: drawing.cell, onResize: app.layout.update,
-    extents: outlines.map(footprint),
+    extentOf: (index) => footprint(outlines[index]),
   });
   const toolbar = createToolbar(scene, store, actions);
   const views = createViews(viewpoint);

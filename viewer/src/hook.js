@@ -1,5 +1,7 @@
 // window.symscene: the interface for tests and for scripts that take pictures.
 
+import { initialState } from './store.js';
+
 // A pixel that picks the object, near the centre of its pickable pixels.
 function clickPoint(app, index) {
   const { positions, owners } = app.drawing.cloud;
@@ -20,7 +22,7 @@ function clickPoint(app, index) {
 
 // The share of pixels of the canvas that are not empty, and a hash of all pixels.
 function readPixels({ stage }) {
-  stage.drawRested(1);
+  stage.drawNow(1);
   const gl = stage.renderer.getContext();
   const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
   const bytes = new Uint8Array(4 * width * height);
@@ -40,7 +42,7 @@ export function createHook(app) {
   const ids = (set) => objects.filter(({ index }) => set.has(index)).map(({ id }) => id);
   window.symscene = {
     ready: new Promise((resolve) => {
-      const check = () => (stage.frames >= 3 ? resolve(true) : requestAnimationFrame(check));
+      const check = () => (stage.frames >= 3 && stage.detail.restDelay > 0 ? resolve(true) : requestAnimationFrame(check));
       check();
     }),
     get selected() { return objects[store.get().selected]?.id ?? null; },
@@ -60,6 +62,16 @@ export function createHook(app) {
     get views() { return app.drawing.views !== null && store.get().views; },
     get chosenView() { return store.get().view; },
     get frames() { return stage.frames; },
+    /** Whether the picture and its labels show the state. */
+    get drawn() { return stage.requested === 0; },
+    /** As in gl/detail.js; its delay is 0 until a frame was measured. */
+    get detail() { return stage.detail; },
+    get rested() { return stage.isRested; },
+    /** Back to how the page begins without a hash. */
+    reset() {
+      store.set(initialState(app.scene));
+      viewpoint.go('home', false);
+    },
     toggle: (key) => app.actions.toggle(key),
     select: (id) => app.actions.select(indexOf(id)),
     view: (name) => viewpoint.go(name, false),

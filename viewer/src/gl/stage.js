@@ -1,10 +1,9 @@
 // The canvas: table, cloud and mesh in two passes, then lines and sheets. Draws on demand.
 import * as THREE from 'three';
+import { FIRST_DETAIL, detailFor, measured } from './detail.js';
 import { composeFragment, composeVertex } from './shaders.js';
 
 const MAX_PIXEL_RATIO = 2;
-const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
-const MOTION_COST = 40; // longest time per frame during movement [ms]
 
 function createTarget(type) {
   return new THREE.WebGLRenderTarget(2, 2, {
@@ -75,10 +74,12 @@ export class Stage {
     this.compose = createCompose(this.targets);
     this.requested = 0;
     this.restTimer = 0;
-    this.motionScale = 1;
+    this.detail = FIRST_DETAIL;
   }
 
+  /** [CSS pixels] The first call of an observer of the size reports what is known. */
   resize(width, height) {
+    if (width === this.width && height === this.height) return;
     this.width = width;
     this.height = height;
     this.renderer.setSize(width, height, false);
@@ -104,13 +105,39 @@ export class Stage {
 
   #tick() {
     this.requested = 0;
-    const moving = this.beforeDraw.map((step) => step()).some(Boolean);
+    const moving = this.#step();
     clearTimeout(this.restTimer);
-    this.#setDetail(this.motionScale);
-    if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
+    this.restTimer = 0;
+    this.#setDetail(this.detail.motionScale);
+    const delay = this.detail.restDelay;
+    const isFirst = this.frames === 0; // it also compiles the shaders
+    if (!isFirst && this.detail === FIRST_DETAIL) this.#measure();
     else this.draw(1);
-    if (moving || this.frames === 1) this.invalidate();
-    else this.restTimer = setTimeout(() => this.drawRested(), this.frames < 3 ? 0 : REST_DELAY);
+    if (moving || isFirst) this.invalidate();
+    else this.#restAfter(delay);
+  }
+
+  #restAfter(delay) {
+    this.restTimer = setTimeout(() => { this.restTimer = 0; this.drawRested(); }, delay);
+  }
+
+  /** Whether nothing is drawn until something changes. */
+  get isRested() {
+    return !this.requested && !this.restTimer;
+  }
+
+  #step() {
+    return this.beforeDraw.map((step) => step()).some(Boolean);
+  }
+
+  /** Draws the state at once, in place of the requested frames. */
+  drawNow(samples) {
+    cancelAnimationFrame(this.requested);
+    clearTimeout(this.restTimer);
+    this.requested = this.restTimer = 0;
+    const moving = this.#step();
+    this.drawRested(samples);
+    if (moving || samples !== this.#restSamples()) this.invalidate();
   }
 
   /** Draws at once with all pixels of the screen. */
@@ -119,14 +146,8 @@ export class Stage {
     this.draw(samples);
   }
 
-  // Without a graphics card, fewer pixels keep movement smooth.
   #measure() {
-    const begin = performance.now();
-    this.draw(1);
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until the picture is drawn
-    const cost = performance.now() - begin;
-    this.motionScale = Math.min(1, Math.max(0.4, Math.sqrt(MOTION_COST / cost)));
+    this.detail = detailFor(measured(this.renderer.getContext(), () => this.draw(1)));
   }
 
   #setDetail(scale) {
@@ -134,9 +155,9 @@ export class Stage {
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
   }
 
-  // A still picture gets four samples per pixel unless the screen's density provides them.
+  // A still picture gets four samples per pixel unless the screen's density provides them or they would take long.
   #restSamples() {
-    return this.renderer.getPixelRatio() > 1.5 ? 1 : 2;
+    return this.renderer.getPixelRatio() > 1.5 ? 1 : this.detail.restSamples;
   }
 
   /** Draws at once, with samples² texels per pixel. */

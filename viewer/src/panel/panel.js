@@ -88,7 +88,7 @@ function createGrip(panel, onResize) {
   return grip;
 }
 
-export function createPanel({ scene, store, actions, extents, cell, onResize }) {
+export function createPanel({ scene, store, actions, extentOf, cell, onResize }) {
   const hasObjects = scene.objects.length > 0;
   const panel = h('aside', { class: 'panel', 'data-height': 'half', 'aria-label': 'Segmentation result' });
   panel.append(
@@ -102,7 +102,7 @@ export function createPanel({ scene, store, actions, extents, cell, onResize }) 
       hasObjects && h('p', { class: 'lead' }, `One colour per ${scene.noun}. Sheets are mirror planes, ` +
         'arrows are axes of rotation. Click one for details.'),
       createLegend(scene),
-      hasObjects ? createObjectList(scene, store, actions, extents) : emptyMessage(scene),
+      hasObjects ? createObjectList(scene, store, actions, extentOf) : emptyMessage(scene),
       createGraspSection(scene),
       createViewSection(scene, store, actions),
       createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)));

@@ -1,8 +1,10 @@
 // window.symscene: the interface for tests and for scripts that take pictures.
 
+import { initialState } from './state.js';
+
 // Per drawn view the share of pixels that are not empty, and a hash of all.
 function readPixels(view) {
-  view.drawRested();
+  view.drawNow();
   const gl = view.renderer.getContext();
   const ratio = view.renderer.getPixelRatio();
   return view.parts.map(({ side, left, width }) => {
@@ -21,7 +23,7 @@ function readPixels(view) {
 export function createHook(recording, { view, store, actions, currentEvent, recorder }) {
   window.symscene = {
     ready: new Promise((resolve) => {
-      const check = () => (view.frames >= 2 ? resolve(true) : requestAnimationFrame(check));
+      const check = () => (view.frames >= 2 && view.detail.restDelay > 0 ? resolve(true) : requestAnimationFrame(check));
       check();
       view.invalidate();
     }),
@@ -36,6 +38,16 @@ export function createHook(recording, { view, store, actions, currentEvent, reco
     get candidate() { return store.get().candidate; },
     get map() { return store.get().map; },
     get frames() { return view.frames; },
+    /** Whether the picture and its tags show the state. */
+    get drawn() { return view.requested === 0; },
+    /** As in gl/detail.js; its delay is 0 until a frame was measured. */
+    get detail() { return view.detail; },
+    get rested() { return view.isRested; },
+    /** Back to how the page begins without a hash. */
+    reset() {
+      store.set(initialState(recording));
+      view.viewpoint.go('home', false);
+    },
     get tags() { return view.tags.shown.map(({ text }) => text); },
     seek: (time) => actions.seek(time),
     view: (name) => view.viewpoint.go(name, false),

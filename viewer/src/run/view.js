@@ -3,14 +3,13 @@
 import * as THREE from 'three';
 import { Viewpoint } from '../camera.js';
 import { h } from '../dom.js';
+import { FIRST_DETAIL, detailFor, measured } from '../gl/detail.js';
 import { Tags } from './tags.js';
 import { World } from './world.js';
 
 const MAX_PIXEL_RATIO = 2;
 const CAPTION = 40; // height of the captions, which the framed part leaves free [CSS pixels]
 const CONTROLS = 52; // height of the controls below
-const REST_DELAY = 140; // time without movement before the fine picture is drawn [ms]
-const MOTION_COST = 40; // longest time per frame during movement [ms]
 
 function createRenderer(canvas) {
   const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -33,7 +32,7 @@ export class RunView {
     this.renderer = createRenderer(this.canvas);
     this.requested = 0;
     this.restTimer = 0;
-    this.motionScale = 1;
+    this.detail = FIRST_DETAIL;
   }
 
   /** Starts to draw, when the element is in the page. */
@@ -57,7 +56,7 @@ export class RunView {
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.element;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || (width === this.width && height === this.height)) return;
     [this.width, this.height] = [width, height];
     this.renderer.setSize(width, height, false);
     this.#setDetail(1);
@@ -88,11 +87,34 @@ export class RunView {
     this.requested = 0;
     const moving = this.viewpoint.step() || this.store.get().playing;
     clearTimeout(this.restTimer);
-    this.#setDetail(this.motionScale);
-    if (this.frames === 1) this.#measure(); // the first frame also compiled the shaders
+    this.restTimer = 0;
+    const isCoarse = this.detail.motionScale < 1;
+    this.#setDetail(this.detail.motionScale);
+    const delay = this.detail.restDelay;
+    const isFirst = this.frames === 0; // it also compiles the shaders
+    if (!isFirst && this.detail === FIRST_DETAIL) this.#measure();
     else this.draw();
-    if (this.frames < 2 || moving) this.invalidate();
-    if (this.motionScale < 1 && !moving) this.restTimer = setTimeout(() => this.drawRested(), REST_DELAY);
+    if (moving || isFirst) this.invalidate();
+    else if (isCoarse) this.#restAfter(delay);
+  }
+
+  #restAfter(delay) {
+    this.restTimer = setTimeout(() => { this.restTimer = 0; this.drawRested(); }, delay);
+  }
+
+  /** Whether nothing is drawn until something changes. */
+  get isRested() {
+    return !this.requested && !this.restTimer;
+  }
+
+  /** Draws the state at once, in place of the requested frames. */
+  drawNow() {
+    cancelAnimationFrame(this.requested);
+    clearTimeout(this.restTimer);
+    this.requested = this.restTimer = 0;
+    const moving = this.viewpoint.step() || this.store.get().playing;
+    this.drawRested();
+    if (moving) this.invalidate();
   }
 
   /** Draws at once with all pixels of the screen. */
@@ -101,13 +123,8 @@ export class RunView {
     this.draw();
   }
 
-  // Without a graphics card, fewer pixels keep movement smooth.
   #measure() {
-    const begin = performance.now();
-    this.draw();
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits until the picture is drawn
-    this.motionScale = Math.min(1, Math.max(0.4, Math.sqrt(MOTION_COST / (performance.now() - begin))));
+    this.detail = detailFor(measured(this.renderer.getContext(), () => this.draw()));
   }
 
   #setDetail(scale) {
