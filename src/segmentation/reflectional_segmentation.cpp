@@ -8,6 +8,7 @@
 #include "core/parallel.hpp"
 #include "graph_cut.hpp"
 #include "labeling.hpp"
+#include "neighborhood.hpp"
 #include "symmetry/plane_fit.hpp"
 #include "symmetry/point_residuals.hpp"
 #include "symmetry/score_range.hpp"
@@ -239,6 +240,19 @@ class ReflectionalCutter {
   const ReflectionalSegmentationOptions& options_;
 };
 
+using Outcome = std::variant<Hypothesis, Rejection>;
+
+/// What a candidate cuts out of the part of the surface around its segment; indices into the whole.
+Outcome segment_part(const LocalSurface& part, ReflectionalCandidate candidate,
+                     const DistanceField& field, const PlaneFitOptions& fit,
+                     const ReflectionalSegmentationOptions& options) {
+  candidate.support = part.in_part(candidate.support);
+  const ReflectionalCutter cutter({part.cloud, part.edges, field}, fit, options);
+  Outcome outcome = cutter.segment(candidate);
+  std::visit([&](auto& cut) { cut.points = part.in_whole(cut.points); }, outcome);
+  return outcome;
+}
+
 }  // namespace
 
 void ReflectionalSegmentationOptions::validate() const {
@@ -255,12 +269,16 @@ SegmentedHypotheses segment_reflectional(const ObservedSurface& surface,
                                          const PlaneFitOptions& fit,
                                          const ReflectionalSegmentationOptions& options) {
   options.validate();
-  const ReflectionalCutter cutter(surface, fit, options);
-  std::vector<std::variant<Hypothesis, Rejection>> outcomes(candidates.size());
-  parallel_for_each(candidates.size(),
-                    [&](std::size_t c) { outcomes[c] = cutter.segment(candidates[c]); });
+  const Neighborhoods neighborhoods(surface, options.neighborhood);
+  const ReflectionalCutter whole(surface, fit, options);
+  std::vector<Outcome> outcomes(candidates.size());
+  parallel_for_each(candidates.size(), [&](std::size_t c) {
+    const auto part = neighborhoods.around(candidates[c].support);
+    outcomes[c] = part ? segment_part(*part, candidates[c], surface.field, fit, options)
+                       : whole.segment(candidates[c]);
+  });
   SegmentedHypotheses segmented;
-  for (std::variant<Hypothesis, Rejection>& outcome : outcomes) {
+  for (Outcome& outcome : outcomes) {
     if (auto* hypothesis = std::get_if<Hypothesis>(&outcome)) {
       segmented.hypotheses.push_back(std::move(*hypothesis));
     } else {

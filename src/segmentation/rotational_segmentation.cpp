@@ -5,6 +5,7 @@
 #include "core/parallel.hpp"
 #include "graph_cut.hpp"
 #include "labeling.hpp"
+#include "neighborhood.hpp"
 #include "symmetry/axis_fit.hpp"
 #include "symmetry/axis_quality.hpp"
 #include "symmetry/point_residuals.hpp"
@@ -78,6 +79,16 @@ class RotationalCutter {
   const RotationalSegmentationOptions& options_;
 };
 
+/// What an axis cuts out of a part of the surface; indices into the whole.
+Hypothesis segment_part(const LocalSurface& part, const RotationAxis& axis,
+                        const DistanceField& field, const RotationalDetectionOptions& detection,
+                        const RotationalSegmentationOptions& options) {
+  const RotationalCutter cutter({part.cloud, part.edges, field}, detection, options);
+  Hypothesis hypothesis = cutter.segment(axis);
+  hypothesis.points = part.in_whole(hypothesis.points);
+  return hypothesis;
+}
+
 }  // namespace
 
 void RotationalSegmentationOptions::validate() const {
@@ -90,10 +101,15 @@ std::vector<Hypothesis> segment_rotational(const ObservedSurface& surface,
                                            const RotationalDetectionOptions& detection,
                                            const RotationalSegmentationOptions& options) {
   options.validate();
-  const RotationalCutter cutter(surface, detection, options);
+  const Neighborhoods neighborhoods(surface, options.neighborhood);
+  const RotationalCutter whole(surface, detection, options);
   std::vector<Hypothesis> hypotheses(candidates.size());
-  parallel_for_each(candidates.size(),
-                    [&](std::size_t c) { hypotheses[c] = cutter.segment(candidates[c].axis); });
+  parallel_for_each(candidates.size(), [&](std::size_t c) {
+    const auto part = neighborhoods.around(candidates[c].support);
+    hypotheses[c] = part
+                        ? segment_part(*part, candidates[c].axis, surface.field, detection, options)
+                        : whole.segment(candidates[c].axis);
+  });
   return hypotheses;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "symscene/segmentation/hypothesis.hpp"
+#include "symscene/segmentation/neighborhood_options.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
 
 namespace symscene {
@@ -17,6 +18,7 @@ struct ReflectionalSegmentationOptions {
   double edge_factor = 5.0;
   double pair_weight = 1.0;
   double min_support_share = 0.5;
+  NeighborhoodOptions neighborhood;
   HypothesisBounds bounds{0.3, 0.005, 0.3, 200};
 
   template <class Self, class Visit>
@@ -50,6 +52,7 @@ struct ReflectionalSegmentationOptions {
     visit("min_support_share", self.min_support_share, "", between(0.0, 1.0),
           "a hypothesis is kept only if it holds this share of the segment that proposed its plane "
           "(section 4.3.3)");
+    visit("neighborhood", self.neighborhood);
     visit("bounds", self.bounds);
   }
   /// Throws InputError if a field is out of its range, a range is empty, or pair_weight times

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "symscene/segmentation/hypothesis.hpp"
+#include "symscene/segmentation/neighborhood_options.hpp"
 #include "symscene/symmetry/rotational_detection.hpp"
 
 namespace symscene {
@@ -15,6 +16,7 @@ struct RotationalSegmentationOptions {
   double edge_factor = 2.0;
   double max_refinement = radians(5.0);
   double min_component = 0.1;
+  NeighborhoodOptions neighborhood;
   HypothesisBounds bounds{0.03, 0.015, 0.3, 100};
 
   template <class Self, class Visit>
@@ -45,6 +47,7 @@ struct RotationalSegmentationOptions {
     visit("min_component", self.min_component, "", between(0.0, 1.0),
           "connected components of a hypothesis below this share of the largest are dropped "
           "(section 4.3)");
+    visit("neighborhood", self.neighborhood);
     visit("bounds", self.bounds);
   }
   /// Throws InputError if a field is out of its range or a range is empty.
