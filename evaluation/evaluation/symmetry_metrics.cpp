@@ -14,7 +14,7 @@ bool within(const SymmetryDifference& d, const SymmetryTolerance& tolerance) {
 
 /// A true symmetry with the point at which differences from it are taken.
 template <class Symmetry>
-struct Target {
+struct SymmetryTarget {
   Symmetry symmetry;
   Eigen::Vector3d centroid;
   bool strict = true;
@@ -22,7 +22,7 @@ struct Target {
 };
 
 template <class Symmetry>
-SymmetryDifference difference_from(const Target<Symmetry>& target, const Symmetry& found) {
+SymmetryDifference difference_from(const SymmetryTarget<Symmetry>& target, const Symmetry& found) {
   if (!target.any_direction) return difference(target.symmetry, found, target.centroid);
   return {0.0, (found.project(target.centroid) - target.centroid).norm()};
 }
@@ -38,12 +38,13 @@ struct Claim {
 /// each found symmetry is assigned to at most one target. The others are wrong unless they are
 /// close to a weak target or `excused(symmetry)`.
 template <class Symmetry, class Excused>
-SymmetryMatch match(const std::vector<Target<Symmetry>>& targets, std::span<const Symmetry> found,
-                    const SymmetryTolerance& tolerance, const Excused& excused) {
+SymmetryMatch match(const std::vector<SymmetryTarget<Symmetry>>& targets,
+                    std::span<const Symmetry> found, const SymmetryTolerance& tolerance,
+                    const Excused& excused) {
   SymmetryMatch result;
   std::vector<Claim> claims;
   std::vector<bool> near_weak(found.size(), false);
-  for (const Target<Symmetry>& target : targets) {
+  for (const SymmetryTarget<Symmetry>& target : targets) {
     for (std::size_t f = 0; f < found.size(); ++f) {
       const SymmetryDifference d = difference_from(target, found[f]);
       if (!within(d, tolerance)) continue;
@@ -126,7 +127,7 @@ bool is_symmetry_of(const TrueObject& object, const ReflectionPlane& plane,
 
 SymmetryMatch match_axes(const SceneTruth& truth, std::span<const RotationAxis> found,
                          const SymmetryTolerance& tolerance) {
-  std::vector<Target<RotationAxis>> targets;
+  std::vector<SymmetryTarget<RotationAxis>> targets;
   for (const TrueObject& object : truth.objects) {
     if (object.sphere) {
       targets.push_back({{}, object.centroid, true, true});
@@ -141,7 +142,7 @@ SymmetryMatch match_axes(const SceneTruth& truth, std::span<const RotationAxis> 
 
 SymmetryMatch match_planes(const SceneTruth& truth, std::span<const ReflectionPlane> found,
                            const SymmetryTolerance& tolerance) {
-  std::vector<Target<ReflectionPlane>> targets;
+  std::vector<SymmetryTarget<ReflectionPlane>> targets;
   for (const TrueObject& object : truth.objects) {
     for (const TruePlane& own : object.reflectional) {
       targets.push_back({own.plane, object.centroid, has_to_be_found(own, object)});
