@@ -7,7 +7,7 @@
 namespace symscene {
 namespace {
 
-constexpr Index outside = ~Index{0};
+constexpr Index not_inside = ~Index{0};
 
 /// Coarse cells: a neighbourhood is larger than an object. Changes no result.
 float cell_size_of(const PointCloud& cloud, const NeighborhoodOptions& options) {
@@ -65,12 +65,12 @@ std::optional<LocalSurface> Neighborhoods::around(const PointIndices& support) c
   local.points = points_around(support);
   if (local.points.size() == cloud_.size()) return std::nullopt;
   local.cloud = select(cloud_, local.points);
-  std::vector<Index> place(cloud_.size(), outside);
+  std::vector<Index> place(cloud_.size(), not_inside);
   for (Index k = 0; k < local.points.size(); ++k) place[local.points[k]] = k;
   for (const Index i : local.points) {
     for (Index e = first_edge_[i]; e < first_edge_[i + 1]; ++e) {
       const WeightedEdge& edge = edges_[e];
-      if (place[edge.b] != outside) local.edges.push_back({place[i], place[edge.b], edge.weight});
+      if (place[edge.b] != not_inside) local.edges.push_back({place[i], place[edge.b], edge.weight});
     }
   }
   return local;
