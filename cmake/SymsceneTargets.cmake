@@ -35,7 +35,6 @@ else()
   # Hardened as the distribution's packages are (docs/security.md; tests/build/hardened.sh).
   include(CheckPIESupported)
   check_pie_supported()
-  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
   target_compile_options(symscene_flags INTERFACE -fstack-protector-strong -fstack-clash-protection
     $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>)
   target_link_options(symscene_flags INTERFACE -Wl,-z,relro,-z,now)
