@@ -29,7 +29,7 @@ std::vector<ObjectHandle> objects_of(const ResultHandle& handle) {
   return objects;
 }
 
-py::list list_of(const std::vector<FunnelStep>& funnel) {
+py::list steps_of(const std::vector<FunnelStep>& funnel) {
   py::list pairs;
   for (const FunnelStep& step : funnel) pairs.append(py::make_tuple(step.step, step.count));
   return pairs;
@@ -181,7 +181,7 @@ void bind_result(py::module_& module) {
           "rejected", [](const ResultHandle& r) { return r.data->result.rejected; },
           "list of Rejection")
       .def_property_readonly(
-          "funnel", [](const ResultHandle& r) { return list_of(r.data->result.funnel); },
+          "funnel", [](const ResultHandle& r) { return steps_of(r.data->result.funnel); },
           "list of (step, candidates that remain)")
       .def_property_readonly(
           "timings", [](const ResultHandle& r) { return list_of(r.data->result.timings); },
