@@ -105,7 +105,8 @@ TEST_F(Command, RefusesPagesAndGrippersThatCannotBe) {
       "cylinders scene -o new.json --gripper hand.txt", 2,
       "expected one of panda, baxter, reflex or a .json or .yaml file, found \"hand.txt\"");
   expect_refusal("cylinders scene -o new.json --gripper nothing.json", 1, "nothing.json");
-  expect_refusal("cylinders scene -o scene/cloud.ply", 1, "cloud.ply");
+  expect_refusal("cylinders scene -o scene/cloud.ply", 2, "expected a name that ends in .json");
+  expect_refusal("cylinders scene -o scene/new.json", 1, "new.json");
   expect_refusal("cylinders scene -o new.json --page new.json", 1, "new.json");
   expect_refusal("cylinders nowhere -o new.json", 1, "nowhere");
   expect_refusal("grasp result -o new.json --page result/objects.json", 1, "objects.json");
