@@ -70,7 +70,8 @@ std::optional<LocalSurface> Neighborhoods::around(const PointIndices& support) c
   for (const Index i : local.points) {
     for (Index e = first_edge_[i]; e < first_edge_[i + 1]; ++e) {
       const WeightedEdge& edge = edges_[e];
-      if (place[edge.b] != not_inside) local.edges.push_back({place[i], place[edge.b], edge.weight});
+      if (place[edge.b] != not_inside)
+        local.edges.push_back({place[i], place[edge.b], edge.weight});
     }
   }
   return local;
