@@ -154,8 +154,8 @@ std::pair<Index, float> CellList::nearest(const Eigen::Vector3f& query, float ra
   for (int axis = 0; axis < 3; ++axis) {
     const auto last = static_cast<float>(cells_[axis] - 1);
     if (at[axis] + reach < 0.0F || at[axis] - reach > last + 1.0F) return nothing;
-    low[axis] = static_cast<int>(std::max(at[axis] - reach, 0.0F));
-    high[axis] = static_cast<int>(std::min(at[axis] + reach, last));
+    low[axis] = static_cast<int>(std::clamp(at[axis] - reach, 0.0F, last));
+    high[axis] = static_cast<int>(std::clamp(at[axis] + reach, 0.0F, last));
   }
   std::pair<Index, float> best{none, radius * radius};
   const int own_y = std::clamp(static_cast<int>(at.y()), low.y(), high.y());

@@ -1,5 +1,7 @@
 #include "symscene/core/neighbors.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/random_clouds.hpp"
@@ -149,6 +151,23 @@ TEST(CellList, FindsNothingInAnEmptyCloudOrFarFromIt) {
             CellList::none);
   const CellList cells(random_points(1, 50), 0.01F);
   EXPECT_EQ(cells.nearest(Eigen::Vector3f::Constant(9.0F), 0.02F).first, CellList::none);
+}
+
+TEST(CellList, FindsNothingForAQueryThatReachesExactlyTheLastBorder) {
+  Points points(2, 3);
+  points << 0.0F, 0.0F, 0.0F, 3.0F, 3.0F, 3.0F;
+  const CellList cells(points, 1.0F);  // borders at 0 to 4
+  for (const float radius : {0.25F, 0.5F, 0.75F}) {
+    float coordinate = 4.0F + (radius + 1e-3F);  // the search allows for rounding by 1e-3 cells
+    for (int step = 0; step < 4; ++step) coordinate = std::nextafter(coordinate, 0.0F);
+    for (int step = 0; step < 9; ++step, coordinate = std::nextafter(coordinate, 9.0F)) {
+      for (int axis = 0; axis < 3; ++axis) {
+        Eigen::Vector3f query(3.0F, 3.0F, 3.0F);
+        query[axis] = coordinate;
+        EXPECT_EQ(cells.nearest(query, radius).first, CellList::none);
+      }
+    }
+  }
 }
 
 TEST(CellList, RefusesPointsThatAreNotFinite) {
