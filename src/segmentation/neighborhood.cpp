@@ -1,13 +1,11 @@
 #include "neighborhood.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <limits>
 #include <numeric>
 
 namespace symscene {
 namespace {
-
-constexpr Index not_inside = ~Index{0};
 
 /// Coarse cells: a neighbourhood is larger than an object. Changes no result.
 float cell_size_of(const PointCloud& cloud, const NeighborhoodOptions& options) {
@@ -18,21 +16,6 @@ float cell_size_of(const PointCloud& cloud, const NeighborhoodOptions& options) 
 }
 
 }  // namespace
-
-PointIndices LocalSurface::in_whole(const PointIndices& local) const {
-  PointIndices whole(local.size());
-  std::transform(local.begin(), local.end(), whole.begin(), [&](Index k) { return points[k]; });
-  return whole;
-}
-
-PointIndices LocalSurface::in_part(const PointIndices& whole) const {
-  PointIndices local(whole.size());
-  std::transform(whole.begin(), whole.end(), local.begin(), [&](Index i) {
-    const auto place = std::lower_bound(points.begin(), points.end(), i);
-    return static_cast<Index>(place - points.begin());
-  });
-  return local;
-}
 
 Neighborhoods::Neighborhoods(const ObservedSurface& surface, const NeighborhoodOptions& options)
     : cloud_(surface.cloud),
@@ -59,22 +42,18 @@ PointIndices Neighborhoods::points_around(const PointIndices& support) const {
   return points;
 }
 
-std::optional<LocalSurface> Neighborhoods::around(const PointIndices& support) const {
+std::optional<SurfacePart> Neighborhoods::around(const PointIndices& support) const {
   if (support.empty()) return std::nullopt;
-  LocalSurface local;
-  local.points = points_around(support);
-  if (local.points.size() == cloud_.size()) return std::nullopt;
-  local.cloud = select(cloud_, local.points);
-  std::vector<Index> place(cloud_.size(), not_inside);
-  for (Index k = 0; k < local.points.size(); ++k) place[local.points[k]] = k;
-  for (const Index i : local.points) {
-    for (Index e = first_edge_[i]; e < first_edge_[i + 1]; ++e) {
-      const WeightedEdge& edge = edges_[e];
-      if (place[edge.b] != not_inside)
-        local.edges.push_back({place[i], place[edge.b], edge.weight});
-    }
+  SurfacePart part;
+  part.original = points_around(support);
+  if (part.original.size() == cloud_.size()) return std::nullopt;
+  part.cloud = select(cloud_, part.original);
+  const PartPlaces places(cloud_.size(), part.original);
+  for (const Index i : part.original) {
+    for (Index e = first_edge_[i]; e < first_edge_[i + 1]; ++e)
+      places.append(edges_[e], part.edges);
   }
-  return local;
+  return part;
 }
 
 }  // namespace symscene

@@ -243,7 +243,7 @@ class ReflectionalCutter {
 using Outcome = std::variant<Hypothesis, Rejection>;
 
 /// What a candidate cuts out of the part of the surface around its segment; indices into the whole.
-Outcome segment_part(const LocalSurface& part, ReflectionalCandidate candidate,
+Outcome segment_part(const SurfacePart& part, ReflectionalCandidate candidate,
                      const DistanceField& field, const PlaneFitOptions& fit,
                      const ReflectionalSegmentationOptions& options) {
   candidate.support = part.in_part(candidate.support);

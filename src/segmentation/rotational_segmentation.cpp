@@ -80,7 +80,7 @@ class RotationalCutter {
 };
 
 /// What an axis cuts out of a part of the surface; indices into the whole.
-Hypothesis segment_part(const LocalSurface& part, const RotationAxis& axis,
+Hypothesis segment_part(const SurfacePart& part, const RotationAxis& axis,
                         const DistanceField& field, const RotationalDetectionOptions& detection,
                         const RotationalSegmentationOptions& options) {
   const RotationalCutter cutter({part.cloud, part.edges, field}, detection, options);

@@ -48,7 +48,7 @@ TEST(Neighborhoods, HoldThePointsWithinReachAndTheEdgesBetweenThem) {
     for (const Index i : support) radius = std::max(radius, (cloud.position(i) - center).norm());
     const float reach = 1.5F * radius + 0.05F;
     std::vector<bool> inside(cloud.size(), false);
-    for (const Index i : part->points) inside[i] = true;
+    for (const Index i : part->original) inside[i] = true;
     for (Index i = 0; i < cloud.size(); ++i) {
       const float distance = (cloud.position(i) - center).norm();
       if (std::abs(distance - reach) > 1e-3F) {

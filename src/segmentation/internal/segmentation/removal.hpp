@@ -1,19 +1,13 @@
 #pragma once
 
+#include "segmentation/surface_part.hpp"
 #include "segmentation/workspace.hpp"
 
 namespace symscene {
 
-/// The part of a workspace that is left when objects are removed. Its indices count in its own
-/// cloud.
-struct Remainder {
-  PointCloud cloud;
-  std::vector<WeightedEdge> edges;
-  std::vector<PointIndices> segments;
-  PointIndices original;  ///< one per point of `cloud`: its index in the whole cloud
-
-  /// Indices into the whole cloud.
-  PointIndices in_whole(const PointIndices& points) const;
+/// The part of a workspace that is left when objects are removed.
+struct Remainder : SurfacePart {
+  std::vector<PointIndices> segments;  ///< of the part
 };
 
 /// Which hypotheses are removed, and which segments are left.
