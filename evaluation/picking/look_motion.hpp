@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "pick_bin.hpp"
-#include "symscene/motion/pick.hpp"
-#include "symscene/motion/trajectory.hpp"
-#include "symscene/picking/camera_look_options.hpp"
-#include "symscene/robots/robot.hpp"
+#include "camera_arm.hpp"
 
 namespace symscene {
+
+constexpr const char* too_few_views =
+    "the arm brings its camera to no two poses that see the table";
 
 /// The motion of the arm that carries the camera past the table, from the robot's home
 /// configuration and back.
@@ -32,9 +31,19 @@ std::vector<Eigen::Isometry3d> flying_look(const CameraLookOptions& options, dou
 
 /// Directions about the table's middle are tried in turn. In each the arm takes the first pose of
 /// the camera, the farthest first, that it reaches without collision and near the pose before.
-/// Throws InputError if the robot has no camera on an arm, or the camera does not move with the
-/// arm's tip.
-PlannedLook plan_look(const Robot& robot, const Gripper& gripper, const PickBin& bin,
-                      const CameraLookOptions& options, const PickOptions& planning);
+PlannedLook plan_look(const CameraArm& arm, const CameraLookOptions& options);
+
+/// Views from all around the table's middle at the middle, the least and the greatest elevation, at
+/// the greatest distance, from `azimuth` on. T_table_camera.
+std::vector<Eigen::Isometry3d> flying_views(const CameraLookOptions& options, double azimuth);
+
+/// A pose of the camera that the arm reaches without collision. Frame of the table.
+struct ViewStation {
+  Eigen::VectorXd positions;  ///< of the arm's joints
+  Eigen::Isometry3d T_table_camera;
+};
+
+/// The same for an arm, from the robot's side on: of each direction the farthest that it reaches.
+std::vector<ViewStation> view_stations(const CameraArm& arm, const CameraLookOptions& options);
 
 }  // namespace symscene

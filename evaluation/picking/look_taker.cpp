@@ -1,90 +1,128 @@
 #include "look_taker.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/parallel.hpp"
-#include "core/random.hpp"
-#include "core/twist.hpp"
+#include "sweep_look.hpp"
+#include "view_look.hpp"
 
 namespace symscene {
 namespace {
 
-/// Those of the sensor's noise are the numbers of the images.
-constexpr std::uint64_t first_pose_stream = std::uint64_t{1} << 40;
+std::vector<Eigen::Isometry3d> poses_of(const std::vector<ViewStation>& stations) {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const ViewStation& station : stations) poses.push_back(station.T_table_camera);
+  return poses;
+}
+
+/// An arm that goes from station to station.
+class StationTravel {
+ public:
+  StationTravel(ArmCell& cell, const CameraArm& arm, const std::vector<ViewStation>& stations)
+      : cell_(cell), arm_(arm), stations_(stations), watch_(cell) {}
+
+  /// The time of each way at the joints' greatest speeds, as if nothing stood in between. [s]
+  std::vector<double> costs() const {
+    std::vector<double> seconds;
+    for (const ViewStation& station : stations_)
+      seconds.push_back(
+          ((station.positions - at_).cwiseAbs().array() / arm_.limits().velocity.array())
+              .maxCoeff());
+    return seconds;
+  }
+
+  bool go(const Eigen::VectorXd& positions) {
+    const FreeMotion way = plan_free_motion(arm_.planner(), at_, {positions});
+    if (!way.path) return false;
+    follow(*way.path);
+    came_by_.push_back(way.waypoints);
+    at_ = positions;
+    return true;
+  }
+
+  /// Home by a way of its own, else by those that led here.
+  void go_home() {
+    if (came_by_.empty() || go(arm_.home())) return;
+    for (auto way = came_by_.rbegin(); way != came_by_.rend(); ++way)
+      follow(timed_motion(arm_.planner(), {way->rbegin(), way->rend()}));
+  }
+
+  const std::string& touched() const { return watch_.touched(); }
+
+ private:
+  void follow(const TimedPath& path) {
+    cell_.follow(arm_.arm(), path, [&] {
+      watch_.note(true);
+      return false;
+    });
+  }
+
+  ArmCell& cell_;
+  const CameraArm& arm_;
+  const std::vector<ViewStation>& stations_;
+  ContactWatch watch_;
+  Eigen::VectorXd at_ = arm_.home();
+  std::vector<std::vector<Eigen::VectorXd>> came_by_;
+};
 
 }  // namespace
 
-CameraMoment LookTaker::moment(const ArmCell& cell) const {
-  const RobotState state = cell.state();
-  const RobotCamera& camera = *robot_.camera;
-  return {cell.time(),
-          robot_.T_world_base * link_poses(robot_.model, state.positions)[camera.link] *
-              camera.T_link_camera,
-          solids_.poses(state)};
+LookTaker::LookTaker(const Robot& robot, const RobotSolids& solids, const Gripper& gripper,
+                     const PickBin& bin, const TriangleMesh& bin_mesh,
+                     const SimulatedPickOptions& options)
+    : options_(options), images_(robot, solids, bin_mesh, options) {
+  const Eigen::Vector3d base = robot.T_world_base.translation();
+  azimuth_ = std::atan2(base.y(), base.x());
+  if (robot.camera && robot.camera->arm)
+    arm_.emplace(robot, gripper, bin, options.look, options.pick);
 }
 
-std::vector<CameraMoment> LookTaker::move(ArmCell& cell, ContactWatch& watch) const {
-  const Arm& arm = robot_.arms[*robot_.camera->arm].arm;
-  const auto watched = [&] {
-    watch.note(true);
-    return false;
-  };
-  cell.follow(arm, motion_->there, watched);
-  const double begin = cell.time();
-  const double interval = motion_->sweep.duration() / std::max(1, options_.look.frames - 1);
-  std::vector<CameraMoment> moments{moment(cell)};
-  cell.follow(arm, motion_->sweep, [&] {
-    if (cell.time() - begin >= interval * static_cast<double>(moments.size()))
-      moments.push_back(moment(cell));
-    return watched();
-  });
-  moments.resize(std::min(moments.size(), static_cast<std::size_t>(options_.look.frames)));
-  cell.follow(arm, motion_->back, watched);
-  return moments;
+std::string LookTaker::plan() {
+  if (!arm_) return {};
+  if (options_.views == LookViews::next) return plan_views();
+  PlannedLook planned = plan_look(*arm_, options_.look);
+  sweep_ = std::move(planned.motion);
+  return planned.obstacle;
 }
 
-std::vector<CameraMoment> LookTaker::fly(const ArmCell& cell) const {
-  const Eigen::Vector3d base = robot_.T_world_base.translation();
-  std::vector<CameraMoment> moments;
-  for (const Eigen::Isometry3d& pose : flying_look(options_.look, std::atan2(base.y(), base.x()))) {
-    const double time = cell.time() + static_cast<double>(moments.size()) / options_.record_rate;
-    moments.push_back({time, pose, solids_.poses(cell.state())});
-  }
-  return moments;
-}
-
-/// As a robot knows it by its joints.
-Eigen::Isometry3d LookTaker::pose_by_arm(const Eigen::Isometry3d& truth,
-                                         std::uint64_t image) const {
-  Random random(options_.seed, first_pose_stream + image);
-  Vector6d error;
-  for (double& value : error) value = random.normal();
-  error.head<3>() *= options_.look.rotation_deviation;
-  error.tail<3>() *= options_.look.pose_deviation;
-  return truth * motion(error);
+std::string LookTaker::plan_views() {
+  if (std::string blocked = arm_->blocked_home(); !blocked.empty()) return blocked;
+  stations_ = view_stations(*arm_, options_.look);
+  return stations_.size() < 2 ? too_few_views : "";
 }
 
 TakenLook LookTaker::take(ArmCell& cell, TablePerception& perception) {
-  const Tabletop tabletop = cell.tabletop();
-  const LookRenderer renderer(tabletop, solids_, bin_, options_);
-  ContactWatch watch(cell);
-  const std::vector<CameraMoment> moments = motion_ ? move(cell, watch) : fly(cell);
-  constexpr std::size_t at_once = 8;  // bounds the memory for images
-  double covered = 0.0;
-  for (std::size_t begin = 0; begin < moments.size(); begin += at_once) {
-    std::vector<LookImage> images(std::min(at_once, moments.size() - begin));
-    parallel_for_each(images.size(), [&](std::size_t i) {
-      images[i] = renderer.render(moments[begin + i], images_ + begin + i);
-    });
-    for (std::size_t i = 0; i < images.size(); ++i) {
-      covered += images[i].robot_share;
-      const Eigen::Isometry3d& truth = moments[begin + i].T_table_camera;
-      perception.add(images[i].frame, pose_by_arm(truth, images_ + begin + i), truth);
-    }
-  }
-  images_ += moments.size();
-  return {covered / static_cast<double>(moments.size()), watch.touched()};
+  const bool next = options_.views == LookViews::next;
+  if (!arm_) return next ? fly_to_views(cell, perception) : fly(cell, perception);
+  if (next) return move_to_views(cell, perception);
+  return sweep_look(cell, arm_->arm(), *sweep_, options_.look.frames, images_, perception);
+}
+
+TakenLook LookTaker::fly(ArmCell& cell, TablePerception& perception) {
+  std::vector<CameraMoment> moments;
+  for (const Eigen::Isometry3d& pose : flying_look(options_.look, azimuth_))
+    moments.push_back(images_.moment(cell, pose));
+  return {images_.add(cell, moments, perception) / static_cast<double>(moments.size()), {}};
+}
+
+TakenLook LookTaker::fly_to_views(ArmCell& cell, TablePerception& perception) {
+  const std::vector<Eigen::Isometry3d> views = flying_views(options_.look, azimuth_);
+  const CameraTravel travel{[&] { return std::vector<double>(views.size(), 0.0); },
+                            [&](std::size_t i) { return images_.moment(cell, views[i]); }};
+  return look_from_views(views, travel, cell, options_, images_, perception);
+}
+
+TakenLook LookTaker::move_to_views(ArmCell& cell, TablePerception& perception) {
+  StationTravel arm(cell, *arm_, stations_);
+  const CameraTravel travel{[&] { return arm.costs(); },
+                            [&](std::size_t i) -> std::optional<CameraMoment> {
+                              if (!arm.go(stations_[i].positions)) return std::nullopt;
+                              return images_.moment(cell);
+                            }};
+  TakenLook look =
+      look_from_views(poses_of(stations_), travel, cell, options_, images_, perception);
+  arm.go_home();
+  look.touched = arm.touched();
+  return look;
 }
 
 }  // namespace symscene

@@ -29,6 +29,7 @@ Json look_json(const PickLook& look) {
           {"tracking_error_m", look.trajectory.absolute},
           {"robot_share", look.robot_share},
           {"touched", look.touched},
+          {"enough_views", look.is_enough},
           {"objects_on_table", look.present},
           {"objects_found", look.found},
           {"grasps", look.grasps},

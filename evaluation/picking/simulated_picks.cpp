@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "look_motion.hpp"
 #include "look_taker.hpp"
 #include "object_ledger.hpp"
 #include "pick_choice.hpp"
@@ -103,26 +102,20 @@ class PickLoop {
   /// Whether the camera sees the table.
   bool plan_camera() {
     stage("motion of the camera");
-    if (!robot_.camera || !robot_.camera->arm) {
-      tell("the robot's description has no camera on an arm: a camera flies along an arc");
-      return true;
-    }
-    PlannedLook planned = timer_.time("motion of the camera", [&] {
-      return plan_look(robot_, gripper_, bin_, options_.look, options_.pick);
-    });
-    look_motion_ = std::move(planned.motion);
-    if (look_motion_) return true;
-    tell(planned.obstacle, RecordedOutcome::failure);
-    not_looked_ = planned.obstacle;
+    camera_.emplace(robot_, solids_, gripper_, bin_, bin_mesh_, options_);
+    if (camera_->is_flying())
+      tell("the robot's description has no camera on an arm: a camera flies around the table");
+    not_looked_ = timer_.time("motion of the camera", [&] { return camera_->plan(); });
+    if (not_looked_.empty()) return true;
+    tell(not_looked_, RecordedOutcome::failure);
     end(PickRunEnd::no_view);
     return false;
   }
 
   void clear() {
-    LookTaker camera(robot_, solids_, bin_mesh_, look_motion_ ? &*look_motion_ : nullptr, options_);
     for (int looks = 0, empty = 0; !cell_->present().empty(); ++looks) {
       if (looks == options_.max_looks) return end(PickRunEnd::looks);
-      look(camera);
+      look();
       PickChoice choice = choose();
       empty = choice.planned ? 0 : empty + 1;
       if (choice.planned)
@@ -132,17 +125,18 @@ class PickLoop {
     }
   }
 
-  void look(LookTaker& camera) {
+  void look() {
     stage(fmt::format("look {}", run_.looks.size() + 1));
     surfaces_ = surfaces_of(cell_->tabletop());
     present_ = cell_->present();
     TablePerception perception(options_);
-    const TakenLook taken = camera.take(*cell_, perception);
+    const TakenLook taken = camera_->take(*cell_, perception);
     stage(fmt::format("objects of look {}", run_.looks.size() + 1));
     belief_ = perception.finish(gripper_);
     PickLook look = perception.look();
     look.robot_share = taken.robot_share;
     look.touched = taken.touched;
+    look.is_enough = taken.is_enough;
     look.time = cell_->time();
     look.present = present_.size();
     look.found = belief_.scene.objects.size();
@@ -155,8 +149,10 @@ class PickLoop {
   }
 
   void tell_look(const PickLook& look) {
-    tell(fmt::format("look {}: {} {} found, {} grasps", run_.looks.size() + 1, look.found,
-                     look.found == 1 ? "object" : "objects", look.grasps));
+    tell(fmt::format("look {}: {} {} in {} {}{}, {} grasps", run_.looks.size() + 1, look.found,
+                     look.found == 1 ? "object" : "objects", look.frames,
+                     look.frames == 1 ? "image" : "images",
+                     look.is_enough ? ", which is enough" : "", look.grasps));
     not_looked_.clear();
     if (look.robot_share > options_.look.max_robot_share) {
       const std::string blocked =
@@ -287,7 +283,7 @@ class PickLoop {
   FailedAttempts failed_;
   ObjectLedger ledger_;
   std::optional<ArmCell> cell_;
-  std::optional<LookMotion> look_motion_;
+  std::optional<LookTaker> camera_;
   std::string not_looked_;  ///< why nothing is known of the table
   TableBelief belief_;
   StageTimer timer_;                    ///< of all that the robot computes

@@ -29,21 +29,22 @@ void TablePerception::add(const DepthFrame& frame, const Eigen::Isometry3d& by_a
   const FrameReport report =
       timer_.time("tracking and fusion", [&] { return reconstruction_.add(frame, by_arm, use); });
   ++frames_;
+  perceived_.reset();
   const auto measured = [](float depth) { return depth > 0.0F; };
   if (!report.fused || std::none_of(frame.depth.begin(), frame.depth.end(), measured)) return;
   estimated_.push_back(report.tracking.T_world_camera);
   truth_.push_back(truth);
 }
 
-Scene TablePerception::build(StageTimer& timer) const {
+Scene TablePerception::build() {
   if (reconstruction_.empty()) return {};
-  const TriangleMesh surface = timer.time("surface", [&] { return reconstruction_.surface(); });
+  const TriangleMesh surface = timer_.time("surface", [&] { return reconstruction_.surface(); });
   if (surface.vertices.rows() == 0) return {};
   // The robot knows where up is, and where its camera was.
   TablePrior prior;
   prior.up = Eigen::Vector3d::UnitZ();
   for (const Eigen::Isometry3d& pose : estimated_) prior.viewpoints.push_back(pose.translation());
-  Scene scene = timer.time("table", [&] {
+  Scene scene = timer_.time("table", [&] {
     return build_scene({surface.vertices, surface.normals, surface.colors},
                        reconstruction_.occupancy(), prior, options_.scene)
         .scene;
@@ -52,13 +53,23 @@ Scene TablePerception::build(StageTimer& timer) const {
   return scene.table ? scene : Scene{};
 }
 
+const PerceivedScene& TablePerception::perceived() {
+  if (perceived_) return *perceived_;
+  perceived_.emplace(PerceivedScene{build(), {}});
+  auto& [scene, result] = *perceived_;
+  if (!scene.cloud.empty())
+    result = timer_.time("objects", [&] { return segment_scene(scene, options_.pipeline); });
+  return *perceived_;
+}
+
 TableBelief TablePerception::finish(const Gripper& gripper) {
-  const Scene scene = build(timer_);
   TableBelief belief;
+  if (options_.method == GraspMethod::cylinders) {
+    const Scene scene = perceived_ ? perceived_->scene : build();
+    return scene.cloud.empty() ? belief : cylinder_belief(scene, gripper, timer_);
+  }
+  const auto& [scene, result] = perceived();
   if (scene.cloud.empty()) return belief;
-  if (options_.method == GraspMethod::cylinders) return cylinder_belief(scene, gripper, timer_);
-  const SegmentationResult result =
-      timer_.time("objects", [&] { return segment_scene(scene, options_.pipeline); });
   GraspPlan plan = timer_.time("grasps", [&] {
     belief.scene = grasp_scene(result, &scene, options_.grasping);
     return plan_grasps(belief.scene, gripper, options_.grasping);

@@ -34,7 +34,7 @@ class LookAtATable : public ::testing::Test {
   PickOptions planning_;
 
   PlannedLook plan(const PickBin& bin) const {
-    return plan_look(robot_, gripper_, bin, look_, planning_);
+    return plan_look(CameraArm(robot_, gripper_, bin, look_, planning_), look_);
   }
 };
 
@@ -67,6 +67,20 @@ TEST_F(LookAtATable, ABinIsPlacedWhereTheArmReachesItAndDoesNotStandAtHome) {
   EXPECT_FALSE(meets(*look.motion, robot_, gripper_, *bin));
   EXPECT_FALSE(bin->is_above({0.0, 0.0, 0.1}));
   EXPECT_TRUE(bin->is_above({bin->middle.x(), bin->middle.y(), 0.3}));
+}
+
+TEST_F(LookAtATable, ViewsOfTheArmShowTheTableFromManySidesAndAreFree) {
+  const CameraArm arm(robot_, gripper_, {{5.0, 5.0}, 0.26, 0.12}, look_, planning_);
+  const std::vector<ViewStation> stations = view_stations(arm, look_);
+  EXPECT_GE(stations.size(), 8U);
+  const Eigen::Vector3d target(0.0, 0.0, look_.target_height);
+  for (const ViewStation& station : stations) {
+    EXPECT_FALSE(arm.collision().contact(station.positions));
+    const Eigen::Vector3d seen = station.T_table_camera.inverse() * target;
+    EXPECT_LT(seen.head<2>().norm(), 1e-3) << "the camera looks at the table's middle";
+    EXPECT_GE(seen.z(), look_.min_radius - 1e-3);
+    EXPECT_LE(seen.z(), look_.max_radius + 1e-3);
+  }
 }
 
 }  // namespace

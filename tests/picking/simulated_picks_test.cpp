@@ -45,6 +45,33 @@ TEST_F(SimulatedPicks, PutACupIntoTheBin) {
   EXPECT_FALSE(cleared.to_first.empty());
 }
 
+TEST_F(SimulatedPicks, ChooseTheirViewsAndEndWhereTheyAreEnough) {
+  options_.views = LookViews::next;
+  options_.max_looks = 1;
+  const PickRun chosen = run(read_robot("panda"), "panda");
+  ASSERT_EQ(chosen.looks.size(), 1U);
+  const PickLook& few = chosen.looks[0];
+  EXPECT_EQ(few.fused, few.frames);
+  EXPECT_LE(few.frames, 6U);
+  EXPECT_EQ(few.found, 1U);
+  EXPECT_EQ(chosen.all.in_bin, 1U);
+  options_.next_view.min_share = 1.0;  // nothing is worth a second view
+  const PickRun one = run(read_robot("panda"), "panda");
+  ASSERT_EQ(one.looks.size(), 1U);
+  EXPECT_EQ(one.looks[0].frames, 1U);
+  EXPECT_TRUE(one.looks[0].is_enough);
+}
+
+TEST_F(SimulatedPicks, ChooseViewsOfACameraThatFlies) {
+  options_.views = LookViews::next;
+  options_.max_looks = 1;
+  Robot robot = read_robot("panda");
+  robot.camera.reset();
+  const PickRun flown = run(robot, "panda");
+  ASSERT_EQ(flown.looks.size(), 1U);
+  EXPECT_EQ(flown.looks[0].found, 1U);
+}
+
 TEST_F(SimulatedPicks, CorrectThePosesThatTheArmTells) {
   options_.max_looks = 1;
   options_.look.pose_deviation = 0.004;

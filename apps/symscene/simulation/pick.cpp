@@ -50,6 +50,7 @@ struct PickCommand {
   std::string robot = "panda";
   ObjectChoice objects;
   std::string method = "symscene";
+  std::string views = "sweep";
   fs::path video;  ///< empty: none is written
   std::optional<int> count;
   std::optional<std::uint64_t> seed;
@@ -61,6 +62,7 @@ struct PickCommand {
       tabletop.seed = seed.value_or(tabletop.seed);
       options.run.seed = seed.value_or(options.run.seed);
       options.run.method = parse_grasp_method(method);
+      options.run.views = parse_look_views(views);
     });
   }
 
@@ -104,6 +106,7 @@ struct PickCommand {
     json["robot"] = robot;
     json["models"] = objects.name;
     json["method"] = method;
+    json["views"] = views;
     return json.dump();
   }
 
@@ -157,7 +160,8 @@ void add_pick(CommandLine& line) {
   const auto state = std::make_shared<PickCommand>();
   Arguments arguments(line, "pick", "Clear a simulated table with a robot arm",
                       "symscene pick --simulate --robot panda --objects household -o run\n"
-                      "  symscene pick --simulate --robot baxter --objects ycb --count 4 -o run");
+                      "  symscene pick --simulate --robot baxter --objects ycb --count 4 -o run\n"
+                      "  symscene pick --simulate --views next --count 3 -o run");
   arguments.flag("--simulate", state->simulate,
                  "in physics: the only way so far, no real robot is moved");
   arguments.text("--robot", "NAME|FILE", state->robot,
@@ -169,6 +173,9 @@ void add_pick(CommandLine& line) {
   arguments.choice("--method", state->method, {"symscene", "cylinders"},
                    "what proposes grasps: segmented objects, or clusters and bounding cylinders "
                    "(default symscene)");
+  arguments.choice("--views", state->views, {"sweep", "next"},
+                   "from where the camera looks: along a sweep, or from views that are chosen one "
+                   "by one by what is known (default sweep)");
   arguments.file("--video", state->video,
                  "also write the run as an animated GIF: a name that ends in .gif");
   arguments.seed(state->seed, state->options.table.tabletop.seed);

@@ -10,6 +10,7 @@ namespace symscene {
 struct CameraLookOptions {
   int frames = 20;
   int stations = 9;
+  int max_views = 6;
   double arc = radians(140.0);
   double min_elevation = radians(35.0);
   double max_elevation = radians(75.0);
@@ -28,9 +29,11 @@ struct CameraLookOptions {
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit("frames", self.frames, "", between(1, 100000), "images of a look");
+    visit("frames", self.frames, "", between(1, 100000), "images of a look along a sweep");
     visit("stations", self.stations, "", between(2, 1000),
           "directions about the table's middle from which the arm tries to look");
+    visit("max_views", self.max_views, "", between(1, 1000),
+          "greatest number of images of a look whose views are chosen one by one");
     visit("arc", self.arc, "rad", between(0.0, radians(360.0)),
           "horizontal angle that these directions span, symmetric about that to the robot");
     visit("min_elevation", self.min_elevation, "rad", above_up_to(0.0, radians(89.0)),

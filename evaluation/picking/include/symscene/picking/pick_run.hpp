@@ -31,14 +31,15 @@ const char* description(AttemptEnd end);
 struct PickLook {
   double time = 0.0;  ///< simulated, at its end [s]
   std::size_t frames = 0;
-  std::size_t fused = 0;         ///< of the frames; others were lost
-  TrajectoryError trajectory;    ///< of the fused frames
-  double robot_share = 0.0;      ///< of the pixels, that the robot or the bin covered
-  std::string touched;           ///< what the arm touched on its way; empty for nothing
-  std::size_t found = 0;         ///< objects
-  std::size_t present = 0;       ///< true objects on the table
-  std::size_t grasps = 0;        ///< proposed
-  std::string no_pick;           ///< why no grasp was taken, if none was
+  std::size_t fused = 0;       ///< of the frames; others were lost
+  TrajectoryError trajectory;  ///< of the fused frames
+  double robot_share = 0.0;    ///< of the pixels, that the robot or the bin covered
+  std::string touched;         ///< what the arm touched on its way; empty for nothing
+  bool is_enough = false;   ///< views were chosen, and no further one is expected to show much more
+  std::size_t found = 0;    ///< objects
+  std::size_t present = 0;  ///< true objects on the table
+  std::size_t grasps = 0;   ///< proposed
+  std::string no_pick;      ///< why no grasp was taken, if none was
   std::vector<StageTime> times;  ///< wall times of what the robot computed after it
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "symscene/clutter/clutter_methods.hpp"
 #include "symscene/grasping/grasp_options.hpp"
@@ -11,6 +12,7 @@
 #include "symscene/reconstruction/reconstruction.hpp"
 #include "symscene/simulation/sensor_noise.hpp"
 #include "symscene/tabletop/scene_building.hpp"
+#include "symscene/view_planning/next_view_options.hpp"
 
 namespace symscene {
 
@@ -50,6 +52,14 @@ struct PickExecutionOptions {
   void validate() const { check_fields(*this); }
 };
 
+/// From where the camera looks.
+enum class LookViews : std::uint8_t {
+  sweep,  ///< images along a motion past the table, always the same
+  next    ///< images from single views, each chosen by what is known after the one before
+};
+/// Throws InputError if no choice of views has that name.
+LookViews parse_look_views(const std::string& name);
+
 struct SimulatedPickOptions {
   int max_looks = 30;
   int max_failures = 2;
@@ -60,6 +70,7 @@ struct SimulatedPickOptions {
   std::uint64_t seed = 1;
   CameraLookOptions look;
   SensorNoiseOptions sensor = default_sensor();
+  NextViewOptions next_view = default_next_view();
   ReconstructionOptions reconstruction;
   SceneBuildingOptions scene;
   PipelineOptions pipeline;
@@ -68,6 +79,7 @@ struct SimulatedPickOptions {
   PickExecutionOptions execution;
   ArmWorldOptions physics;
   GraspMethod method = GraspMethod::symscene;  ///< symscene or cylinders
+  LookViews views = LookViews::sweep;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -85,6 +97,7 @@ struct SimulatedPickOptions {
     visit("seed", self.seed, "", any_value(), "seed of the sensor's noise");
     visit("look", self.look);
     visit("sensor", self.sensor);
+    visit("next_view", self.next_view);
     visit("reconstruction", self.reconstruction);
     visit("scene", self.scene);
     visit("pipeline", self.pipeline);
@@ -95,6 +108,8 @@ struct SimulatedPickOptions {
   }
   /// A camera of short range, which does not see the floor behind the table.
   static SensorNoiseOptions default_sensor();
+  /// The range of that camera.
+  static NextViewOptions default_next_view();
   /// All grasps of a table are tried before a look counts as empty.
   static PickOptions default_pick();
   /// Throws InputError if a value is out of its range or the method needs true meshes.
