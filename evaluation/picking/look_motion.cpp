@@ -111,7 +111,7 @@ std::vector<Eigen::VectorXd> reachable_stations(const CameraArm& arm,
 /// At the mean speed of the camera that is asked for, if the arm is able to.
 TimedPath slow_sweep(const CameraArm& arm, double speed,
                      const std::vector<Eigen::VectorXd>& stations) {
-  const auto camera_at = [&](const Eigen::VectorXd& positions) {
+  const auto camera_at = [&](const Eigen::VectorXd& positions) -> Eigen::Vector3d {
     return arm.camera_pose(positions).translation();
   };
   double way = 0.0;
