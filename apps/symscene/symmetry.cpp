@@ -3,6 +3,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "commands.hpp"
 #include "core/number_in.hpp"
@@ -37,6 +38,16 @@ int bop_number(const std::string& name) {
   constexpr std::string_view prefix = "obj_";
   if (!name.starts_with(prefix)) return 0;
   return std::max(number_in<int>(name.substr(prefix.size())).value_or(0), 0);
+}
+
+/// A list in a sentence: of a long one its ends.
+std::string shortened(std::vector<std::string> items) {
+  constexpr std::size_t shown = 4;
+  if (items.size() > shown) {
+    items[1] = "...";
+    items.erase(items.begin() + 2, items.end() - 1);
+  }
+  return fmt::format("{}", fmt::join(items, ", "));
 }
 
 struct Symmetry {
@@ -152,13 +163,18 @@ struct Symmetry {
   }
 
   /// The benchmark's models are of 5 mm to 5 m: others have another unit.
-  void warn_of_unit(const ModelSymmetries& model, Session& session) const {
+  void warn_of_unit(const std::vector<ModelSymmetries>& models, Session& session) const {
     constexpr double least = 5.0, most = 5000.0;  // [mm]
-    const double diameter = model.diameter * model.millimetres;
-    if (diameter >= least && diameter <= most) return;
-    session.warn(fmt::format(
-        "{} has a diameter of {:.3g} mm if its unit is {}: --units names the unit of the models",
-        model.name, diameter, units));
+    std::vector<std::string> doubtful;
+    for (const ModelSymmetries& model : models) {
+      const double diameter = model.diameter * model.millimetres;
+      if (diameter < least || diameter > most)
+        doubtful.push_back(fmt::format("{} ({:.3g} mm)", model.name, diameter));
+    }
+    if (!doubtful.empty())
+      session.warn(fmt::format(
+          "diameters show another unit than {}: {}: --units names the unit of the models", units,
+          shortened(doubtful)));
   }
 
   ModelSymmetries symmetries_of(const Model& model) const {
@@ -173,14 +189,16 @@ struct Symmetry {
     for (const ModelSymmetries& model : models) numbers.insert(bop_number(model.name));
     const bool are_numbered = numbers.size() == models.size() && !numbers.contains(0);
     Json json;
+    std::vector<std::string> names;
     for (std::size_t k = 0; k < models.size(); ++k) {
       const int number = are_numbered ? bop_number(models[k].name) : static_cast<int>(k) + 1;
-      if (!are_numbered)
-        session.warn(fmt::format("{} is model {}, as not all names are like obj_000001",
-                                 models[k].name, number));
-      warn_of_unit(models[k], session);
+      names.push_back(fmt::format("{} is {}", number, models[k].name));
       json[std::to_string(number)] = bop_json(models[k]);
     }
+    if (!are_numbered)
+      session.warn("models are numbered in order, as not all names are like obj_000001: " +
+                   shortened(names));
+    warn_of_unit(models, session);
     return json;
   }
 

@@ -63,14 +63,32 @@ void append_json(const Json& json, const std::string& indent, std::string& text)
   text += "\n" + indent + (json.is_object() ? "}" : "]");
 }
 
-/// Keys are plain words.
+/// As JSON, but numbers with an exponent have a point: parsers of YAML 1.1 read others as text.
+std::string yaml_value(const Json& json) {
+  std::string text;
+  if (json.is_array()) {
+    for (const Json& item : json) text += (text.empty() ? "" : ", ") + yaml_value(item);
+    return "[" + text + "]";
+  }
+  text = json.dump();
+  const std::size_t exponent = text.find('e');
+  if (json.is_number_float() && exponent != std::string::npos && text.find('.') > exponent)
+    text.insert(exponent, ".0");
+  return text;
+}
+
+/// Keys are plain words. `text` ends where the first line begins: members of a list begin behind
+/// its dash.
 void append_yaml(const Json& json, const std::string& indent, std::string& text) {
+  bool follows = false;
   for (const auto& [key, value] : json.items()) {
-    text += indent + (json.is_object() ? key + ":" : "-");
+    if (follows) text += indent;
+    follows = true;
+    text += json.is_object() ? key + ":" : "-";
     if (is_flat(value)) {
-      text += " " + value.dump() + "\n";
+      text += " " + yaml_value(value) + "\n";
     } else {
-      text += "\n";
+      text += json.is_object() ? "\n" + indent + "  " : " ";
       append_yaml(value, indent + "  ", text);
     }
   }

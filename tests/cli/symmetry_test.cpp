@@ -1,6 +1,7 @@
 // `symscene symmetry` from outside: its formats, and models that it cannot read.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
@@ -71,24 +72,51 @@ TEST_F(SymmetryCommand, WritesModelsInfoOfAFolder) {
 TEST_F(SymmetryCommand, WarnsOfModelsInAnotherUnitThanSaid) {
   const Outcome outcome = run("models --format bop -o models_info.json");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("obj_000003 has a diameter of 2.97e+05 mm"), std::string::npos)
+  EXPECT_NE(outcome.err.find("obj_000003 (2.97e+05 mm)"), std::string::npos)
       << outcome.err;
   EXPECT_NE(outcome.err.find("--units"), std::string::npos) << outcome.err;
 }
 
-TEST_F(SymmetryCommand, NumbersModelsWithOtherNamesAndSaysSo) {
+TEST_F(SymmetryCommand, NumbersModelsWithOtherNamesAndSaysSoOnce) {
   fs::rename(workspace_ / "models/obj_000003.obj", workspace_ / "models/box.obj");
-  const Outcome outcome = run("models --format bop");
+  const Outcome outcome = run("models --units mm --format bop");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("box is model 1"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err,
+            "symscene symmetry: warning: models are numbered in order, as not all names are like "
+            "obj_000001: 1 is box, 2 is obj_000007\n");
   EXPECT_TRUE(nlohmann::json::parse(outcome.out).contains("2"));
 }
 
 TEST_F(SymmetryCommand, WritesYaml) {
   const Outcome outcome = run("models/obj_000003.obj --format yaml");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.out.rfind("version: 2\nmodels:\n", 0), 0U) << outcome.out;
-  EXPECT_NE(outcome.out.find("order: 2\n"), std::string::npos);
+  EXPECT_EQ(outcome.out.rfind("version: 2\nmodels:\n  - name: \"obj_000003\"\n    diameter: ", 0),
+            0U)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("\n    axes:\n      - point: ["), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n        order: 2\n"), std::string::npos);
+}
+
+/// Of a motion by rows.
+Eigen::Matrix4d matrix_of(const nlohmann::json& rows) {
+  Eigen::Matrix4d matrix;
+  for (int k = 0; k < 16; ++k) matrix(k / 4, k % 4) = rows.at(static_cast<std::size_t>(k));
+  return matrix;
+}
+
+TEST_F(SymmetryCommand, DiscreteSymmetriesOfModelsInfoAreAGroupOfProperRotations) {
+  const Outcome outcome = run("models --units mm --format bop");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::vector<Eigen::Matrix4d> group{Eigen::Matrix4d::Identity()};
+  for (const auto& rows : nlohmann::json::parse(outcome.out).at("3").at("symmetries_discrete"))
+    group.push_back(matrix_of(rows));
+  for (const Eigen::Matrix4d& a : group) {
+    EXPECT_NEAR((a.topLeftCorner<3, 3>().determinant()), 1.0, 1e-9);
+    for (const Eigen::Matrix4d& b : group) {
+      EXPECT_TRUE(std::any_of(group.begin(), group.end(),
+                              [&](const Eigen::Matrix4d& c) { return (a * b).isApprox(c, 1e-9); }));
+    }
+  }
 }
 
 TEST_F(SymmetryCommand, SearchesPartialScansByScores) {

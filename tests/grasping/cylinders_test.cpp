@@ -3,6 +3,8 @@
 #include "grasp_scenes.hpp"
 #include "grasping/cylinder_candidates.hpp"
 #include "grasping/hand_collision.hpp"
+#include "scaled_options.hpp"
+#include "similarity.hpp"
 #include "surfaces.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/grasping/gripper.hpp"
@@ -92,6 +94,26 @@ TEST(FitCylinders, FindsSizeAndPlaceOfTwoCansAtAnyPoseOfTheScene) {
       EXPECT_LT((found.center - motion * truth[i].center).norm(), 0.003);
       EXPECT_LT(angle_between(found.direction, motion.linear() * truth[i].direction), radians(1.5));
     }
+  }
+}
+
+TEST(FitCylinders, OfASceneTwiceAsLargeAreTwiceAsLarge) {
+  const PointCloud cans = joined(can(0.05, 0.08), can(0.03, 0.15, {0.15, 0.0, 0.0}));
+  constexpr double scale = 2.0;  // free space is prepared at a scale that is no option
+  const CylinderScene here = fit_cylinders(on_table(cans));
+  const CylinderScene there = fit_cylinders(on_table(testing::scaling_by(scale)(cans)),
+                                            testing::scaled_lengths(CylinderOptions{}, scale));
+  ASSERT_EQ(here.clusters.size(), 2U);
+  ASSERT_EQ(there.clusters.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_TRUE(here.clusters[i].cylinder && there.clusters[i].cylinder);
+    const BoundingCylinder& small = *here.clusters[i].cylinder;
+    const BoundingCylinder& found = *there.clusters[i].cylinder;
+    const double distance = testing::rounding * scale;
+    EXPECT_NEAR(found.radius, scale * small.radius, distance);
+    EXPECT_NEAR(found.height, scale * small.height, distance);
+    EXPECT_LT((found.center - scale * small.center).norm(), distance);
+    EXPECT_LT(line_angle(found.direction, small.direction), testing::rounding);
   }
 }
 

@@ -358,12 +358,31 @@ std::vector<std::string> missed_in(const SegmentationResult& result,
   return missed;
 }
 
+const SegmentationResult& segmented_real_scene() {
+  static const SegmentationResult result = segment_scene(read_scene(real_scene()));
+  return result;
+}
+
 TEST(Pipeline, FindsNineOfTheTenObjectsOfTheRealScene) {
   if (!std::filesystem::exists(real_scene())) GTEST_SKIP() << "skipped: no data";
-  const SegmentationResult result = segment_scene(read_scene(real_scene()));
+  const SegmentationResult& result = segmented_real_scene();
   EXPECT_LE(result.objects.size(), 14U);
   const std::vector<std::string> missed = missed_in(result, Eigen::Isometry3d::Identity());
   EXPECT_LE(missed.size(), 1U) << fmt::format("{}", fmt::join(missed, ", "));
+}
+
+TEST(Pipeline, TheBearOfTheRealSceneHasItsMirrorPlane) {
+  if (!std::filesystem::exists(real_scene())) GTEST_SKIP() << "skipped: no data";
+  const Expected& bear = objects_of_real_scene()[2];
+  ASSERT_STREQ(bear.name, "bear");
+  // Figure 3.7 of the thesis: it runs along the back, between the ears.
+  const ReflectionPlane expected{bear.place, Eigen::Vector3d(0.92, 0.31, 0.23).normalized()};
+  const SameSymmetry is_same{bear.place, radians(10.0), 0.02};
+  const std::vector<SceneObject>& objects = segmented_real_scene().objects;
+  EXPECT_TRUE(std::any_of(objects.begin(), objects.end(), [&](const SceneObject& object) {
+    return std::any_of(object.reflectional.begin(), object.reflectional.end(),
+                       [&](const ObjectPlane& found) { return is_same(found.plane, expected); });
+  }));
 }
 
 Eigen::Isometry3d random_pose(std::uint64_t seed) {

@@ -256,35 +256,93 @@ SymmetryGroupOptions few_directions() {
   return options;
 }
 
-std::vector<ReflectionPlane> planes_of_group(const PointCloud& surface) {
-  return planes_of(find_symmetry_group(surface, few_directions()).planes);
+/// A box, a bar with a six-fold axis, and a cone, whose axis is continuous.
+std::vector<PointCloud> whole_surfaces() {
+  const std::vector<ProfilePoint> bar{{0.0, 0.0}, {0.06, 0.0}, {0.06, 0.16}, {0.0, 0.16}};
+  const std::vector<ProfilePoint> cone{{0.0, 0.0}, {0.05, 0.0}, {0.0, 0.12}};
+  return {sample_surface(make_box({0.1, 0.16, 0.23}, 0.023), 6000),
+          sample_surface(make_revolution(bar, 6, 0.2), 6000),
+          sample_surface(make_revolution(cone, 64, 0.01), 6000)};
 }
 
-TEST(SymmetryGroup, OfAMovedSurfaceHasTheMovedPlanes) {
-  const PointCloud surface = sample_surface(make_box({0.1, 0.16, 0.23}, 0.023), 6000);
-  const std::vector<ReflectionPlane> here = planes_of_group(surface);
-  ASSERT_EQ(here.size(), 3U);
-  for (const std::uint32_t seed : motion_seeds) {
-    const Similarity moved_by = motion_of(seed);
-    const PointCloud moved = moved_by(surface);
-    // Directions are tried on a lattice that does not move, fits end within 0.2 % of the diagonal.
-    EXPECT_TRUE(are_the_same(planes_of_group(moved), moved_by(here), centroid(moved.positions),
-                             radians(0.5), 6e-4))
-        << "seed " << seed;
+std::vector<int> orders_of(const SymmetryGroup& group) {
+  std::vector<int> orders;
+  for (const GroupAxis& found : group.axes) orders.push_back(found.order);
+  return orders;
+}
+
+/// Whether a group has the rotations of another one that is moved and scaled.
+bool has_rotations(const SymmetryGroup& group, const SymmetryGroup& expected, const Similarity& by,
+                   double angle) {
+  const Eigen::Matrix3d turn = by.motion.linear();
+  return group.rotations.size() == expected.rotations.size() &&
+         std::all_of(expected.rotations.begin(), expected.rotations.end(), [&](const auto& e) {
+           const Eigen::Matrix3d there = turn * e.linear() * turn.transpose();
+           return std::any_of(group.rotations.begin(), group.rotations.end(), [&](const auto& g) {
+             return Eigen::AngleAxisd(g.linear() * there.transpose()).angle() < angle;
+           });
+         });
+}
+
+TEST(SymmetryGroup, OfAMovedSurfaceIsTheMovedGroup) {
+  // Directions are tried on a lattice that does not move, and fits end within 0.2 % of the
+  // diagonal.
+  const double angle = radians(0.5);
+  constexpr double distance = 6e-4;  // [m]
+  for (const PointCloud& surface : whole_surfaces()) {
+    const SymmetryGroup here = find_symmetry_group(surface, few_directions());
+    ASSERT_FALSE(here.axes.empty());
+    for (const std::uint32_t seed : motion_seeds) {
+      const Similarity moved_by = motion_of(seed);
+      const SymmetryGroup there = find_symmetry_group(moved_by(surface), few_directions());
+      EXPECT_EQ(orders_of(there), orders_of(here)) << "seed " << seed;
+      EXPECT_TRUE(are_the_same(axes_of(there.axes), moved_by(axes_of(here.axes)), there.center,
+                               angle, distance))
+          << "seed " << seed;
+      EXPECT_TRUE(are_the_same(planes_of(there.planes), moved_by(planes_of(here.planes)),
+                               there.center, angle, distance))
+          << "seed " << seed;
+      EXPECT_TRUE(has_rotations(there, here, moved_by, 2.0 * angle)) << "seed " << seed;
+      EXPECT_LT((there.center - moved_by.point(here.center)).norm(), distance) << "seed " << seed;
+      EXPECT_NEAR(there.diameter, here.diameter, 1e-6) << "seed " << seed;
+    }
   }
 }
 
-TEST(SymmetryGroup, OfAScaledSurfaceHasTheScaledPlanesAndResiduals) {
-  const PointCloud surface = sample_surface(make_box({0.1, 0.16, 0.23}, 0.023), 6000);
+TEST(SymmetryGroup, OfAScaledSurfaceIsTheScaledGroupWithTheSameOptions) {
+  for (const PointCloud& surface : whole_surfaces()) {
+    const SymmetryGroup here = find_symmetry_group(surface, few_directions());
+    for (const double scale : scales) {
+      const Similarity scaled_by = scaling_by(scale);
+      const SymmetryGroup there = find_symmetry_group(scaled_by(surface), few_directions());
+      ASSERT_EQ(orders_of(there), orders_of(here)) << "scale " << scale;
+      ASSERT_EQ(there.planes.size(), here.planes.size()) << "scale " << scale;
+      EXPECT_TRUE(are_the_same(axes_of(there.axes), scaled_by(axes_of(here.axes)), there.center,
+                               rounding, rounding * scale));
+      EXPECT_TRUE(are_the_same(planes_of(there.planes), scaled_by(planes_of(here.planes)),
+                               there.center, rounding, rounding * scale));
+      EXPECT_TRUE(has_rotations(there, here, scaled_by, rounding));
+      for (std::size_t k = 0; k < here.axes.size(); ++k)
+        EXPECT_NEAR(there.axes[k].residual, scale * here.axes[k].residual, rounding * scale);
+      for (std::size_t k = 0; k < here.planes.size(); ++k)
+        EXPECT_NEAR(there.planes[k].residual, scale * here.planes[k].residual, rounding * scale);
+    }
+  }
+}
+
+TEST(SymmetryGroup, OfABallMovesAndScales) {
+  const std::vector<Ellipsoid> ball{{{0.0, 0.0, 0.1}, {0.05, 0.05, 0.05}}};
+  const PointCloud surface = sample_surface(make_mirrored_body(ball, 0.001, 0.005), 6000);
   const SymmetryGroup here = find_symmetry_group(surface, few_directions());
-  for (const double scale : scales) {
-    const PointCloud scaled = scaling_by(scale)(surface);
-    const SymmetryGroup there = find_symmetry_group(scaled, few_directions());
-    EXPECT_TRUE(are_the_same(planes_of(there.planes), scaling_by(scale)(planes_of(here.planes)),
-                             centroid(scaled.positions), rounding, rounding * scale));
-    ASSERT_EQ(there.planes.size(), here.planes.size());
-    for (std::size_t k = 0; k < here.planes.size(); ++k)
-      EXPECT_NEAR(there.planes[k].residual, scale * here.planes[k].residual, rounding * scale);
+  ASSERT_TRUE(here.sphere);
+  for (const std::uint32_t seed : motion_seeds) {
+    for (const double scale : {0.5, 1.0, 2.0}) {
+      const Similarity changed_by{motion_of(seed).motion, scale};
+      const SymmetryGroup there = find_symmetry_group(changed_by(surface), few_directions());
+      EXPECT_TRUE(there.sphere) << "seed " << seed;
+      EXPECT_LT((there.center - changed_by.point(here.center)).norm(), 1e-5 * scale);
+      EXPECT_NEAR(there.sphere_residual, scale * here.sphere_residual, 1e-6 * scale);
+    }
   }
 }
 
