@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "arguments.hpp"
@@ -61,23 +62,25 @@ std::vector<fs::path> files_of(const fs::path& folder) {
   return is_scene ? files_of_scene(folder) : files_of_frame(folder);
 }
 
-/// Adds the hash of a file, unless the file cannot be read: that does not cost the result.
-void add_hash(Json& files, const std::string& name, const fs::path& file) {
+/// Adds the hash of a file.
+void add_hash(Json& files, const std::string& name, const fs::path& file, Session& session) {
   try {
     files.push_back({{"file", name}, {"sha256", sha256_of_file(file)}});
-  } catch (const InputError&) {
+  } catch (const InputError& error) {
+    session.warn(fmt::format("{}; made_by leaves it out", error.what()));
   }
 }
 
 }  // namespace
 
-std::string made_by(const std::string& command, const fs::path& input, const std::string& options) {
+std::string made_by(const std::string& command, const fs::path& input, const std::string& options,
+                    Session& session) {
   Json files = Json::array();
   if (fs::is_directory(input)) {
     for (const fs::path& file : files_of(input))
-      add_hash(files, file.generic_string(), input / file);
+      add_hash(files, file.generic_string(), input / file, session);
   } else {
-    add_hash(files, input.filename().string(), input);
+    add_hash(files, input.filename().string(), input, session);
   }
   const Json made = {{"symscene", SYMSCENE_VERSION},
                      {"command", command},

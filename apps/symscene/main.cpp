@@ -108,8 +108,11 @@ void parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   }
 }
 
-ExitCode run(CLI::App& app, int argc, const char* const* argv) {
+ExitCode run(symscene::app::CommandLine& line, int argc, const char* const* argv) {
+  CLI::App& app = line.parser;
+  symscene::app::SharedOptions before;
   try {
+    add_commands(line, before);
     parse_and_run(app, argc, argv);
     flush_output();
     return ok;
@@ -131,9 +134,12 @@ ExitCode run(CLI::App& app, int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   symscene::remove_staging_on_signals();
-  CLI::App app{"Finds the objects on a cluttered table by their symmetries."};
-  symscene::app::CommandLine line{app, {}};
-  symscene::app::SharedOptions before;
-  add_commands(line, before);
-  return run(app, argc, argv);
+  try {
+    CLI::App app{"Finds the objects on a cluttered table by their symmetries."};
+    symscene::app::CommandLine line{app, {}};
+    return run(line, argc, argv);
+  } catch (...) {  // no memory for the parser, or for a sentence
+    std::fputs("symscene: out of memory\n", stderr);
+    return internal_error;
+  }
 }

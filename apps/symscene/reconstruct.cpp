@@ -222,7 +222,7 @@ struct Reconstruct {
   void choose_sensor(const DepthSequence& sequence, Session& session) {
     const bool tracked = sequence.size() > 1;
     sensor = sensor_arguments.choose(
-        some_frames(sequence, options.sensor.frames), tracked, sequence.camera(),
+        sequence, tracked,
         {sequence.depth_scale(), measurement().min_depth, measurement().max_depth}, options.sensor,
         session);
     double& tracking_noise = options.reconstruction.measurement.noise;

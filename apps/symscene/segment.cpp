@@ -50,9 +50,10 @@ struct Segment {
   }
 
   /// Options as they were given, those of flags too.
-  std::string described(const OptionFields& fields) const {
+  std::string described(const OptionFields& fields, Session& session) const {
     SegmentOptions defaults;
-    return made_by("segment", source.path, changed_options(fields, option_fields(defaults)));
+    return made_by("segment", source.path, changed_options(fields, option_fields(defaults)),
+                   session);
   }
 
   void write_outputs(const SegmentationResult& result, Surroundings around,
@@ -101,7 +102,7 @@ struct Segment {
     write_outputs(
         result,
         {surface_around(input.surface, result, source.path, session), std::move(input.trajectory)},
-        described(fields));
+        described(fields, session));
     write_masks(input, result);
     session.print_line(format_objects(result));
     std::vector<ReportMember> members{{"output", shared.output},

@@ -82,4 +82,14 @@ ReportedSensor SensorArguments::choose(std::span<const DepthFrame> frames, bool 
   return {choice, json_of(choice)};
 }
 
+ReportedSensor SensorArguments::choose(const DepthSequence& sequence, bool tracked,
+                                       const DepthUse& depths,
+                                       const SensorEstimationOptions& options,
+                                       Session& session) const {
+  const SomeFrames some = some_frames(sequence, options.frames);
+  for (const std::string& error : some.unreadable)
+    session.warn(fmt::format("{}; the noise is looked at without it", error));
+  return choose(some.frames, tracked, sequence.camera(), depths, options, session);
+}
+
 }  // namespace symscene::app

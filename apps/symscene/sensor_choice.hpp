@@ -28,6 +28,10 @@ struct SensorArguments {
   ReportedSensor choose(std::span<const DepthFrame> frames, bool tracked,
                         const CameraIntrinsics& camera, const DepthUse& depths,
                         const SensorEstimationOptions& options, Session& session) const;
+
+  /// Looks at frames that are spread over the sequence.
+  ReportedSensor choose(const DepthSequence& sequence, bool tracked, const DepthUse& depths,
+                        const SensorEstimationOptions& options, Session& session) const;
 };
 
 }  // namespace symscene::app

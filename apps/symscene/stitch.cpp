@@ -154,8 +154,8 @@ struct Stitch {
     constexpr bool tracked = false;
     const MeasurementOptions& measured = options.stitching.measurement;
     sensor = sensor_arguments.choose(
-        some_frames(sequence, options.sensor.frames), tracked, sequence.camera(),
-        {sequence.depth_scale(), measured.min_depth, measured.max_depth}, options.sensor, session);
+        sequence, tracked, {sequence.depth_scale(), measured.min_depth, measured.max_depth},
+        options.sensor, session);
     double& noise = options.stitching.measurement.noise;
     noise = sensor.noise.value_or(noise);
     for (DepthFrame& frame : read.frames)

@@ -101,7 +101,7 @@ FrameHandle read(const SequenceHandle& handle, py::ssize_t index) {
 std::vector<FrameHandle> spread(const SequenceHandle& handle, int count) {
   const py::gil_scoped_release released;
   std::vector<FrameHandle> frames;
-  for (DepthFrame& frame : some_frames(*handle.sequence, count))
+  for (DepthFrame& frame : some_frames(*handle.sequence, count).frames)
     frames.push_back(frame_of(*handle.sequence, std::move(frame), {}));
   return frames;
 }

@@ -18,6 +18,9 @@ constexpr std::size_t fan_mode = 6;
 
 /// Nodes may share a mesh, so a small file can contain many primitives.
 constexpr std::size_t max_primitives = 1'000'000;
+/// Vertices and corners per byte of the file and its buffers, beyond the first million.
+constexpr std::size_t max_expansion = 100;
+constexpr std::size_t small_mesh = 1'000'000;
 
 Eigen::Vector3d vector_or(const JsonCursor& node, const char* key, double otherwise) {
   const auto vector = node.find(key);
@@ -100,7 +103,19 @@ class GltfJoiner {
     const std::size_t first = builder_.vertices();
     add_vertices(primitive.at("attributes"), T_world_mesh);
     const bool mirrored = T_world_mesh.linear().determinant() < 0.0;
-    add_triangles(corners_of(primitive, first), mode, mirrored);
+    const std::vector<Index> corners = corners_of(primitive, first);
+    require_proportion(primitive, builder_.vertices() - first + corners.size());
+    add_triangles(corners, mode, mirrored);
+  }
+
+  /// Counts what a primitive adds.
+  void require_proportion(const JsonCursor& primitive, std::size_t added) {
+    elements_ += added;
+    if (elements_ <= small_mesh + max_expansion * document_.size()) return;
+    throw InputError(
+        primitive.where(),
+        fmt::format("at most {} vertices and corners per byte of the file", max_expansion),
+        "more, as many nodes share a mesh");
   }
 
   void add_vertices(const JsonCursor& attributes, const Eigen::Affine3d& T_world_mesh) {
@@ -159,6 +174,7 @@ class GltfJoiner {
   const GltfDocument& document_;
   ModelBuilder builder_;
   std::size_t primitives_ = 0;  ///< of all meshes, once per node that refers to them
+  std::size_t elements_ = 0;    ///< vertices and corners of these
 };
 
 }  // namespace

@@ -130,7 +130,7 @@ double GltfAccessor::fraction(std::size_t element, std::size_t component) const 
 }
 
 GltfDocument::GltfDocument(std::string_view bytes, std::string name, const ReadBeside& read_beside)
-    : name_(std::move(name)) {
+    : name_(std::move(name)), file_size_(bytes.size()) {
   const GltfChunks chunks = split_chunks(bytes, name_);
   json_ = parse_json(chunks.json, name_);
   require_known_extensions();
@@ -141,6 +141,12 @@ GltfDocument::GltfDocument(std::string_view bytes, std::string name, const ReadB
     if (!uri && !buffers_.empty()) buffer.fail("a buffer with a uri");
     buffers_.push_back(uri ? read_uri(*uri, read_beside) : std::string(chunks.binary));
   }
+}
+
+std::size_t GltfDocument::size() const {
+  std::size_t size = file_size_;
+  for (const std::string& buffer : buffers_) size += buffer.size();
+  return size;
 }
 
 void GltfDocument::require_known_extensions() const {

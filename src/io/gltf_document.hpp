@@ -32,6 +32,9 @@ class GltfDocument {
 
   JsonCursor root() const { return {json_, name_}; }
 
+  /// Bytes of the file and of its buffers.
+  std::size_t size() const;
+
   /// The accessor with this index. Throws InputError if it exceeds its buffer.
   GltfAccessor accessor(const JsonCursor& index) const;
 
@@ -40,6 +43,7 @@ class GltfDocument {
   std::string_view view(const JsonCursor& accessor, std::size_t& stride) const;
 
   std::string name_;
+  std::size_t file_size_;
   Json json_;
   std::vector<std::string> buffers_;
 };

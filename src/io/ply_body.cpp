@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "file_end.hpp"
 #include "symscene/core/error.hpp"
 #include "text.hpp"
 
@@ -11,6 +12,8 @@ void PlyBody::skip(const PlyElement& element) {
   walk(
       element, [](auto...) {}, [](auto...) {});
 }
+
+void PlyBody::require_end() const { symscene::require_end(rest_, name_); }
 
 Eigen::MatrixXf PlyBody::read_columns(const PlyElement& element,
                                       std::span<const std::size_t> properties) {

@@ -18,6 +18,9 @@ class PlyBody {
 
   void skip(const PlyElement& element);
 
+  /// Of a file whose elements have all been read.
+  void require_end() const;
+
   /// The single-value properties of an element at these positions, one column each.
   Eigen::MatrixXf read_columns(const PlyElement& element, std::span<const std::size_t> properties);
 

@@ -132,11 +132,15 @@ MarkedCloud parse_ply_marked(std::string_view bytes, const std::string& name) {
   const PlyHeader header = parse_ply_header(bytes, name);
   const PlyElement& vertex = require_element(header, "vertex", name);
   PlyBody body(bytes.substr(header.size), header.encoding, name);
+  MarkedCloud cloud;
   for (const PlyElement& element : header.elements) {
-    if (&element == &vertex) break;
-    body.skip(element);
+    if (&element == &vertex)
+      cloud = read_vertices(body, vertex, name);
+    else
+      body.skip(element);
   }
-  return read_vertices(body, vertex, name);
+  body.require_end();
+  return cloud;
 }
 
 PointCloud parse_ply_cloud(std::string_view bytes, const std::string& name) {
@@ -159,6 +163,7 @@ TriangleMesh parse_ply_mesh(std::string_view bytes, const std::string& name) {
       body.skip(element);
     }
   }
+  body.require_end();
   require_corners_below(corners, points.size(), name);
   TriangleMesh mesh;
   mesh.vertices = std::move(points.positions);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "file_end.hpp"
 #include "mesh_builder.hpp"
 #include "mesh_formats.hpp"
 #include "scalar.hpp"
@@ -32,6 +33,7 @@ TriangleMesh parse_binary(std::string_view bytes, const std::string& name) {
     throw InputError(name, fmt::format("{} triangles", triangles),
                      fmt::format("only {} bytes", bytes.size()));
   }
+  require_end(bytes.substr(header_size + triangle_size * triangles), name);
   ModelBuilder builder(name);
   for (std::uint64_t t = 0; t < triangles; ++t) {
     const char* corner = bytes.data() + header_size + t * triangle_size + normal_size;

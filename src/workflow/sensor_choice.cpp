@@ -45,15 +45,16 @@ SensorChoice choose_sensor(std::span<const DepthFrame> frames, bool tracked,
   return choice;
 }
 
-std::vector<DepthFrame> some_frames(const DepthSequence& sequence, int count) {
-  std::vector<DepthFrame> frames;
+SomeFrames some_frames(const DepthSequence& sequence, int count) {
+  SomeFrames some;
   for (const Index i : evenly_spread(static_cast<Index>(sequence.size()), Index(count))) {
     try {
-      frames.push_back(sequence.read(i));
-    } catch (const InputError&) {
+      some.frames.push_back(sequence.read(i));
+    } catch (const InputError& error) {
+      some.unreadable.emplace_back(error.what());
     }
   }
-  return frames;
+  return some;
 }
 
 }  // namespace symscene

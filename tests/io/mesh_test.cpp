@@ -158,6 +158,31 @@ TEST(Mesh, ManyNodesWithAMeshOfManyPrimitivesAreRefusedQuickly) {
             "found more");
 }
 
+TEST(Mesh, ManyNodesWithALargeMeshAreRefused) {
+  const auto gltf = [](std::size_t nodes) {
+    std::string children = "1";
+    for (std::size_t node = 2; node <= nodes; ++node) children += fmt::format(",{}", node);
+    return fmt::format(
+        R"({{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"children":[{}]}},)"
+        R"({}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],"accessors":[)"
+        R"({{"bufferView":0,"componentType":5126,"count":3000,"type":"VEC3"}}],"bufferViews":[)"
+        R"({{"buffer":0,"byteLength":36000}}],"buffers":[{{"byteLength":36000,"uri":)"
+        R"("data:application/octet-stream;base64,{}"}}]}})",
+        children, repeated(R"({"mesh":0})", nodes), std::string(48000, 'A'));
+  };
+  EXPECT_EQ(parse_mesh(gltf(100), "gltf", "a.gltf").triangles.rows(), 100000);
+  EXPECT_EQ(refusal([&] { parse_mesh(gltf(6000), "gltf", "a.gltf"); }),
+            "a.gltf: meshes[0].primitives[0]: expected at most 100 vertices and corners per byte "
+            "of the file, found more, as many nodes share a mesh");
+}
+
+TEST(Mesh, BytesBehindAnStlAreRefusedAndPaddingIsNot) {
+  const std::string stl = tetrahedron_stl();
+  EXPECT_EQ(parse_mesh(stl + std::string(3, '\0'), "stl", "x").triangles.rows(), 4);
+  EXPECT_EQ(refusal([&] { parse_mesh(stl + "more", "stl", "a.stl"); }),
+            "a.stl: expected the end of the file, found 4 bytes more");
+}
+
 TEST(Mesh, DataBesideAGltfIsReadFromItsFolder) {
   const TemporaryFolder folder;
   std::string gltf = strip_gltf(R"({"mesh":0})");

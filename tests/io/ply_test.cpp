@@ -189,6 +189,15 @@ TEST(Ply, SizesBeyondTheFileAreRefusedBeforeMemoryIsTaken) {
   EXPECT_THROW(parse_ply_cloud(with_count("-1"), "x"), InputError);
 }
 
+TEST(Ply, BytesBehindTheElementsAreRefusedAndPaddingIsNot) {
+  const std::string cloud = format_ply(random_cloud(3, 4));
+  EXPECT_EQ(parse_ply_cloud(cloud + "\n\n", "x").size(), parse_ply_cloud(cloud, "x").size());
+  EXPECT_EQ(refusal([&] { parse_ply_cloud(cloud + "more", "a.ply"); }),
+            "a.ply: expected the end of the file, found 4 bytes more");
+  EXPECT_THROW(parse_ply_cloud(triangle_of_corner("2") + "7\n", "x"), InputError);
+  EXPECT_THROW(parse_ply_mesh(triangle_of_corner("2") + "7\n", "x"), InputError);
+}
+
 TEST(Ply, RefusalsNameFileExpectedAndFound) {
   EXPECT_EQ(
       refusal([] { parse_ply_cloud("solid cube\n", "cube.stl"); }),

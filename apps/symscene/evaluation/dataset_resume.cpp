@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/atomic_file.hpp"
+#include "io/json_cursor.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/dataset/dataset_folder.hpp"
 
@@ -60,12 +61,13 @@ bool is_complete(const fs::path& scene) {
 void begin_dataset_folder(const fs::path& dir, const Json& description) {
   const fs::path file = dir / dataset_file;
   if (!fs::exists(file)) {
+    // Of a run that was killed before it had written the first file.
+    remove_stale_staging(file);
     create_folder(dir);
     write_file_atomically(file, description.dump(2) + "\n");
     return;
   }
-  Json found = Json::parse(read_file(file), nullptr, false);
-  if (found.is_discarded()) throw InputError(file.string(), "JSON", "a syntax error");
+  Json found = parse_json(read_file(file), file.string());
   // Datasets of earlier versions name the splits "tune" and "report".
   if (found.contains("split") && found["split"].is_string())
     found["split"] = to_string(parse_split(found["split"].get<std::string>(), file.string()));

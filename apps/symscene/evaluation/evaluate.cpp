@@ -163,7 +163,7 @@ struct Evaluate {
     { const AtomicDirectory can_be_written(absolute(shared.output), report_layout); }
     refuse_sequence();
     const std::string earlier_json = earlier.empty() ? "" : read_file(earlier);
-    if (!earlier_json.empty())
+    if (!earlier.empty())
       report_difference(earlier_json, earlier_json, earlier.string());  // before the work
     options.reflectional_only = !fast;
     options.baselines = baseline_methods(baselines);

@@ -32,8 +32,13 @@ SensorChoice choose_sensor(std::span<const DepthFrame> frames, bool tracked,
                            const CameraIntrinsics& camera, std::optional<Sensor> named,
                            const SensorEstimationOptions& options = {});
 
-/// At most `count` frames that are spread over the sequence; those that cannot be read are left
-/// out.
-std::vector<DepthFrame> some_frames(const DepthSequence& sequence, int count);
+/// Frames of a sequence.
+struct SomeFrames {
+  std::vector<DepthFrame> frames;
+  std::vector<std::string> unreadable;  ///< the error of each frame that is left out
+};
+
+/// At most `count` frames that are spread over the sequence.
+SomeFrames some_frames(const DepthSequence& sequence, int count);
 
 }  // namespace symscene
