@@ -24,6 +24,7 @@ struct SegmentSource {
   SequenceOptions sequence;
   TableArguments table;
   SensorArguments sensor;
+  std::string units;  ///< of a cloud: "m" or "mm"; empty for metres
 
   /// Adds the options of a scene that is made of a cloud or a depth image.
   void add_to(Arguments& arguments);
