@@ -91,6 +91,11 @@ void SegmentSource::require_no_camera(const char* kind) const {
   }
 }
 
+void SegmentSource::require_no_units() const {
+  if (!units.empty())
+    throw InputError(path.string(), "a cloud (.ply, .pcd), as --units needs", "another input");
+}
+
 /// Whether the cloud of a scene folder may hold its table still: one that symscene wrote does not.
 bool SegmentSource::may_hold_table() const {
   return !table.none && !fs::exists(path / "table_plane.txt") && !fs::exists(path / "scene.json") &&
@@ -201,8 +206,7 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
 
 SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session) const {
   if (fs::is_regular_file(path) && has_points(path)) return read_cloud_file(options, session);
-  if (!units.empty() && fs::exists(path))
-    throw InputError(path.string(), "a cloud (.ply, .pcd), as --units needs", "another input");
+  if (fs::exists(path)) require_no_units();
   if (is_scene_folder(path)) return read_folder(options, session);
   if (is_sequence(path)) return read_view(options, session);
   if (!fs::exists(path)) throw InputError(path.string(), an_input, "nothing of that name");

@@ -40,6 +40,9 @@ struct SegmentSource {
   /// Throws InputError if an option is given that only depth images have a use for.
   void require_no_camera(const char* kind) const;
 
+  /// Throws InputError if --units is given, which only clouds have a use for.
+  void require_no_units() const;
+
  private:
   SegmentInput read_folder(const SegmentOptions& options, Session& session) const;
   bool may_hold_table() const;
