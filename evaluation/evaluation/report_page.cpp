@@ -105,6 +105,21 @@ std::string figures(const Evaluation& evaluation) {
   return html + "</div>\n";
 }
 
+/// Empty where no method has a mask and nothing was to be found.
+std::string mask_curves(const Evaluation& evaluation) {
+  const std::string shown = figures(evaluation);
+  if (shown.find("<figure>") == std::string::npos) return "";
+  return section(
+             "Masks",
+             "Precision and recall over the settings of each method: the least probabilities of "
+             "SymScene, "
+             "the bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
+             "their envelopes, stars the best F, rings the default; dashed curves are of constant "
+             "F: "
+             "20, 40, 60 and 80.") +
+         shown;
+}
+
 /// Empty where the ground truth has no symmetries.
 std::string symmetry_figures(const Evaluation& evaluation) {
   if (evaluation.outcomes.symmetries == 0) return "";
@@ -268,13 +283,7 @@ std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
       table_html(without_empty_columns(headline_table(evaluation.segmentation)), "l2") + "<br/>\n";
   html += table_html(default_table(evaluation.segmentation), "l1 last");
   html += paired_comparison(evaluation) + pixels(evaluation.segmentation);
-  html += section(
-      "Masks",
-      "Precision and recall over the settings of each method: the least probabilities of SymScene, "
-      "the bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
-      "their envelopes, stars the best F, rings the default; dashed curves are of constant F: "
-      "20, 40, 60 and 80.");
-  html += figures(evaluation) + symmetry_figures(evaluation);
+  html += mask_curves(evaluation) + symmetry_figures(evaluation);
   html += missed_objects(evaluation);
   html += failure_pictures(evaluation) + kinds(evaluation);
   html +=
