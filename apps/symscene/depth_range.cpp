@@ -14,6 +14,7 @@ namespace symscene::app {
 namespace {
 
 constexpr double max_outside = 0.2;  // share of the depths
+constexpr double far_table = 4.0;    // [m]
 constexpr double usual_depth = 1.0;  // of a table before a camera [m]
 
 /// Metres, millimetres, the scale of the TUM benchmark, tenths of a millimetre. [1/m]
@@ -36,10 +37,15 @@ double likely_scale(double median, double scale) {
   return best == scale ? 0.0 : best;
 }
 
-/// Empty if the median depth is used: the scale is then right, and what is far is not used.
+/// Empty if the median depth is that of a table: the scale is then right, and what is far is not
+/// used. One that is used but far may be that of a room.
 std::string advice(double median, const DepthUse& use) {
-  if (is_used(median, use)) return "";
   const double likely = likely_scale(median, use.scale);
+  if (is_used(median, use)) {
+    if (median < far_table || likely == 0.0) return "";
+    return fmt::format(": unless it is a room, try --depth-scale {:g}, which makes it {:.3g} m",
+                       likely, median * use.scale / likely);
+  }
   if (likely == 0.0) return fmt::format(": is --depth-scale {:g} right?", use.scale);
   return fmt::format(": try --depth-scale {:g}, which makes it {:.3g} m, in place of {:g}", likely,
                      median * use.scale / likely, use.scale);

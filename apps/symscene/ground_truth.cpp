@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #ifdef SYMSCENE_HAS_SIMULATION
+#include "symscene/ground_truth/mask_transfer.hpp"
 #include "symscene/ground_truth/truth_file.hpp"
+#include "symscene/io/scene.hpp"
 #include "symscene/simulation/truth_transfer.hpp"
 #endif
 
@@ -32,7 +34,22 @@ void add_ground_truth(Facts& facts, const fs::path& scene, Index cloud_size) {
             "true_objects", truth.objects.size());
 }
 
+std::vector<PageTruth> page_truth(const fs::path& scene, const PointCloud& cloud) {
+  if (!fs::exists(scene / "truth.json")) return {};
+  const PointCloud labeled = read_scene(scene).cloud;
+  const SceneTruth truth = read_truth(scene / "truth.json", labeled.size());
+  std::vector<PointIndices> masks = transfer_masks(labeled, truth, cloud);
+  std::vector<PageTruth> shown;
+  for (std::size_t k = 0; k < masks.size(); ++k)
+    shown.push_back({truth.objects[k].name, std::move(masks[k])});
+  return shown;
+}
+
 #else
+
+std::vector<PageTruth> page_truth(const fs::path& /*scene*/, const PointCloud& /*cloud*/) {
+  return {};
+}
 
 std::string transferred_truth(const fs::path& input, const PosesAndTruth& /*known*/,
                               const PointCloud& /*cloud*/, Session& session) {

@@ -2,6 +2,7 @@
 
 #include "facts.hpp"
 #include "scene_output.hpp"
+#include "symscene/viewer/page.hpp"
 
 namespace symscene::app {
 
@@ -12,6 +13,10 @@ namespace symscene::app {
 /// warns instead.
 std::string transferred_truth(const std::filesystem::path& input, const PosesAndTruth& known,
                               const PointCloud& cloud, Session& session);
+
+/// The ground truth of a scene folder on the cloud of a result of it, for the page; empty if the
+/// folder has none, or in a build that leaves ground truth out.
+std::vector<PageTruth> page_truth(const std::filesystem::path& scene, const PointCloud& cloud);
 
 /// Adds the ground truth of a scene folder, if it has one. A build that leaves ground truth out
 /// adds that the file exists.

@@ -7,20 +7,13 @@
 
 #include "commands.hpp"
 #include "counted.hpp"
+#include "frame_pose.hpp"
 #include "mask_images.hpp"
 #include "session.hpp"
 #include "symscene/io/result.hpp"
 
 namespace symscene::app {
 namespace {
-
-/// The pose of the camera at a time; none if the trajectory has none within a millisecond.
-std::optional<Eigen::Isometry3d> pose_at(const Trajectory& trajectory, double time) {
-  for (const StampedPose& pose : trajectory) {
-    if (std::abs(pose.time - time) < 1e-3) return pose.T_world_camera;
-  }
-  return std::nullopt;
-}
 
 /// Object points in the images, and those of them that the depth contradicts.
 struct SeenThrough {
@@ -62,16 +55,6 @@ struct Masks {
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
-  /// The pose of frame i in the frame of the result: of its trajectory, otherwise of the sequence.
-  /// A sequence of one frame without pose is itself the frame of the result.
-  static std::optional<Eigen::Isometry3d> pose_of(const Trajectory& trajectory,
-                                                  const DepthSequence& sequence, std::size_t i) {
-    if (!trajectory.empty()) return pose_at(trajectory, sequence.time(i));
-    if (const auto own = sequence.pose(i)) return own;
-    if (sequence.size() == 1) return Eigen::Isometry3d::Identity();
-    return std::nullopt;
-  }
-
   /// Frames of another scene see through most of the objects.
   void require_own_frames(const SeenThrough& counts) const {
     constexpr double most = 0.5;
@@ -98,7 +81,7 @@ struct Masks {
     SeenThrough seen_through;
     timer.time("label", [&] {
       for (std::size_t i = 0; i < sequence->size(); i += step) {
-        const auto pose = pose_of(trajectory, *sequence, i);
+        const auto pose = frame_pose(trajectory, *sequence, i);
         if (!pose) {
           ++unplaced;
           continue;

@@ -68,6 +68,7 @@ SegmentedInput ObjectInput::of_result(StageTimer& timer, Session& session) const
   if (const char* given = source.table.given())
     throw InputError(given, "a scene, cloud or depth image as input", "a result");
   source.require_no_camera("a result");
+  source.require_no_units();
   return timer.time("read", [&] {
     SegmentedInput input;
     input.result = read_result(source.path);

@@ -52,6 +52,7 @@ void write_result_page(const std::filesystem::path& page, const std::filesystem:
   options.noun = std::move(extras.noun);
   options.grasps = std::move(extras.grasps);
   options.views = std::move(extras.views);
+  options.truth = std::move(extras.truth);
   write_file_atomically(page, render_page(result, options));
 }
 

@@ -18,6 +18,7 @@ TriangleMesh surface_around(const TriangleMesh& surface, const SegmentationResul
 struct PageExtras {
   std::optional<PageGrasps> grasps = std::nullopt;
   std::optional<PageViews> views = std::nullopt;
+  std::vector<PageTruth> truth = {};
   std::string subject;          ///< what the page shows of the objects, told in its title
   std::string noun = "object";  ///< what the page calls an object
 };

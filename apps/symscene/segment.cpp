@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "ground_truth.hpp"
 #include "made_by.hpp"
 #include "mask_images.hpp"
 #include "result_page.hpp"
@@ -63,7 +64,10 @@ struct Segment {
     if (around.surface.triangles.rows() != 0) extras.surface = &around.surface;
     if (!around.trajectory.empty()) extras.trajectory = &around.trajectory;
     write_result(absolute(shared.output), result, extras);
-    if (!page.empty()) write_result_page(page, source.path, result, std::move(around));
+    if (page.empty()) return;
+    PageExtras shown;
+    shown.truth = page_truth(source.path, result.cloud);
+    write_result_page(page, source.path, result, std::move(around), std::move(shown));
   }
 
   void require_frame() const {

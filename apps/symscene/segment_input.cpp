@@ -66,12 +66,18 @@ SequenceOptions in_millimetres(SequenceOptions options, const fs::path& path) {
   return options;
 }
 
+void scale_to_metres(SensorCloud& seen) {
+  seen.cloud.positions *= 0.001F;
+  seen.viewpoint *= 0.001;
+}
+
 }  // namespace
 
 void SegmentSource::add_to(Arguments& arguments) {
   arguments.sequence_options(sequence);
   table.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
   sensor.add_to(arguments);
+  arguments.choice("--units", units, {"m", "mm"}, "unit of a cloud's coordinates (default m)");
 }
 
 void SegmentSource::require_no_camera(const char* kind) const {
@@ -83,6 +89,11 @@ void SegmentSource::require_no_camera(const char* kind) const {
     if (is_given)
       throw InputError(path.string(), fmt::format("a depth image, as {} needs", flag), kind);
   }
+}
+
+void SegmentSource::require_no_units() const {
+  if (!units.empty())
+    throw InputError(path.string(), "a cloud (.ply, .pcd), as --units needs", "another input");
 }
 
 /// Whether the cloud of a scene folder may hold its table still: one that symscene wrote does not.
@@ -151,7 +162,8 @@ SegmentInput SegmentSource::read_folder(const SegmentOptions& options, Session& 
 SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Session& session) const {
   require_no_camera("a cloud");
   StageTimer timer(session.on_begin());
-  const SensorCloud seen = timer.time("read", [&] { return read_sensor_cloud(path); });
+  SensorCloud seen = timer.time("read", [&] { return read_sensor_cloud(path); });
+  if (units == "mm") scale_to_metres(seen);
   BuiltScene built = timer.time("find table", [&] {
     return naming(path, [&] {
       return cloud_scene(seen.cloud, seen.viewpoint, table.known({}),
@@ -193,10 +205,12 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
 }
 
 SegmentInput SegmentSource::read(const SegmentOptions& options, Session& session) const {
-  if (is_scene_folder(path)) return read_folder(options, session);
   if (fs::is_regular_file(path) && has_points(path)) return read_cloud_file(options, session);
+  if (fs::exists(path)) require_no_units();
+  if (is_scene_folder(path)) return read_folder(options, session);
   if (is_sequence(path)) return read_view(options, session);
   if (!fs::exists(path)) throw InputError(path.string(), an_input, "nothing of that name");
+  if (fs::is_regular_file(path)) throw InputError(path.string(), an_input, "another file");
   return read_folder(options, session);
 }
 

@@ -24,6 +24,7 @@ struct SegmentSource {
   SequenceOptions sequence;
   TableArguments table;
   SensorArguments sensor;
+  std::string units;  ///< of a cloud: "m" or "mm"; empty for metres
 
   /// Adds the options of a scene that is made of a cloud or a depth image.
   void add_to(Arguments& arguments);
@@ -38,6 +39,9 @@ struct SegmentSource {
 
   /// Throws InputError if an option is given that only depth images have a use for.
   void require_no_camera(const char* kind) const;
+
+  /// Throws InputError if --units is given, which only clouds have a use for.
+  void require_no_units() const;
 
  private:
   SegmentInput read_folder(const SegmentOptions& options, Session& session) const;

@@ -21,6 +21,13 @@ void add_time(const StageTime& time, RuntimeClass& to) {
   (rotational ? to.rotational : reflectional ? to.reflectional : to.other) += time.seconds;
 }
 
+/// Labels of images have no names but numbers: "object 12" is of the kind "object".
+std::string kind_of(const std::string& name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  if (last == std::string::npos || last + 1 == name.size() || name[last] != ' ') return name;
+  return name.substr(0, last);
+}
+
 }  // namespace
 
 void OutcomeCounts::add(const ObjectOutcome& outcome) {
@@ -54,7 +61,7 @@ void Evaluation::add(SceneEvaluation scene) {
   for (const ObjectOutcome& outcome : scene.objects) {
     outcomes.add(outcome);
     if (outcome.is_small) small_objects.add(outcome);
-    kinds[outcome.kind].add(outcome);
+    kinds[kind_of(outcome.kind)].add(outcome);
   }
   scenes.push_back(std::move(scene));
 }

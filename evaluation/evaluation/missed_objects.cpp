@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/thinned_size.hpp"
+#include "failure_picture.hpp"
 #include "symmetry_targets.hpp"
 
 namespace symscene {
@@ -159,6 +160,7 @@ std::vector<ObjectOutcome> object_outcomes(const SceneTruth& truth,
     for (const SceneObject& object : result.objects)
       outcome.best_overlap = std::max(outcome.best_overlap, target.overlap(object.points));
     judge_outcome(target, proposals, result, outcome);
+    show_failure(target.mask, result, outcome);
     count_met(axes, axis_counts[k], next_axis, outcome);
     count_met(planes, plane_counts[k], next_plane, outcome);
     outcomes.push_back(std::move(outcome));

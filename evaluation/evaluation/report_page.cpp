@@ -1,7 +1,11 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "core/base64.hpp"
 #include "curve_plot.hpp"
 #include "markup.hpp"
+#include "paired_comparison.hpp"
 #include "report_tables.hpp"
 
 namespace symscene {
@@ -15,20 +19,24 @@ constexpr const char* style = R"(
   --line: #333b43; --band: #1c2228; --c0: #6ea8ff; --c1: #3f6fb5; --c2: #ffae57; --c3: #4fd1a5;
   --c4: #ee8ade; --c5: #ff8a80; --c6: #dcc94c; --c7: #b0bec9; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 84rem; background: var(--back);
+body { margin: 0 auto; padding: 2rem 1.25rem 4rem; max-width: 84rem; background: var(--back);
   color: var(--text); font: 15px/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.7rem; margin: 0; }
 h2 { font-size: 1.2rem; margin: 2.5rem 0 .5rem; }
 p { max-width: 48rem; margin: .4rem 0 .8rem; color: var(--faint); }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .3rem .55rem; text-align: right; white-space: nowrap; vertical-align: top; }
-th { font-weight: 600; border-bottom: 2px solid var(--line); }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .9rem; }
+th, td { padding: .3rem .4rem; text-align: right; white-space: nowrap; vertical-align: top; }
+th { font-weight: 600; white-space: normal; vertical-align: bottom; border-bottom: 2px solid var(--line); }
 td { border-bottom: 1px solid var(--line); }
 tbody tr:nth-child(even) { background: var(--band); }
 .l1 :is(th, td):nth-child(-n+1), .l2 :is(th, td):nth-child(-n+2),
 .last :is(th, td):last-child { text-align: left; }
-.last td:last-child { white-space: normal; min-width: 24rem; }
+.last td:last-child { white-space: normal; min-width: 18rem; }
+.l2 td:nth-child(-n+2) { white-space: normal; }
+.failures { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1.25rem; }
+.failures img { width: 100%; border: 1px solid var(--line); border-radius: .3rem; display: block; }
+.failures figcaption small { display: block; font-weight: 400; color: var(--faint); }
 .total tbody tr:last-child td { font-weight: 600; border-top: 2px solid var(--line); }
 .figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr));
   gap: 2rem 1.5rem; }
@@ -54,6 +62,7 @@ svg text { font: 11px system-ui, sans-serif; fill: var(--faint); }
 
 constexpr std::size_t color_count = 8;
 constexpr std::size_t most_worst_scenes = 15;
+constexpr std::size_t most_failures = 10;
 
 std::string row_html(const std::vector<std::string>& row, const char* cell) {
   std::string html = "<tr>";
@@ -93,8 +102,30 @@ std::string figures(const Evaluation& evaluation) {
   html += figure("Masks, IoU > 0.9", sweeps, Metric::masks_90);
   html += figure("Masks, IoU > 0.75", sweeps, Metric::masks_75);
   html += figure("Masks, IoU > 0.5", sweeps, Metric::masks_50);
-  html += "</div>\n";
-  html +=
+  return html + "</div>\n";
+}
+
+/// Empty where no method has a mask and nothing was to be found.
+std::string mask_curves(const Evaluation& evaluation) {
+  const std::string shown = figures(evaluation);
+  if (shown.find("<figure>") == std::string::npos) return "";
+  return section(
+             "Masks",
+             "Precision and recall over the settings of each method: the least probabilities of "
+             "SymScene, "
+             "the bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
+             "their envelopes, stars the best F, rings the default; dashed curves are of constant "
+             "F: "
+             "20, 40, 60 and 80.") +
+         shown;
+}
+
+/// Empty where the ground truth has no symmetries.
+std::string symmetry_figures(const Evaluation& evaluation) {
+  if (evaluation.outcomes.symmetries == 0) return "";
+  std::vector<const Sweep*> sweeps;
+  for (const Sweep& sweep : evaluation.segmentation) sweeps.push_back(&sweep);
+  std::string html =
       section("Symmetries",
               "Rotation axes and mirror planes within 10° and 10 cm, and within 10° and 1 cm, of "
               "the ground truth: before segmentation (table 3.1) and of the returned objects. "
@@ -122,6 +153,76 @@ std::string missed_objects(const Evaluation& evaluation) {
   return html;
 }
 
+/// A missed object and its scene.
+struct Failure {
+  const SceneEvaluation* scene;
+  const ObjectOutcome* outcome;
+};
+
+/// The missed objects that least was found of, the larger ones first.
+std::vector<Failure> worst_failures(const Evaluation& evaluation) {
+  std::vector<Failure> failures;
+  for (const SceneEvaluation& scene : evaluation.scenes) {
+    for (const ObjectOutcome& outcome : scene.objects) {
+      if (!outcome.picture.empty() && !outcome.is_small) failures.push_back({&scene, &outcome});
+    }
+  }
+  std::stable_sort(failures.begin(), failures.end(), [](const Failure& a, const Failure& b) {
+    if (a.outcome->best_overlap != b.outcome->best_overlap)
+      return a.outcome->best_overlap < b.outcome->best_overlap;
+    return a.outcome->points > b.outcome->points;
+  });
+  failures.resize(std::min(failures.size(), most_failures));
+  return failures;
+}
+
+std::string failure_figure(const Failure& failure) {
+  const ObjectOutcome& outcome = *failure.outcome;
+  const std::vector<std::uint8_t> bytes(outcome.picture.begin(), outcome.picture.end());
+  const std::string what = fmt::format("{} in scene {}", escape_markup(outcome.kind),
+                                       escape_markup(failure.scene->name));
+  return fmt::format(
+      "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"/>\n<figcaption>{0}"
+      "<small>{2} ({3}), best IoU {4:.2f}. Instead: {5}.</small></figcaption></figure>\n",
+      what, base64(bytes), outcome_name(outcome.outcome), escape_markup(outcome.reason),
+      outcome.best_overlap, escape_markup(outcome.instead));
+}
+
+/// Empty if nothing was missed that can be shown.
+std::string failure_pictures(const Evaluation& evaluation) {
+  const std::vector<Failure> failures = worst_failures(evaluation);
+  if (failures.empty()) return "";
+  std::string html = section(
+      "Worst failures",
+      "Missed objects by their best IoU with a returned mask, without those of few points. Red: "
+      "points of the object that are in no mask of the result; green: that are in one; blue: other "
+      "points of those masks; grey: the rest of the scene.");
+  html += "<div class=\"failures\">\n";
+  for (const Failure& failure : failures) html += failure_figure(failure);
+  return html + "</div>\n";
+}
+
+/// Empty where there is nothing to compare.
+std::string paired_comparison(const Evaluation& evaluation) {
+  const TextTable table = paired_table(evaluation);
+  if (table.size() == 1) return "";
+  const std::string text = fmt::format(
+      "F of masks at 0.9 in percent: that of {} at its default minus that of each method in the "
+      "same "
+      "scenes, with the interval that holds 95 % of the differences over scenes drawn anew (2,000 "
+      "draws). An interval that does not contain 0 tells methods apart. Methods without a default "
+      "have the setting that is best in hindsight, which favours them.",
+      escape_markup(compared_method(evaluation)));
+  return section("Paired comparison", text.c_str()) + table_html(table, "l2");
+}
+
+/// Empty where all objects are of one kind.
+std::string kinds(const Evaluation& evaluation) {
+  if (evaluation.kinds.size() < 2) return "";
+  return section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.") +
+         table_html(kind_table(evaluation), "l1");
+}
+
 std::string pixels(const std::vector<Sweep>& sweeps) {
   const TextTable table = pixel_table(sweeps);
   if (table.size() == 1) return "";
@@ -138,7 +239,7 @@ std::string subsets(const Evaluation& evaluation) {
   std::string html;
   for (const auto& [subset, sweeps] : evaluation.subsets) {
     html += fmt::format("<h2>Subset {}</h2>\n", escape_markup(subset));
-    html += table_html(headline_table(sweeps), "l2");
+    html += table_html(without_empty_columns(headline_table(sweeps)), "l2");
     const TextTable of_pixels = pixel_table(sweeps);
     if (of_pixels.size() > 1) html += "<br/>\n" + table_html(of_pixels, "l2");
   }
@@ -178,24 +279,17 @@ std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
               "F in percent: of masks above an IoU, of symmetries within 10° and 10 cm or 1 cm. "
               "“Default” has the options of the run; “best” has the greatest F of each metric "
               "over all settings, and all else at the best setting for masks at 0.9.");
-  html += table_html(headline_table(evaluation.segmentation), "l2") + "<br/>\n";
+  html +=
+      table_html(without_empty_columns(headline_table(evaluation.segmentation)), "l2") + "<br/>\n";
   html += table_html(default_table(evaluation.segmentation), "l1 last");
-  html += pixels(evaluation.segmentation);
-  html += section(
-      "Masks",
-      "Precision and recall over the settings of each method: the least probabilities of SymScene, "
-      "the bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
-      "their envelopes, stars the best F, rings the default; dashed curves are of constant F: "
-      "20, 40, 60 and 80.");
-  html += figures(evaluation);
+  html += paired_comparison(evaluation) + pixels(evaluation.segmentation);
+  html += mask_curves(evaluation) + symmetry_figures(evaluation);
   html += missed_objects(evaluation);
-  html += section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.");
-  html += table_html(kind_table(evaluation), "l1");
+  html += failure_pictures(evaluation) + kinds(evaluation);
   html +=
       section("Runtime",
               "Mean wall time over scenes by number of objects, without completion, as measured in "
-              "this run; the time of a baseline is that of its sweep divided by the number of "
-              "settings.");
+              "this run; the time of a baseline is that of a run at the middle of its settings.");
   html += table_html(runtime_table(evaluation), "l1") + "<br/>\n";
   html += table_html(method_time_table(evaluation), "l1");
   html += subsets(evaluation) + scenes(evaluation);

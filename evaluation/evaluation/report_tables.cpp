@@ -4,12 +4,16 @@
 
 #include <fmt/format.h>
 
+#include "paired_comparison.hpp"
 #include "sweep_settings.hpp"
 
 namespace symscene {
 namespace {
 
-std::string seconds(double value) { return fmt::format("{:.3f}", value); }
+/// Short times keep two digits.
+std::string seconds(double value) {
+  return value >= 0.1 || value <= 0.0 ? fmt::format("{:.3f}", value) : fmt::format("{:.2g}", value);
+}
 
 std::string percent_or_dash(const std::optional<double>& share) {
   return share ? percent(*share) : "–";
@@ -210,6 +214,27 @@ TextTable method_time_table(const Evaluation& evaluation) {
     if (sweep.seconds > 0.0)
       table.push_back(
           {sweep.method, seconds(sweep.seconds / static_cast<double>(evaluation.scenes.size()))});
+  }
+  return table;
+}
+
+TextTable paired_table(const Evaluation& evaluation) {
+  TextTable table{{"method", "setting", "F", "difference", "95 % interval"}};
+  for (const PairedDifference& each : paired_differences(evaluation)) {
+    table.push_back({each.method, each.setting, percent(each.f),
+                     fmt::format("{:+.1f}", 100.0 * each.difference),
+                     fmt::format("{:+.1f} to {:+.1f}", 100.0 * each.low, 100.0 * each.high)});
+  }
+  return table;
+}
+
+TextTable without_empty_columns(TextTable table) {
+  for (std::size_t column = table.front().size(); column-- > 0;) {
+    const bool is_empty =
+        table.size() > 1 && std::all_of(table.begin() + 1, table.end(),
+                                        [&](const auto& row) { return row[column] == "–"; });
+    if (!is_empty) continue;
+    for (auto& row : table) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
   }
   return table;
 }

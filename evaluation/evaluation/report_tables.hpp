@@ -14,6 +14,10 @@ TextTable reason_table(const Evaluation& evaluation);
 TextTable kind_table(const Evaluation& evaluation);
 TextTable runtime_table(const Evaluation& evaluation);
 TextTable method_time_table(const Evaluation& evaluation);
+/// The paired differences of paired_differences(); only a header without any.
+TextTable paired_table(const Evaluation& evaluation);
+/// Without the columns that hold nothing but dashes.
+TextTable without_empty_columns(TextTable table);
 TextTable worst_scene_table(const Evaluation& evaluation, std::size_t most);
 
 }  // namespace symscene

@@ -169,29 +169,6 @@ class ShownViews {
   Eigen::Isometry3d T_table_world_;
 };
 
-/// The nearest measured depth in 16 pixels, so that thin things do not get lost.
-ShownDepth shown_depth(const std::vector<float>& depth, const CameraIntrinsics& camera) {
-  ShownDepth shown{camera.width / coarser, camera.height / coarser, {}};
-  std::vector<float> small(shown.width * shown.height, 0.0F);
-  float least = 0.0F, most = 0.0F;
-  for (std::size_t i = 0; i < small.size(); ++i) {
-    const std::size_t u = coarser * (i % shown.width), v = coarser * (i / shown.width);
-    for (std::size_t k = 0; k < coarser * coarser; ++k) {
-      const float value = depth[(v + k / coarser) * camera.width + u + k % coarser];
-      if (value > 0.0F && (small[i] == 0.0F || value < small[i])) small[i] = value;
-    }
-    if (small[i] == 0.0F) continue;
-    least = least == 0.0F ? small[i] : std::min(least, small[i]);
-    most = std::max(most, small[i]);
-  }
-  for (const float value : small) {
-    const float share = (most - value) / std::max(most - least, 1e-6F);
-    shown.nearness.push_back(
-        value > 0.0F ? static_cast<std::uint8_t>(std::lround(1.0F + 254.0F * share)) : 0);
-  }
-  return shown;
-}
-
 }  // namespace
 
 ExplorationRecording exploration_recording(const TableExploration& exploration,
@@ -207,10 +184,10 @@ ExplorationRecording exploration_recording(const TableExploration& exploration,
     const double time = time_of(k);
     run.beliefs.push_back(belief_of(view, time, T_table_world));
     run.events.push_back({time, format_explored_view(view, k + 1, exploration.policy)});
-    recording.views.push_back({time,
-                               shown.view({view.step.view, view.step.gain.value_or(ViewGain{})}),
-                               view.step.observed, view.step.completed, view.objects.size(),
-                               shown.best(view.next), shown_depth(view.depth, exploration.camera)});
+    recording.views.push_back(
+        {time, shown.view({view.step.view, view.step.gain.value_or(ViewGain{})}),
+         view.step.observed, view.step.completed, view.objects.size(), shown.best(view.next),
+         shown_depth(view.depth, exploration.camera, coarser)});
   }
   recording.end = description(exploration.end);
   run.events.push_back({run.times.back(), recording.end, RecordedOutcome::success});

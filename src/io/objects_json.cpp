@@ -15,6 +15,7 @@ namespace {
 constexpr const char* result_to_write = "result to write";
 constexpr std::size_t version = 3;
 constexpr std::size_t most_order = 1000;  // of an axis that is read
+constexpr Index kept_points = 128;        // of a rejected hypothesis
 
 Json format_axes(const Eigen::Matrix3d& columns) {
   Json axes = Json::array();
@@ -57,11 +58,27 @@ void add_box(const ObjectBox& box, Json& json) {
                  {"size_m", to_json(box.size, result_to_write)}};
 }
 
+/// NaN and infinity become null.
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+void add_score_effects(const std::vector<ScoreEffect>& effects, Json& json) {
+  if (effects.empty()) return;
+  Json list = Json::array();
+  for (const ScoreEffect& each : effects) {
+    list.push_back({{"feature", each.feature},
+                    {"value", number_or_null(each.value)},
+                    {"median", number_or_null(each.median)},
+                    {"effect", number_or_null(each.effect)}});
+  }
+  json["score_effects"] = std::move(list);
+}
+
 Json format_object(const SegmentationResult& result, std::size_t id) {
   const SceneObject& object = result.objects[id];
   Json json = {{"id", id}, {"points", object.points}};
   if (object.score) json["score"] = to_json(*object.score, result_to_write);
   json["confidence"] = to_json(object.confidence, result_to_write);
+  add_score_effects(object.score_effects, json);
   json["rotational"] = Json::array();
   for (const ObjectAxis& axis : object.rotational) {
     json["rotational"].push_back({{"point", to_json(axis.axis.point, result_to_write)},
@@ -83,15 +100,22 @@ Json format_object(const SegmentationResult& result, std::size_t id) {
   return json;
 }
 
-/// null unless the value is finite.
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+PointIndices thinned(const PointIndices& points) {
+  PointIndices kept;
+  for (const Index i : evenly_spread(static_cast<Index>(points.size()), kept_points))
+    kept.push_back(points[i]);
+  return kept;
+}
 
 Json format_rejection(const Rejection& rejection) {
-  return {{"kind", rejection.kind},
-          {"reason", rejection.reason},
-          {"value", number_or_null(rejection.value)},
-          {"bound", number_or_null(rejection.bound)},
-          {"size", rejection.size}};
+  Json json = {{"kind", rejection.kind},
+               {"reason", rejection.reason},
+               {"value", number_or_null(rejection.value)},
+               {"bound", number_or_null(rejection.bound)},
+               {"size", rejection.size}};
+  if (!rejection.points.empty()) json["points"] = thinned(rejection.points);
+  add_score_effects(rejection.score_effects, json);
+  return json;
 }
 
 Json format_timings(const std::vector<StageTime>& timings) {
@@ -181,6 +205,16 @@ SolidProperties parse_solid(const JsonCursor& json) {
   return solid;
 }
 
+std::vector<ScoreEffect> parse_score_effects(const JsonCursor& json) {
+  std::vector<ScoreEffect> effects;
+  const auto list = json.find("score_effects");
+  if (!list) return effects;
+  for (const JsonCursor& each : list->items())
+    effects.push_back({each.at("feature").string(), each.at("value").number_or_nan(),
+                       each.at("median").number_or_nan(), each.at("effect").number_or_nan()});
+  return effects;
+}
+
 SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_size,
                          std::size_t file_version) {
   if (object.at("id").count() != id) object.at("id").fail(std::to_string(id));
@@ -189,6 +223,7 @@ SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_s
   if (const auto score = object.find("score")) result.score = share(*score, "a score in [0, 1]");
   if (file_version > 1)
     result.confidence = share(object.at("confidence"), "a confidence in [0, 1]");
+  result.score_effects = parse_score_effects(object);
   for (const JsonCursor& axis : object.at("rotational").items())
     result.rotational.push_back(parse_axis(axis, file_version));
   for (const JsonCursor& plane : object.at("reflectional").items())
@@ -205,16 +240,19 @@ SceneObject parse_object(const JsonCursor& object, std::size_t id, Index cloud_s
   return result;
 }
 
-Rejection parse_rejection(const JsonCursor& rejection) {
-  return {rejection.at("kind").string(), rejection.at("reason").string(),
-          rejection.at("value").number_or_nan(), rejection.at("bound").number_or_nan(),
-          rejection.at("size").count()};
+Rejection parse_rejection(const JsonCursor& rejection, Index cloud_size) {
+  Rejection result{rejection.at("kind").string(), rejection.at("reason").string(),
+                   rejection.at("value").number_or_nan(), rejection.at("bound").number_or_nan(),
+                   rejection.at("size").count()};
+  if (const auto points = rejection.find("points")) result.points = points->indices(cloud_size);
+  result.score_effects = parse_score_effects(rejection);
+  return result;
 }
 
-void parse_records(const JsonCursor& root, SegmentationResult& result) {
+void parse_records(const JsonCursor& root, Index cloud_size, SegmentationResult& result) {
   if (const auto rejected = root.find("rejected")) {
     for (const JsonCursor& item : rejected->items()) {
-      result.rejected.push_back(parse_rejection(item));
+      result.rejected.push_back(parse_rejection(item, cloud_size));
     }
   }
   if (const auto funnel = root.find("funnel")) {
@@ -278,7 +316,7 @@ ParsedObjects parse_objects(std::string_view text, const std::string& name, Inde
     result.objects.push_back(parse_object(object, result.objects.size(), cloud_size, file_version));
     parsed.names_surface.push_back(object.find("surface") ? 1 : 0);
   }
-  parse_records(root, result);
+  parse_records(root, cloud_size, result);
   return parsed;
 }
 

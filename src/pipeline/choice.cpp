@@ -4,6 +4,8 @@
 #include "core/parallel.hpp"
 #include "proposals/merge.hpp"
 #include "proposals/object_proposals.hpp"
+#include "proposals/object_score.hpp"
+#include "proposals/score_effects.hpp"
 #include "proposals/selection.hpp"
 #include "symmetry/object_symmetry.hpp"
 #include "symscene/classes/class_symmetries.hpp"
@@ -96,6 +98,32 @@ void classify_object(const SceneProposals& proposals, const PipelineOptions& opt
   object.reflectional = std::move(measured.reflectional);
 }
 
+constexpr std::size_t explained_rejections = 30;
+
+/// Tells what decided the scores of the objects, and of the rejected proposals that came nearest to
+/// becoming one.
+void explain_scores(const SceneProposals& proposals, const std::vector<std::size_t>& chosen,
+                    const PipelineOptions& options, SegmentationResult& result) {
+  const ProposalOptions scoring = options.proposal_options();
+  const ScoreModels models{chosen_model(scoring.object_alone, object_model()),
+                           chosen_model(scoring.object_among_others, object_context_model()),
+                           scoring.proposal_context.own_weight};
+  const ScoreInputs medians = median_inputs(proposals.objects);
+  parallel_for_each(chosen.size(), [&](std::size_t k) {
+    result.objects[k].score_effects = score_effects(proposals.objects[chosen[k]], medians, models);
+  });
+  std::size_t explained = 0;
+  for (const ObjectProposal& proposal : proposals.objects) {  // by falling score
+    const auto rejection = std::find_if(
+        result.rejected.begin(), result.rejected.end(), [&](const Rejection& rejected) {
+          return rejected.reason == "score" && rejected.points == proposal.merged.points;
+        });
+    if (rejection == result.rejected.end()) continue;
+    rejection->score_effects = score_effects(proposal, medians, models);
+    if (++explained == explained_rejections) break;
+  }
+}
+
 /// Proposals by probability, with the symmetries estimated anew on all points of each object.
 void choose_probable(const SceneProposals& proposals, const PipelineOptions& options,
                      SegmentationResult& result) {
@@ -113,6 +141,7 @@ void choose_probable(const SceneProposals& proposals, const PipelineOptions& opt
         options.object_symmetry);
     classify_object(proposals, options, result.objects[k]);
   });
+  explain_scores(proposals, chosen, options, result);
 }
 
 }  // namespace

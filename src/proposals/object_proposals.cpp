@@ -98,8 +98,8 @@ std::vector<ObjectProposal> final_proposals(std::vector<ProposalDraft> drafts,
     const double score = pooled_probability(
         estimates[k], estimated_probability(features[k], contexts[k], among_others),
         options.proposal_context.own_weight);
-    proposals.push_back(
-        {std::move(drafts[k].merged), features[k], drafts[k].own_score, estimates[k], score});
+    proposals.push_back({std::move(drafts[k].merged), features[k], drafts[k].own_score,
+                         estimates[k], score, contexts[k]});
   }
   std::stable_sort(
       proposals.begin(), proposals.end(),

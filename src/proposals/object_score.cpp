@@ -8,17 +8,6 @@
 
 namespace symscene {
 
-namespace {
-
-/// Finite for certain events too.
-double log_odds(double probability) {
-  constexpr double least = std::numeric_limits<double>::epsilon();
-  const double bounded = std::clamp(probability, least, 1.0 - least);
-  return std::log(bounded / (1.0 - bounded));
-}
-
-}  // namespace
-
 std::string_view object_alone_model_text();         // models/object_alone.txt
 std::string_view object_among_others_model_text();  // models/object_among_others.txt
 
@@ -41,6 +30,12 @@ double estimated_probability(const ObjectFeatures& features, const TreeModel& mo
 double estimated_probability(const ObjectFeatures& features, const ProposalContext& context,
                              const TreeModel& model) {
   return model.probability(values_of(features, context));
+}
+
+double log_odds(double probability) {
+  constexpr double least = std::numeric_limits<double>::epsilon();
+  const double bounded = std::clamp(probability, least, 1.0 - least);
+  return std::log(bounded / (1.0 - bounded));
 }
 
 double pooled_probability(double a, double b, double weight_a) {

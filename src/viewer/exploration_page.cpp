@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "base64.hpp"
 #include "page_filling.hpp"
 #include "page_template.hpp"
 #include "run_payload.hpp"
+#include "scan_payload.hpp"
 #include "symscene/core/error.hpp"
 #include "view_payload.hpp"
 
@@ -27,12 +27,6 @@ void require_views(const std::vector<ShownView>& views) {
   }
 }
 
-json depth_json(const ShownDepth& depth) {
-  if (depth.nearness.size() != depth.width * depth.height)
-    throw InputError(exploration_to_show, "one value of depth per pixel", "another number");
-  return {{"width", depth.width}, {"height", depth.height}, {"data", base64(depth.nearness)}};
-}
-
 /// `view` as one of a list, so that the page draws both in the same way.
 json taken_json(const ShownView& shown) {
   PageViews one = shown.next;
@@ -47,7 +41,7 @@ json shown_json(const ShownView& shown) {
           {"completed", shown.completed},
           {"objects", shown.objects},
           {"next", view_payload(shown.next)},
-          {"depth", depth_json(shown.depth)}};
+          {"depth", depth_payload(shown.depth)}};
 }
 
 }  // namespace

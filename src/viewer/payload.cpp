@@ -1,6 +1,6 @@
 #include "payload.hpp"
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "encoding.hpp"
 #include "grasp_payload.hpp"
 #include "scan_payload.hpp"
@@ -13,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr Index rejected_points = 128;      // of a rejected hypothesis
 constexpr Index closed_triangles = 120000;  // of the closed surfaces of all objects: 1 MB
 
 json to_json(const PointCloud& cloud) {
@@ -21,13 +22,12 @@ json to_json(const PointCloud& cloud) {
           {"colors", encode_colors(cloud.colors)}};
 }
 
-std::string indices(const PointIndices& points, Index count) {
+std::string indices(const char* what, const PointIndices& points, Index count) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(points.size() * 4);
   for (const Index i : points) {
     if (i >= count) {
-      throw InputError("an object's points", "indices below " + std::to_string(count),
-                       std::to_string(i));
+      throw InputError(what, "indices below " + std::to_string(count), std::to_string(i));
     }
     append_little_endian(bytes, i);
   }
@@ -58,12 +58,11 @@ json to_json(const FunnelStep& step) { return {{"step", step.step}, {"count", st
 
 json to_json(const StageTime& time) { return {{"stage", time.stage}, {"seconds", time.seconds}}; }
 
-json to_json(const Rejection& rejection) {
-  return {{"kind", rejection.kind},
-          {"reason", rejection.reason},
-          {"value", rejection.value},
-          {"bound", rejection.bound},
-          {"size", rejection.size}};
+json to_json(const ScoreEffect& each) {
+  return {{"feature", each.feature},
+          {"value", each.value},
+          {"median", each.median},
+          {"effect", each.effect}};
 }
 
 template <class Item>
@@ -71,6 +70,19 @@ json list(const std::vector<Item>& items) {
   json result = json::array();
   for (const Item& item : items) result.push_back(to_json(item));
   return result;
+}
+
+json to_json(const Rejection& rejection, Index count) {
+  const auto size = static_cast<Index>(rejection.points.size());
+  PointIndices shown;
+  for (const Index i : evenly_spread(size, rejected_points)) shown.push_back(rejection.points[i]);
+  return {{"kind", rejection.kind},
+          {"reason", rejection.reason},
+          {"value", rejection.value},
+          {"bound", rejection.bound},
+          {"size", rejection.size},
+          {"points", indices("a rejected hypothesis's points", shown, count)},
+          {"effects", list(rejection.score_effects)}};
 }
 
 json class_payload(const std::optional<ObjectClass>& found) {
@@ -84,6 +96,14 @@ json class_payload(const std::optional<ObjectClass>& found) {
           {"dimensions", list(found->dimensions)}};
 }
 
+json pose_payload(const std::optional<ObjectBox>& box) {
+  if (!box) return nullptr;
+  const Eigen::Vector4d turn = box->T_world_object.orientation.coeffs();  // x, y, z, w
+  return {{"position", encode(box->T_world_object.position)},
+          {"orientation", {turn.x(), turn.y(), turn.z(), turn.w()}},
+          {"size", encode(box->size)}};
+}
+
 /// What an object is shown with.
 struct ShownObject {
   const SceneObject& object;
@@ -95,7 +115,9 @@ json to_json(const ShownObject& shown, std::size_t id, Index count, Index max_tr
   const SceneObject& object = shown.object;
   return {{"id", id},
           {"score", object.rank()},
-          {"points", indices(object.points, count)},
+          {"points", indices("an object's points", object.points, count)},
+          {"effects", list(object.score_effects)},
+          {"pose", pose_payload(object.box)},
           {"rotational", list(object.rotational)},
           {"reflectional", list(object.reflectional)},
           {"class", class_payload(object.symmetry_class)},
@@ -128,6 +150,23 @@ json objects(const SegmentationResult& result) {
   return list;
 }
 
+json rejections(const SegmentationResult& result) {
+  json list = json::array();
+  for (const Rejection& rejection : result.rejected)
+    list.push_back(to_json(rejection, result.cloud.size()));
+  return list;
+}
+
+json truth_payload(const std::vector<PageTruth>& truth, Index count) {
+  if (truth.empty()) return nullptr;
+  json list = json::array();
+  for (const PageTruth& object : truth) {
+    list.push_back({{"name", object.name},
+                    {"points", indices("the points of a true object", object.points, count)}});
+  }
+  return list;
+}
+
 json surface(const SegmentationResult& result, const PageOptions& options) {
   if (options.surface.triangles.rows() == 0) return nullptr;
   return surface_payload(page_surface(options.surface, result));
@@ -155,7 +194,9 @@ json make_payload(const SegmentationResult& result, const PageOptions& options) 
           {"views", view_payload(options.views)},
           {"timings", list(result.timings)},
           {"funnel", list(result.funnel)},
-          {"rejected", list(result.rejected)},
+          {"rejected", rejections(result)},
+          {"truth", truth_payload(options.truth, result.cloud.size())},
+          {"sweep", sweep_payload(options.sweep)},
           {"warnings", result.warnings}};
 }
 

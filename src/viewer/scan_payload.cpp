@@ -2,9 +2,10 @@
 
 #include <vector>
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "core/mesh_thinning.hpp"
 #include "encoding.hpp"
+#include "symscene/core/error.hpp"
 #include "symscene/core/point_cloud.hpp"
 
 namespace symscene {
@@ -91,6 +92,22 @@ json trajectory_payload(const Trajectory& trajectory) {
     cameras.push_back(camera_payload(trajectory[i].T_world_camera));
   }
   return {{"frames", size}, {"path", encode_positions(path)}, {"cameras", cameras}};
+}
+
+json depth_payload(const ShownDepth& depth) {
+  if (depth.nearness.size() != depth.width * depth.height)
+    throw InputError("a depth image to show", "one value of depth per pixel", "another number");
+  return {{"width", depth.width}, {"height", depth.height}, {"data", base64(depth.nearness)}};
+}
+
+json sweep_payload(const std::vector<PageFrame>& sweep) {
+  if (sweep.empty()) return nullptr;
+  json frames = json::array();
+  for (const PageFrame& frame : sweep) {
+    frames.push_back(
+        {{"camera", camera_payload(frame.T_world_camera)}, {"depth", depth_payload(frame.depth)}});
+  }
+  return frames;
 }
 
 }  // namespace symscene

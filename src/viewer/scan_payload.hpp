@@ -4,6 +4,7 @@
 
 #include "symscene/core/depth_frame.hpp"
 #include "symscene/core/scene.hpp"
+#include "symscene/viewer/page.hpp"
 
 namespace symscene {
 
@@ -20,5 +21,11 @@ nlohmann::json camera_payload(const Eigen::Isometry3d& T_world_camera);
 
 /// A camera path as the page reads it, with a few cameras on it; null if it is empty.
 nlohmann::json trajectory_payload(const Trajectory& trajectory);
+
+/// A depth image as the page reads it. Throws InputError if it has not one value per pixel.
+nlohmann::json depth_payload(const ShownDepth& depth);
+
+/// The frames of a sweep with their cameras and depth images; null without frames.
+nlohmann::json sweep_payload(const std::vector<PageFrame>& sweep);
 
 }  // namespace symscene

@@ -49,6 +49,15 @@ TEST(DepthRange, AFarBackgroundIsNotTakenForAWrongScale) {
             "33 % of the depths are outside 0.2 to 6 m and not used; the median depth is 3 m");
 }
 
+TEST(DepthRange, AdvisesAScaleWhereMostIsUsedButFarForATable) {
+  const std::vector<DepthFrame> frames{frame_at(5.5), frame_at(5.5), frame_at(7.0)};
+  const auto warning = depth_range_warning(frames, {1000.0, 0.2, 6.0});
+  ASSERT_TRUE(warning);
+  EXPECT_TRUE(
+      warning->ends_with("unless it is a room, try --depth-scale 5000, which makes it 1.1 m"))
+      << *warning;
+}
+
 TEST(DepthRange, FindsTheTrueScaleForEveryUsualMistake) {
   for (const double truth : {1.0, 1000.0, 5000.0, 10000.0}) {
     for (const double read_as : {1.0, 1000.0, 5000.0, 10000.0}) {

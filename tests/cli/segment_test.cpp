@@ -1,4 +1,6 @@
 // `symscene segment` and the page of its result, run as processes.
+#include <cmath>
+
 #include "cli/small_scene.hpp"
 #include "io/sha256.hpp"
 
@@ -43,6 +45,43 @@ TEST_F(Command, RefusesAnInputThatDoesNotExistNamingAllKinds) {
   expect_refusal("segment nothere.png -o new", 1,
                  "expected a scene folder, a depth image, a folder with one frame, or a cloud "
                  "(.ply, .pcd), found nothing of that name");
+}
+
+TEST_F(Command, RefusesAFileOfAnotherKindNamingAllKinds) {
+  write(file("cloud.xyz"), "0 0 0\n");
+  expect_refusal("segment cloud.xyz -o new", 1, "a cloud (.ply, .pcd), found another file");
+}
+
+TEST_F(Command, ReadsACloudInMillimetres) {
+  const auto cloud = [](double scale) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 7200\nproperty float x\n"
+        "property float y\nproperty float z\nend_header\n";
+    for (int k = 0; k < 7200; ++k) {
+      const double angle = 0.0523599 * (k % 120);
+      text += std::to_string(scale * 0.04 * std::cos(angle)) + " " +
+              std::to_string(scale * 0.04 * std::sin(angle)) + " " +
+              std::to_string(scale * 0.002 * (k / 120)) + "\n";
+    }
+    return text;
+  };
+  write(file("metres.ply"), cloud(1.0));
+  write(file("millimetres.ply"), cloud(1000.0));
+  ASSERT_EQ(run("segment metres.ply -o of_metres --no-table").code, 0);
+  ASSERT_EQ(run("segment millimetres.ply -o of_mm --no-table --units mm").code, 0);
+  const auto box = [](const std::string& result) {
+    const auto objects = nlohmann::json::parse(contents(file(result) / "objects.json"));
+    return objects.at("objects").at(0).at("box").at("size_m").at(2).get<double>();
+  };
+  EXPECT_NEAR(box("of_mm"), box("of_metres"), 0.002);
+  expect_refusal("segment scene -o new --units mm", 1, "a cloud (.ply, .pcd), as --units needs");
+}
+
+TEST_F(Command, ViewComparesWithTheGroundTruthOfTheScene) {
+  ASSERT_EQ(run("view result --scene scene -o compared.html").code, 0);
+  EXPECT_NE(contents(file("compared.html")).find("\"truth\":[{\"name\":"), std::string::npos);
+  ASSERT_EQ(run("view result -o alone.html").code, 0);
+  EXPECT_NE(contents(file("alone.html")).find("\"truth\":null"), std::string::npos);
 }
 
 TEST_F(Command, SegmentsToTheSameBytesForAnyNumberOfThreads) {

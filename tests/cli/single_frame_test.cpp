@@ -29,6 +29,15 @@ TEST_F(SweepCommand, SegmentGoesFromOneDepthImageToObjects) {
   EXPECT_NE(masks.out.find(" in 1 frame\n"), std::string::npos) << masks.out;
 }
 
+TEST_F(SweepCommand, ViewPlaysTheDepthImagesOfItsSequence) {
+  const std::string camera = " --intrinsics sweep/intrinsics.txt --depth-scale 1000 ";
+  const std::string png = (fs::path("sweep") / image(6)).string();
+  ASSERT_EQ(run("segment " + png + camera + "-o seen").code, 0);
+  const Outcome shown = run("view seen --sequence " + png + camera + "-o played.html");
+  ASSERT_EQ(shown.code, 0) << shown.err;
+  EXPECT_NE(contents(file("played.html")).find("\"sweep\":[{\"camera\":"), std::string::npos);
+}
+
 TEST_F(SweepCommand, MasksRefuseFramesThatSeeThroughTheObjects) {
   const std::string camera = " --intrinsics sweep/intrinsics.txt ";
   const std::string png = (fs::path("sweep") / image(6)).string();

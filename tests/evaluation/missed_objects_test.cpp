@@ -1,4 +1,5 @@
 #include "symscene/evaluation/missed_objects.hpp"
+#include "symscene/io/image.hpp"
 #include "symscene/pipeline/pipeline.hpp"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,26 @@ TEST_F(MissedObjects, AGoodMaskIsFound) {
   EXPECT_EQ(outcome().points, 100U);
   EXPECT_EQ(outcome().symmetries, 1U);
   EXPECT_EQ(outcome().symmetries_met, 1U);
+}
+
+TEST_F(MissedObjects, TellAndShowWhatWasChosenInTheirPlace) {
+  propose(mirror, testing::index_range(10, 60));
+  add_hypothesis(testing::index_range(60, 160));
+  const ObjectOutcome missed = outcome();
+  EXPECT_EQ(missed.instead, "object 0 with 100 points, 40 of its 100");
+  const ColorImage picture = parse_color_image(missed.picture, "picture");
+  const auto is_red = [&](Eigen::Index i) {
+    return picture.pixels(i, 0) > 150 && picture.pixels(i, 1) < 60;
+  };
+  bool any_red = false;
+  for (Eigen::Index i = 0; i < picture.pixels.rows(); ++i) any_red = any_red || is_red(i);
+  EXPECT_TRUE(any_red) << "60 of its points are in no object";
+}
+
+TEST_F(MissedObjects, ThatAreFoundHaveNoPicture) {
+  propose(mirror, testing::index_range(10, 60));
+  add_hypothesis(testing::index_range(0, 95));
+  EXPECT_EQ(outcome().picture, "");
 }
 
 TEST_F(MissedObjects, WithoutACandidateInItAnObjectIsNotProposed) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "evaluation/paired_comparison.hpp"
 #include "symscene/core/error.hpp"
 
 namespace symscene {
@@ -217,6 +218,82 @@ TEST(ReportPage, IsWellFormedAndEscapesNames) {
 TEST(ReportPage, WithoutScenesIsWellFormed) {
   EXPECT_EQ(first_mistake(report_page(Evaluation{}, info)), "");
   EXPECT_FALSE(missed_object_text(Evaluation{}).empty());
+}
+
+TEST(ReportPage, HasNoSectionWithoutContent) {
+  Evaluation evaluation = two_scenes();
+  const std::string page = report_page(evaluation, info);
+  EXPECT_EQ(page.find("<h2>Symmetries"), std::string::npos) << "the ground truth has none";
+  EXPECT_EQ(page.find("<h2>Worst failures"), std::string::npos) << "there is no picture";
+  EXPECT_NE(page.find("<h2>Kinds of objects"), std::string::npos);
+  EXPECT_EQ(page.find(">axes<"), std::string::npos) << "a column of dashes";
+  SceneEvaluation one_kind = scene("third");
+  one_kind.objects = {outcome("can", Outcome::found, "")};
+  Evaluation other;
+  other.add(one_kind);
+  EXPECT_EQ(report_page(other, info).find("<h2>Kinds of objects"), std::string::npos);
+}
+
+TEST(ReportPage, ShowsTheMissedObjectsThatLeastWasFoundOf) {
+  SceneEvaluation failed = scene("first");
+  ObjectOutcome& missed = failed.objects.back();
+  missed.picture = "PNG";
+  missed.instead = "object 3";
+  Evaluation evaluation;
+  for (int k = 0; k < 12; ++k) {
+    missed.best_overlap = 0.05 * k;
+    evaluation.add(failed);
+  }
+  const std::string page = report_page(evaluation, info);
+  EXPECT_EQ(first_mistake(page), "");
+  EXPECT_NE(page.find("data:image/png;base64,UE5H"), std::string::npos);
+  EXPECT_NE(page.find("best IoU 0.45. Instead: object 3."), std::string::npos);
+  EXPECT_EQ(page.find("best IoU 0.50"), std::string::npos) << "ten of twelve are shown";
+}
+
+TEST(Evaluation, CountsNumberedLabelsAsOneKind) {
+  SceneEvaluation labeled = scene("first");
+  labeled.objects = {outcome("object 1", Outcome::found, ""),
+                     outcome("object 15", Outcome::found, ""),
+                     outcome("029_plate", Outcome::found, ""), outcome("7", Outcome::found, "")};
+  Evaluation evaluation;
+  evaluation.add(labeled);
+  EXPECT_EQ(evaluation.kinds.size(), 3U);
+  EXPECT_EQ(evaluation.kinds.at("object").objects, 2U);
+}
+
+/// Scenes in which "ours" finds `ours` and the other method `other` of two objects.
+Evaluation compared(const std::vector<std::pair<std::size_t, std::size_t>>& found) {
+  Evaluation evaluation;
+  for (const auto& [ours, other] : found) {
+    SceneEvaluation each = scene("s");
+    each.segmentation.front().at_default = masks({ours, 2, 2});
+    each.segmentation.back().counts = {masks({other, 2, 2}), masks({0, 2, 2})};
+    evaluation.add(each);
+  }
+  return evaluation;
+}
+
+TEST(PairedDifferences, HaveAnIntervalAroundTheDifference) {
+  const auto [method, setting, f, difference, low, high] =
+      paired_differences(compared({{2, 1}, {1, 1}, {2, 2}, {2, 0}})).at(0);
+  EXPECT_EQ(method, nasty);
+  EXPECT_EQ(setting, "best: k=0.5");
+  EXPECT_DOUBLE_EQ(f, 0.5);
+  EXPECT_DOUBLE_EQ(difference, 7.0 / 8.0 - 0.5);
+  EXPECT_LT(low, difference);
+  EXPECT_GT(high, difference);
+}
+
+TEST(PairedDifferences, OfTheSameResultsAreZeroWhateverTheScenes) {
+  const PairedDifference same = paired_differences(compared({{2, 2}, {0, 0}, {1, 1}})).at(0);
+  EXPECT_EQ(same.difference, 0.0);
+  EXPECT_EQ(same.low, 0.0);
+  EXPECT_EQ(same.high, 0.0);
+}
+
+TEST(PairedDifferences, NeedTwoScenes) {
+  EXPECT_TRUE(paired_differences(compared({{2, 1}})).empty());
 }
 
 TEST(HeadlineText, AlignsItsColumns) {

@@ -28,6 +28,8 @@ SegmentationResult small_result() {
   result.completed = {random_cloud(7, 2), PointCloud{}};
   result.rejected = {{"rotational", "symmetry", 0.05, 0.03, 120},
                      {"reflectional", "occlusion", 0.5, 0.1, 7}};
+  result.rejected[0].points = {3, 4};
+  result.objects[0].score_effects = {{"convexity", 0.9, 0.5, 0.75}};
   result.funnel = {{"candidates", 50}, {"filtered", 3}};
   result.timings = {{"z first", 0.25}, {"a second", 0.5}};
   return result;
@@ -59,6 +61,10 @@ TEST(Result, WritingAndReadingGiveTheSameBits) {
   expect_same(again.completed[0], result.completed[0]);
   EXPECT_TRUE(again.completed[1].empty());
   EXPECT_EQ(again.rejected[1].reason, "occlusion");
+  EXPECT_EQ(again.rejected[0].points, result.rejected[0].points);
+  ASSERT_EQ(again.objects[0].score_effects.size(), 1U);
+  EXPECT_EQ(again.objects[0].score_effects[0].feature, "convexity");
+  EXPECT_EQ(again.objects[0].score_effects[0].effect, 0.75);
   EXPECT_EQ(again.funnel[0].count, 50U);
   EXPECT_EQ(again.timings[0].stage, "z first");
   EXPECT_EQ(format_objects_json(again), format_objects_json(result));

@@ -137,12 +137,19 @@ const REPORT = {
   ],
 };
 
-function refusals(random) {
+const EFFECTS = [
+  { feature: 'axis_misfit', value: 0.012, median: 1, effect: 1.9 }, { feature: 'convexity', value: 0.98, median: 0.61, effect: 0.7 },
+  { feature: 'near_others', value: 0.3, median: 0.1, effect: -0.4 },
+];
+
+// Of the hypotheses rejected by symmetry the points are known: those of the object in the middle.
+function refusals(random, { points }) {
   const kinds = [['occlusion', 0.005], ['symmetry', 0.3], ['smoothness', 0.3], ['size', 200]];
   return Array.from({ length: 32 }, (_, i) => {
     const [reason, bound] = kinds[(i * i) % 4];
     const value = reason === 'size' ? Math.round(40 + 150 * random()) : bound * (1.1 + 2 * random());
-    return { kind: i % 5 ? 'reflectional' : 'rotational', reason, value, bound, size: Math.round(120 + 2500 * random()) };
+    const known = reason === 'symmetry' ? { points, effects: EFFECTS } : {};
+    return { kind: i % 5 ? 'reflectional' : 'rotational', reason, value, bound, size: Math.round(120 + 2500 * random()), ...known };
   });
 }
 
@@ -189,10 +196,23 @@ function viewsAround() {
   return { policy: 'symmetry', unit: 'cm²', half_size: [0.6, 0.45], is_enough: false, list };
 }
 
+// Object 0 is true; the next two are one true object; the others are not in the ground truth, and one true object was not found.
+function trueObjects([can, pan, cup, , , , , bar]) {
+  const joined = [...pan.points, ...cup.points].sort((a, b) => a - b);
+  return [{ name: 'can', points: can.points }, { name: 'pan with cup', points: joined }, { name: 'bar', points: bar.points.slice(0, 20) }, { name: 'spoon', points: [] }];
+}
+
+/** Five frames whose depth images differ. */
+function playedSweep() {
+  return sweep().cameras.slice(0, 5).map((camera, i) => (
+    { camera, depth: { width: 8, height: 6, data: Uint8Array.from({ length: 48 }, (_, k) => (k % (i + 2) ? 40 * i + 60 : 0)) } }));
+}
+
 /** The scene as a payload. `clutter` adds points that are in no mask; `cell` is the cloud's grain;
  * `scan` adds the surface and the camera's path, `closed` the closed surfaces of the objects, `grasps` grasps
- * of a gripper with the given differences from a parallel one, `views` candidates for the next view. */
-export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.008, scan = false, closed = false, grasps = null, views = false } = {}) {
+ * of a gripper with the given differences from a parallel one, `views` candidates for the next view, `compared` ground truth and
+ * the frames of the sweep. */
+export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500, colors = true, cell = 0.008, scan = false, closed = false, grasps = null, views = false, compared = false } = {}) {
   const random = randomNumbers(seed);
   const parts = SOLIDS.map((solid) => thin(solid.kind(solid, cell, random), cell));
   const seen = visibleSamples(parts.flat());
@@ -213,7 +233,8 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
     offset += samples.length;
     if (closed) Object.assign(object, { class: classOf(SOLIDS[id]), closed: closedSurface(SOLIDS[id]), volume: 0.000412 });
     const { point } = (object.rotational[0] ?? object.reflectional[0]);
-    return { ...object, centroid: point };
+    const pose = { position: [...point.slice(0, 2), 0.1], orientation: [0, 0, 0, 1], size: [0.07, 0.08, 0.2] };
+    return { ...object, centroid: point, pose, effects: EFFECTS };
   });
   for (let i = 0; i < clutter; ++i) {
     add(cloud, { p: [0.1 + 0.1 * random(), -0.32 + 0.03 * random(), 0.012], n: [0, 0, 1], c: [120, 124, 130] });
@@ -221,7 +242,7 @@ export function tabletop({ title = 'Synthetic tabletop', seed = 7, clutter = 500
   // Masks may overlap: the carton includes a few points of the can in front of it.
   objects[4].points = [...objects[0].points.slice(0, 8), ...objects[4].points];
   const around = scan ? { surface: scannedSurface(SOLIDS), trajectory: sweep() } : {};
-  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, grasps: grasps && graspsOf(SOLIDS, { ...GRIPPER, ...grasps }), views: views ? viewsAround() : null, rejected: refusals(random) });
+  return encodeScene({ title, table: 0, cloud, objects, ...REPORT, ...around, grasps: grasps && graspsOf(SOLIDS, { ...GRIPPER, ...grasps }), views: views ? viewsAround() : null, rejected: refusals(random, objects[0]), ...(compared ? { truth: trueObjects(objects), sweep: playedSweep() } : {}) });
 }
 
 /** A scan in which nothing was found. */

@@ -282,6 +282,40 @@ TEST(Payload, HoldsSurfaceAndPathIfGiven) {
   EXPECT_NE(json.find(R"("forward":[0.0,0.0,1.0])"), std::string::npos);
 }
 
+TEST(Payload, HoldsGroundTruthAndSweepIfGiven) {
+  PageOptions options;
+  options.truth = {{"mug", {0, 1}}};
+  options.sweep = {{Eigen::Isometry3d::Identity(), {2, 1, {0, 255}}}};
+  const std::string payload = page_payload(small_result(), options);
+  EXPECT_NE(payload.find("\"truth\":[{\"name\":\"mug\",\"points\":\"AAAAAAEAAAA=\"}]"),
+            std::string::npos);
+  EXPECT_NE(payload.find("{\"data\":\"AP8=\",\"height\":1,\"width\":2}"), std::string::npos);
+  options.sweep.front().depth.nearness.pop_back();
+  EXPECT_THROW(page_payload(small_result(), options), InputError);
+  options.sweep.clear();
+  options.truth.front().points = {99};
+  EXPECT_THROW(page_payload(small_result(), options), InputError);
+}
+
+TEST(Payload, HoldsAtMost128PointsOfARejectedHypothesis) {
+  SegmentationResult result = small_result(400);
+  for (Index i = 0; i < 400; ++i) result.rejected[0].points.push_back(i);
+  const std::string payload = page_payload(result);
+  const std::size_t rejected = payload.find("\"rejected\":");
+  const std::size_t points = payload.find("\"points\":\"", rejected) + 10;
+  EXPECT_EQ(payload.find('"', points) - points, (4 * 128 + 2) / 3 * 4);
+}
+
+TEST(ShownDepth, TakesTheNearestOfThePixelsInOne) {
+  const CameraIntrinsics camera{.width = 4, .height = 2, .fx = 1, .fy = 1, .cx = 1, .cy = 1};
+  const std::vector<float> depth{0, 2, 0, 0, 1, 3, 0, 0};
+  const ShownDepth shown = shown_depth(depth, camera, 2);
+  EXPECT_EQ(shown.width, 2U);
+  EXPECT_EQ(shown.height, 1U);
+  EXPECT_EQ(shown.nearness, (std::vector<std::uint8_t>{1, 0}));
+  EXPECT_THROW(shown_depth(depth, camera, 0), InputError);
+}
+
 TEST(Payload, RefusesAnInvalidResult) {
   SegmentationResult outside = small_result();
   outside.objects[0].points = {99};

@@ -22,11 +22,17 @@ export function encodeObject(object, id) {
     reflectional: object.reflectional ?? [],
     class: object.class ?? null,
     centroid: object.centroid,
+    effects: object.effects ?? [],
+    pose: object.pose ?? null,
     volume: object.volume ?? null,
     closed: object.closed ? encodeSurface(object.closed) : null,
     completed: encodeCloud(object.completed ?? { positions: [] }),
   };
 }
+
+const encodePoints = (points) => base64(Uint32Array.from(points));
+
+const encodeRejection = (rejection) => ({ ...rejection, points: encodePoints(rejection.points ?? []), effects: rejection.effects ?? [] });
 
 /** Corners as how many new vertices ago theirs came up, 0 for a new one, seven bits a byte. */
 function encodeTriangles(triangles) {
@@ -61,7 +67,9 @@ export function encodeScene({ title = '', note = '', up = [0, 0, 1], table = nul
     trajectory: rest.trajectory ? encodeTrajectory(rest.trajectory) : null,
     grasps: rest.grasps ?? null,
     views: rest.views ?? null,
-    timings: rest.timings ?? [], funnel: rest.funnel ?? [], rejected: rest.rejected ?? [],
+    timings: rest.timings ?? [], funnel: rest.funnel ?? [], rejected: (rest.rejected ?? []).map(encodeRejection),
+    truth: rest.truth ? rest.truth.map(({ name, points }) => ({ name, points: encodePoints(points) })) : null,
+    sweep: rest.sweep ? rest.sweep.map(({ camera, depth }) => ({ camera, depth: { ...depth, data: base64(depth.data) } })) : null,
     warnings: rest.warnings ?? [],
   };
 }

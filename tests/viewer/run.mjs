@@ -26,7 +26,7 @@ const pages = {};
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), 'symscene-pages-'));
-  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }), views: tabletop({ views: true }), noGrasps: tabletop({ grasps: { max_opening: 0.01 } }),
+  const scenes = { tabletop: tabletop(), scanned: tabletop({ scan: true, compared: true }), closed: tabletop({ closed: true }), grasps: tabletop({ closed: true, grasps: {} }), views: tabletop({ views: true }), noGrasps: tabletop({ grasps: { max_opening: 0.01 } }),
     threeFingers: tabletop({ grasps: { kind: 'three_finger', finger_spacing: 0.05, max_opening: 0.16 } }), empty: emptyResult(), noPoints: noPoints(), bare: bareTable(), hostile: hostileScene() };
   for (const [name, scene] of Object.entries(scenes)) {
     pages[name] = join(folder, `${name}.html`);
@@ -191,6 +191,90 @@ describe('a result with objects', () => {
     assert.equal(await pressed(page, '[data-toggle=planes]'), 'false');
   }, { hash: '#view=top&select=3&mode=objects&only=1,3&completed=3&planes=0', isFresh: true });
 
+  browserTest('keeps what it shows in the address, and finds it there again', path, WINDOW, async (page) => {
+    assert.equal(await hook(page, 'hash'), '');
+    await hook(page, 'select(2)');
+    await page.keyboard.press('p');
+    await page.focus('canvas');
+    await page.keyboard.press('ArrowLeft');
+    await page.waitForFunction(() => location.hash === `#${window.symscene.hash}`);
+    const hash = await hook(page, 'hash');
+    assert.match(hash, /^camera=[-\d.,]+&planes=0&select=2$/);
+    const shown = (await hook(page, 'pixels()')).filled;
+    await hook(page, 'reset()');
+    await page.evaluate((text) => { location.hash = ''; location.hash = text; }, hash);
+    await page.waitForFunction((text) => window.symscene.hash === text, hash);
+    assert.ok(Math.abs((await hook(page, 'pixels()')).filled - shown) < 0.002);
+  });
+
+  browserTest('tells what decided the score of an object, for and against', path, WINDOW, async (page) => {
+    await hook(page, 'select(1)');
+    const text = await page.textContent('.object.selected .effects');
+    assert.match(text, /For an object.*misfit of its best axis0\.01, usually 1\+1\.9.*convex.*Against.*points beside other things.*−0\.4/s);
+  });
+
+  browserTest('groups rejected hypotheses by reason and shows the clicked one', path, WINDOW, async (page) => {
+    await page.click('.why-section > summary');
+    const reasons = await page.locator('.reason').evaluateAll((groups) => groups.map((group) => group.dataset.reason));
+    assert.equal(new Set(reasons).size, reasons.length);
+    await page.click('.reason[data-reason=symmetry] summary');
+    const row = page.locator('.reason[data-reason=symmetry] [data-rejection]').first();
+    const before = await hook(page, 'pixels()');
+    await row.click();
+    assert.equal(String(await hook(page, 'rejection')), await row.getAttribute('data-rejection'));
+    assert.ok(await page.locator('.reason[data-reason=symmetry] .effects').first().isVisible());
+    const marked = await hook(page, 'pixels()');
+    assert.notEqual(marked.hash, before.hash);
+    assert.equal(await page.locator('.reason[data-reason=occlusion] [data-rejection]:enabled').count(), 0, 'their points are not known');
+    await row.click();
+    await page.mouse.move(1, 240);
+    await drawn(page);
+    assert.equal((await hook(page, 'pixels()')).hash, before.hash);
+  });
+
+  browserTest('shows the rejected hypothesis that the address names', path, WINDOW, async (page) => {
+    assert.equal(await hook(page, 'rejection'), 5);
+    assert.ok(await page.locator('[data-rejection="5"]').isVisible());
+  }, { hash: '#rejected=5' });
+
+  browserTest('measures the distance between two clicked points', path, WINDOW, async (page) => {
+    await page.click('[data-toggle=measure]');
+    assert.match(await page.textContent('.hint'), /Click two points/);
+    const [from, to] = [await hook(page, 'clickPoint(0)'), await hook(page, 'clickPoint(4)')];
+    for (const { x, y } of [from, to]) await page.mouse.click(x, y);
+    const [a, b] = await hook(page, 'marks');
+    const centimetres = 100 * Math.hypot(...a.map((value, k) => value - b[k]));
+    assert.ok(centimetres > 5 && centimetres < 60);
+    assert.equal(Number.parseFloat(await page.textContent('.distance')), Number(centimetres.toFixed(1)));
+    assert.equal(await hook(page, 'selected'), null, 'a click measures and does not select');
+    await page.keyboard.press('Escape');
+    assert.deepEqual(await hook(page, 'marks'), []);
+  });
+
+  browserTest('saves a picture of the view, and copies the pose of an object', path, WINDOW, async (page, context) => {
+    const [saved] = await Promise.all([page.waitForEvent('download'), page.click('.exports >> text=PNG')]);
+    assert.equal(saved.suggestedFilename(), 'Synthetic-tabletop.png');
+    assert.ok((await hook(page, 'picture()')).length > 20000, 'more than an empty picture');
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    await hook(page, 'select(0)');
+    await page.click('.object.selected >> text=Copy pose');
+    await page.waitForSelector('.object.selected >> text=Copied');
+    const { id, T_world_object: pose, size_m: size } = JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
+    assert.deepEqual([id, pose.orientation_xyzw, size], [0, [0, 0, 0, 1], [0.07, 0.08, 0.2]]);
+  });
+
+  browserTest('saves all objects as one glTF file in the frame of the result', path, WINDOW, async (page) => {
+    const bytes = Buffer.from(await hook(page, 'glb()'));
+    assert.equal(bytes.toString('latin1', 0, 4), 'glTF');
+    assert.equal(bytes.readUInt32LE(8), bytes.length);
+    const document = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)));
+    assert.equal(document.meshes.length, 8);
+    assert.deepEqual(document.nodes[0].children, [1, 2, 3, 4, 5, 6, 7, 8]);
+    const { min, max } = document.accessors[document.meshes[0].primitives[0].attributes.POSITION];
+    assert.ok(Math.abs(max[2] - 0.235) < 0.01 && min[2] > -0.01, 'z is up, the can 23.5 cm high');
+    assert.ok(document.bufferViews.every(({ byteOffset, byteLength }) => byteOffset + byteLength <= document.buffers[0].byteLength));
+  });
+
   const sizes = {
     'a desk': DESKTOP,
     'a tablet': { viewport: { width: 768, height: 1024 } },
@@ -273,6 +357,44 @@ describe('a result with the surface that was reconstructed', () => {
     assert.deepEqual(await layoutProblems(page), []);
     await page.click('[data-toggle=path]');
     assert.equal((await hook(page, 'pixels()')).hash, before.hash);
+  });
+
+  browserTest('brings the path of the camera into view after the view was turned, too', path, WINDOW, async (page) => {
+    await page.focus('canvas');
+    await page.keyboard.press('ArrowRight');
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('+');
+    await drawn(page);
+    const near = await hook(page, 'hash');
+    await page.click('[data-toggle=path]');
+    await drawn(page);
+    const position = (hash) => new URLSearchParams(hash).get('camera').split(',').map(Number);
+    const distance = ([x, y, z, u, v, w]) => Math.hypot(x - u, y - v, z - w);
+    assert.ok(distance(position(await hook(page, 'hash'))) > 1.3 * distance(position(near)));
+  });
+
+  browserTest('compares the objects with the ground truth', path, WINDOW, async (page) => {
+    assert.match(await page.textContent('.truth-section'), /2 of 4 objects found.*canObject 0, IoU [01]\.\d\d.*pan with cupObject \d, IoU 0\.[5-9].*barObject 7.*spoonnot seen/s);
+    await hook(page, 'select(0)');
+    assert.match(await page.textContent('.object.selected .details'), /Ground truthcan, IoU/);
+    await hook(page, 'select(null)');
+    const { hash } = await hook(page, 'pixels()');
+    await page.click('[data-mode=truth]');
+    assert.notEqual((await hook(page, 'pixels()')).hash, hash);
+    assert.match(await hook(page, 'hash'), /mode=truth/);
+  });
+
+  browserTest('plays the sweep of the camera with its depth images', path, WINDOW, async (page) => {
+    const image = () => page.evaluate(() => document.querySelector('.player .depth').toDataURL());
+    const first = await image();
+    await page.locator('.transport input').fill('3');
+    assert.equal(await hook(page, 'moment'), 3);
+    assert.notEqual(await image(), first);
+    await page.click('.transport button');
+    await page.waitForFunction(() => window.symscene.moment === 4);
+    assert.equal(await hook(page, 'path'), true);
+    await page.waitForSelector('.transport .icon-play');
+    await hook(page, 'reset()');
+    assert.equal(await image(), first);
   });
 
   browserTest('takes mesh and path from the address', path, WINDOW, async (page) => {

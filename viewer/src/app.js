@@ -1,4 +1,5 @@
 // Connects the state, the drawn scene and the controls.
+import { keepAddress } from './address.js';
 import { Viewpoint } from './camera.js';
 import { h } from './dom.js';
 import { applyHash } from './hash.js';
@@ -6,8 +7,10 @@ import { listenToKeys } from './keyboard.js';
 import { Labels } from './labels.js';
 import { createHook } from './hook.js';
 import { framePoints, gripperPoints, pathPoints, reach, viewPoints } from './framing.js';
+import { createExports } from './exports.js';
 import { createLayout } from './layout.js';
 import { createPanel } from './panel/panel.js';
+import { createMeasure } from './panel/measure.js';
 import { listenToPointer } from './pointer.js';
 import { createDrawing } from './drawing.js';
 import { footprint } from './footprint.js';
@@ -44,24 +47,30 @@ export function createApp(scene) {
   const panel = createPanel({
     scene, store, actions, cell: drawing.cell, onResize: app.layout.update,
     extentOf: (index) => footprint(outlines[index]),
+    exports: createExports(app),
   });
+  const measure = createMeasure(store);
   const toolbar = createToolbar(scene, store, actions);
   const views = createViews(viewpoint);
-  document.body.append(h('main', { class: 'stage' }, canvas, labels.element), toolbar, views, panel);
+  document.body.append(h('main', { class: 'stage' }, canvas, labels.element, measure.element), toolbar, views, panel);
   app.layout.attach({ panel, toolbar, views });
   viewpoint.onChange = () => stage.invalidate();
   viewpoint.controls.addEventListener('change', () => stage.invalidate());
   stage.beforeDraw.push(() => viewpoint.step());
   stage.afterDraw.push(() => labels.place(store.get(), app.layout.project(), app.layout.free(), app.layout.obstacles()));
+  stage.afterDraw.push(() => measure.place(store.get(), app.layout.project()));
   listenToPointer(app);
   listenToKeys(app);
   drawOnChange(app);
+  let isBegun = false;
   store.subscribe(({ path }, changed) => {
-    if (changed.has('path')) viewpoint.show(path ? framed.concat(pathPoints(scene)) : framed);
+    if (changed.has('path')) viewpoint.show(path ? framed.concat(pathPoints(scene)) : framed, path && isBegun);
   });
+  isBegun = true;
   const readHash = () => applyHash(location.hash, app);
   addEventListener('hashchange', readHash);
   readHash();
+  app.address = keepAddress(app);
   createHook(app);
   return app;
 }

@@ -57,6 +57,7 @@ export class Viewpoint {
     this.controls.zoomToCursor = true;
     this.flight = null;
     this.view = 'home';
+    this.listeners = []; // called when the view is set otherwise than by dragging
     const radius = Math.max(0.05, ...points.map((p) => Math.hypot(...p)));
     this.radius = radius;
     this.reach = reach; // largest distance of drawn points from the origin
@@ -76,10 +77,17 @@ export class Viewpoint {
     if (this.view) this.go(this.view, false);
   }
 
-  /** Sets the points that all views frame. */
-  show(points) {
+  /** Sets the points that all views frame, and frames them; after a dragging, from its direction, if `always`. */
+  show(points, always = false) {
     this.points = points;
     if (this.view) this.go(this.view);
+    else if (always) this.focus(points, 1);
+  }
+
+  /** Looks from a position at a target. */
+  look(position, target) {
+    this.view = null;
+    this.#fly({ position: new THREE.Vector3(...position), target: new THREE.Vector3(...target) }, false);
   }
 
   go(view, animate = true, points = this.points) {
@@ -88,10 +96,10 @@ export class Viewpoint {
   }
 
   /** Frames some points from the current direction. */
-  focus(points) {
+  focus(points, zoom = 0.55) {
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
     this.view = null;
-    this.#fly(frame(points, direction, this.tx * 0.55, this.ty * 0.55), true);
+    this.#fly(frame(points, direction, this.tx * zoom, this.ty * zoom), true);
   }
 
   #fly(goal, animate) {
@@ -102,7 +110,7 @@ export class Viewpoint {
       begin: still ? -Infinity : performance.now(),
     };
     if (still) this.step();
-    this.onChange?.();
+    this.#changed();
   }
 
   orbit(azimuth, elevation) {
@@ -130,7 +138,12 @@ export class Viewpoint {
     this.flight = null;
     this.view = null;
     this.camera.position.copy(position);
+    this.#changed();
+  }
+
+  #changed() {
     this.onChange?.();
+    for (const listener of this.listeners) listener();
   }
 
   /** Advances the animation; true while the camera moves. */

@@ -1,6 +1,8 @@
 // Draws the layers according to the state: cloud, completed objects, surface, symmetries, camera
 // path, grippers, views, table.
 import { coverage } from './coverage.js';
+import { Highlight } from './gl/highlight.js';
+import { MovingLines } from './gl/moving_lines.js';
 import { Grippers } from './gl/grippers.js';
 import { Shape } from './gl/shape.js';
 import { Splats, sampleSpacing } from './gl/splats.js';
@@ -10,10 +12,14 @@ import { createTable } from './gl/table.js';
 import { Trajectory } from './gl/trajectory.js';
 import { Views } from './gl/views.js';
 import { drawnGrasps, graspOf } from './grasps.js';
+import { pyramid } from './gl/pyramid.js';
 import { paintClosed, paintCloud, paintCompleted, paintSurface } from './painting.js';
 import { objectColor } from './palette.js';
+import { add, subtract } from './vector.js';
 
 const RADIUS_OF_SPACING = 1.15;
+const CAMERA = { color: '#d61e82', width: 3, depth: 0.09, slope: [0.55, 0.42] };
+const MEASURE = { color: '#d61e82', width: 2.5 };
 const GRASP_KEYS = ['grasps', 'visible', 'selected', 'grasp', 'hoveredGrasp'];
 const TABLE_THICKNESS = 0.004; // of its surface, with noise [m]
 const SCHEMES = {
@@ -79,6 +85,13 @@ function createGrippers(scene, stage) {
   return grippers;
 }
 
+// The measured line with a cross at each of its ends.
+function markLines(marks, size) {
+  const axes = [[size, 0, 0], [0, size, 0], [0, 0, size]];
+  const crosses = marks.flatMap((mark) => axes.map((axis) => [subtract(mark, axis), add(mark, axis)]));
+  return marks.length === 2 ? [marks, ...crosses] : crosses;
+}
+
 export class Drawing {
   constructor(scene, outlines, stage) {
     this.scene = scene;
@@ -95,6 +108,10 @@ export class Drawing {
     this.trajectory = createTrajectory(scene, stage);
     this.grippers = createGrippers(scene, stage);
     this.views = createViews(scene, stage);
+    this.highlight = new Highlight(3 * this.radius);
+    this.played = new MovingLines(CAMERA.color, CAMERA.width);
+    this.measured = new MovingLines(MEASURE.color, MEASURE.width);
+    stage.overlay.add(this.highlight.object, this.played.object, this.measured.object);
     this.table = createTable(scene.cloud.positions);
     this.cell = this.table.cell;
     stage.ground.add(this.table.mesh);
@@ -121,6 +138,7 @@ export class Drawing {
     if (this.trajectory) this.trajectory.object.visible = state.path;
     this.views?.show(state);
     if (this.grippers && GRASP_KEYS.some((key) => changed.has(key))) this.#showGrasps(state);
+    this.#showMarks(state, changed);
     const { paper } = SCHEMES[this.scheme];
     const selected = state.visible.has(state.selected) ? state.selected : null;
     for (const layer of [this.cloud, ...this.completed, this.surface?.mesh]) {
@@ -128,6 +146,16 @@ export class Drawing {
     }
     this.stage.setOutlined(selected !== null || state.hovered !== null);
     this.scene.objects.forEach((object) => this.#updateObject(object, state, selected));
+  }
+
+  #showMarks({ rejection, marks, moment }, changed) {
+    const { cloud, rejected, sweep } = this.scene;
+    if (changed.has('rejection')) {
+      const points = rejection === null ? [] : [...rejected[rejection].points];
+      this.highlight.show(points.flatMap((i) => [...cloud.positions.subarray(3 * i, 3 * i + 3)]));
+    }
+    if (changed.has('marks')) this.measured.show(markLines(marks, 2 * this.radius));
+    if (changed.has('moment')) this.played.show(moment === null ? [] : pyramid(sweep[moment].camera, CAMERA.slope, CAMERA.depth).edges);
   }
 
   #showGrasps(state) {
@@ -159,6 +187,12 @@ export class Drawing {
     this.completed[index].object.visible = visible && state.completed.has(index);
     this.shapes[index].object.visible = visible && selected === index;
     this.symmetries[index].show(visible && state.planes, visible && state.axes, emphasis);
+  }
+
+  /** The layers between whose points distances are measured: the mesh too. */
+  measuredLayers() {
+    const mesh = this.surface?.mesh.object.visible ? [this.surface.mesh] : [];
+    return [...this.layers(), ...mesh];
   }
 
   /** The layers that can be picked. */

@@ -44,7 +44,14 @@ export function tableFrame(scene) {
   const height = Number.isFinite(table) ? table : quantile(heights(shown, up), 0.002) - 0.002;
   const origin = add(center, scale(up, height - dot(center, up)));
   const direction = (v) => [dot(v, right), dot(v, up), dot(v, front)];
-  return { direction, point: (p) => direction(subtract(p, origin)) };
+  const turned = ([x, y, z]) => add(add(scale(right, x), scale(up, y)), scale(front, z));
+  return {
+    direction,
+    point: (p) => direction(subtract(p, origin)),
+    toWorld: (p) => add(origin, turned(p)),
+    /** Of point(), column by column. */
+    matrix: [...[0, 1, 2].flatMap((axis) => [right[axis], up[axis], front[axis], 0]), ...scale(direction(origin), -1), 1],
+  };
 }
 
 function mapTriples(array, map) {
@@ -105,7 +112,9 @@ function moveViews(views, frame) {
   views.list = views.list.map((view) => ({ ...view, camera: moveCamera(view.camera, frame) }));
 }
 
-/** Moves every point, camera, view, grasp and symmetry of the scene into the display frame, in place. */
+const moveSweep = (sweep, frame) => sweep.map(({ camera, depth }) => ({ camera: moveCamera(camera, frame), depth }));
+
+/** Moves every point, camera, view, grasp and symmetry of the scene into the display frame, in place, and keeps the frame. */
 export function moveToTableFrame(scene) {
   const frame = tableFrame(scene);
   moveCloud(scene.cloud, frame);
@@ -114,5 +123,7 @@ export function moveToTableFrame(scene) {
   if (scene.trajectory) moveTrajectory(scene.trajectory, frame);
   if (scene.grasps) moveGrasps(scene.grasps, frame);
   if (scene.views) moveViews(scene.views, frame);
+  if (scene.sweep) scene.sweep = moveSweep(scene.sweep, frame);
+  scene.frame = frame;
   return scene;
 }

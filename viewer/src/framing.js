@@ -49,9 +49,10 @@ export function pathPoints({ trajectory }) {
 }
 
 /** Largest distance from the origin of anything drawn, framed or not. */
-export function reach({ surface, trajectory, views }) {
+export function reach({ surface, trajectory, views, sweep }) {
   let most = 0;
   for (const { camera } of views?.list ?? []) most = Math.max(most, Math.hypot(...camera.position));
+  for (const { camera } of sweep ?? []) most = Math.max(most, Math.hypot(...camera.position));
   for (const positions of [surface?.positions ?? [], trajectory?.path ?? []]) {
     for (let i = 0; i < positions.length; i += 3) {
       most = Math.max(most, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));

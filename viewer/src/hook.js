@@ -1,5 +1,8 @@
 // window.symscene: the interface for tests and for scripts that take pictures.
 
+import { hashOf } from './address.js';
+import { glbOf } from './glb.js';
+import { pictureOf } from './picture.js';
 import { initialState } from './store.js';
 
 // A pixel that picks the object, near the centre of its pickable pixels.
@@ -61,6 +64,15 @@ export function createHook(app) {
     /** Whether the views are drawn, and the rank of the chosen one. */
     get views() { return app.drawing.views !== null && store.get().views; },
     get chosenView() { return store.get().view; },
+    /** The number of the shown rejected hypothesis, the marks of the measured distance, the frame of the sweep. */
+    get rejection() { return store.get().rejection; },
+    get marks() { return store.get().marks; },
+    get moment() { return store.get().moment; },
+    /** The hash that the address gets for what is shown, without "#". */
+    get hash() { return hashOf(store.get(), app); },
+    /** The files that the buttons save. */
+    glb: () => [...glbOf(app.scene)],
+    picture: () => pictureOf(app, 'light').toDataURL(),
     get frames() { return stage.frames; },
     /** Whether the picture and its labels show the state. */
     get drawn() { return stage.requested === 0; },

@@ -9,7 +9,8 @@ const STEP = 8; // degrees
 export const KEY_HELP = [
   ['Arrows', 'orbit (with Shift: pan)'], ['+  −', 'zoom'], ['H F S T', 'home, front, side, top'],
   ['[  ]', 'previous, next object'], ['P A C', 'planes, axes, completed objects'],
-  ['M V G N', 'mesh, camera path, grasps, next views'], ['L O', 'labels, other points'], ['1 2 3', 'scan, blend, objects'], ['Esc', 'clear the selection'],
+  ['M V G N', 'mesh, camera path, grasps, next views'], ['L O', 'labels, other points'], ['1 2 3 4', 'scan, blend, objects, ground truth'],
+  ['D', 'measure distances'], ['Esc', 'clear selection and marks'],
 ];
 
 function moveCamera(event, viewpoint) {
@@ -29,14 +30,16 @@ function stepSelection(store, actions, objects, step) {
   actions.select((start + step + objects.length) % objects.length);
 }
 
-function press(key, { store, actions, objects, viewpoint }) {
+function press(key, { scene, store, actions, objects, viewpoint }) {
   if (VIEW_KEYS[key]) viewpoint.go(VIEW_KEYS[key]);
   else if (TOGGLE_KEYS[key]) actions.toggle(TOGGLE_KEYS[key]);
   else if (key === 'c') actions.toggleAllCompleted();
   else if (MODE_KEYS[key]) actions.setMode(MODE_KEYS[key]);
+  else if (key === '4' && scene.truth) actions.setMode('truth');
+  else if (key === 'd') actions.toggleMeasure();
   else if (key === ']') stepSelection(store, actions, objects, 1);
   else if (key === '[') stepSelection(store, actions, objects, -1);
-  else if (key === 'escape') actions.select(null);
+  else if (key === 'escape') store.set({ selected: null, rejection: null, marks: [] });
   else return false;
   return true;
 }

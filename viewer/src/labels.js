@@ -57,6 +57,15 @@ export class Labels {
     shown.forEach((entry, i) => (places[i] ? this.#show(entry, places[i]) : this.#hide(entry.label)));
   }
 
+  /** The labels that are seen: their anchors, places and colours, in CSS pixels. */
+  shown() {
+    return this.labels.filter(({ element }) => element.style.visibility === 'visible').map(({ element, line, object }) => {
+      const at = (name) => Number(line.getAttribute(name));
+      const color = objectColor(object.index);
+      return { x: at('x1'), y: at('y1'), placeX: at('x2'), placeY: at('y2'), text: String(object.id), color: css(color), ink: inkOn(color) };
+    });
+  }
+
   #hide({ element, line, dot }) {
     element.style.visibility = line.style.visibility = dot.style.visibility = 'hidden';
   }

@@ -29,6 +29,19 @@ function restColor(scan, mode, plain) {
 const ownersNow = (cloud, objects, state) => pointOwners(cloud.count, objects, (index) => state.visible.has(index));
 const paletteOf = (objects) => objects.map((object) => objectColor(object.index));
 
+const MISSED = 12; // where the colours of true objects begin that no found one overlaps
+
+/** Per point the colour of its true object, or null: that of the found object which overlaps it most. */
+export function trueColors(count, truth, compared) {
+  const colors = new Array(count).fill(null);
+  truth.forEach(({ points }, i) => {
+    const { best } = compared[i];
+    const color = objectColor(best ? best.index : MISSED + i);
+    points.forEach((point) => { colors[point] = color; });
+  });
+  return colors;
+}
+
 /** `covered` marks the points that the drawn surface shows. */
 export function paintCloud(splats, cloud, objects, state, scheme, covered) {
   const owners = ownersNow(cloud, objects, state);
@@ -37,6 +50,7 @@ export function paintCloud(splats, cloud, objects, state, scheme, covered) {
   const plain = PLAIN[scheme];
   splats.paint(owners, (i, owner) => {
     if (owner === HIDDEN) return plain;
+    if (state.mode === 'truth') return cloud.trueColors[i] ?? plain;
     const scan = scanColor(cloud.colors, i, plain);
     if (owner === REST) return restColor(scan, state.mode, plain);
     if (state.mode === 'scan') return scan;
@@ -57,6 +71,7 @@ export function paintSurface(drawn, { colors }, nearest, cloud, objects, state, 
   drawn.paint(ownerOf, (i, owner) => {
     const scan = scanColor(colors, i, plain);
     if (state.mode === 'scan') return scan;
+    if (state.mode === 'truth') return (nearest[i] !== NO_POINT && cloud.trueColors[nearest[i]]) || mix(scan, plain, AROUND.objects);
     if (owner === REST) return mix(scan, plain, AROUND[state.mode]);
     return state.mode === 'objects' || colors.length === 0 ? palette[owner] : blend(scan, palette[owner]);
   });

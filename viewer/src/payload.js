@@ -1,5 +1,7 @@
 // Decodes the payload of the page into typed arrays. World frame, metres.
 import { words } from './format.js';
+import { trueColors } from './painting.js';
+import { compareWithTruth } from './truth.js';
 
 function decodeBytes(base64) {
   const text = atob(base64);
@@ -73,13 +75,33 @@ function decodeObject(object, index, noun) {
     points: decodeAs(Uint32Array, object.points),
     completed,
     closed,
+    effects: object.effects ?? [],
+    pose: object.pose ?? null,
     hasCompletion: completed.count > 0 || closed !== null,
   };
 }
 
+const decodeRejection = (rejection) => ({
+  ...rejection, points: decodeAs(Uint32Array, rejection.points ?? ''), effects: rejection.effects ?? [],
+});
+
+const decodeTruth = ({ name, points }) => ({ name, points: decodeAs(Uint32Array, points) });
+
+export const decodeDepth = ({ width, height, data }) => ({ width, height, nearness: decodeAs(Uint8Array, data) });
+
+// The ground truth with what was found of it.
+function addTruth(scene) {
+  if (!scene.truth) return scene;
+  scene.compared = compareWithTruth(scene.truth, scene.objects);
+  scene.cloud.trueColors = trueColors(scene.cloud.count, scene.truth, scene.compared);
+  return scene;
+}
+
+const decodeFrame = ({ camera, depth }) => ({ camera, depth: decodeDepth(depth) });
+
 export function decodePayload(payload) {
   const noun = payload.noun ?? 'object';
-  return {
+  return addTruth({
     ...payload,
     noun,
     cloud: decodeCloud(payload.cloud),
@@ -87,7 +109,10 @@ export function decodePayload(payload) {
     warnings: payload.warnings ?? [],
     grasps: payload.grasps ?? null,
     views: payload.views ?? null,
+    rejected: (payload.rejected ?? []).map(decodeRejection),
+    truth: payload.truth ? payload.truth.map(decodeTruth) : null,
+    sweep: payload.sweep ? payload.sweep.map(decodeFrame) : null,
     surface: payload.surface ? decodeSurface(payload.surface) : null,
     trajectory: payload.trajectory ? { ...payload.trajectory, path: decodePositions(payload.trajectory.path) } : null,
-  };
+  });
 }

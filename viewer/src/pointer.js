@@ -6,12 +6,23 @@ import { viewProjection } from './projection.js';
 const CLICK_MOVE = 5; // largest movement of a click [pixels]
 const REACH = 5; // picking distance around small discs [pixels]
 
-function ownerAt(app, x, y) {
+function pickAt(app, layers, x, y) {
   const { clientWidth: width, clientHeight: height } = app.canvas;
   const at = [(2 * x) / width - 1, 1 - (2 * y) / height];
   const reach = [(2 * REACH) / width, (2 * REACH) / height];
-  const owner = pick(app.drawing.layers(), viewProjection(app.viewpoint.camera), at, reach);
-  return owner === null || owner === REST ? null : owner;
+  return pick(layers, viewProjection(app.viewpoint.camera), at, reach);
+}
+
+function ownerAt(app, x, y) {
+  const owner = pickAt(app, app.drawing.layers(), x, y)?.owner ?? REST;
+  return owner === REST ? null : owner;
+}
+
+// A click selects an object; while measuring it marks a point.
+function click(app, x, y) {
+  if (!app.store.get().measure) return app.actions.select(ownerAt(app, x, y));
+  const picked = pickAt(app, app.drawing.measuredLayers(), x, y);
+  if (picked) app.actions.mark(picked.position);
 }
 
 function local(canvas, event) {
@@ -28,7 +39,7 @@ export function listenToPointer(app) {
   });
   canvas.addEventListener('pointerup', (event) => {
     const up = local(canvas, event);
-    if (down && Math.hypot(up[0] - down[0], up[1] - down[1]) <= CLICK_MOVE) actions.select(ownerAt(app, ...up));
+    if (down && Math.hypot(up[0] - down[0], up[1] - down[1]) <= CLICK_MOVE) click(app, ...up);
     down = null;
   });
   canvas.addEventListener('pointermove', (event) => {
@@ -43,7 +54,7 @@ export function listenToPointer(app) {
   });
   function setHover(position) {
     const owner = ownerAt(app, ...position);
-    canvas.style.cursor = owner === null ? '' : 'pointer';
+    canvas.style.cursor = app.store.get().measure ? 'crosshair' : owner === null ? '' : 'pointer';
     actions.hover(owner);
   }
 }

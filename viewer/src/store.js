@@ -1,4 +1,5 @@
 // The state of the controls. Views subscribe to its changes.
+import { withMark } from './measure.js';
 
 export function createStore(initial) {
   let state = initial;
@@ -39,6 +40,11 @@ export function initialState({ objects, surface, grasps, views, table }) {
     views: Boolean(views),
     view: null, // the rank of the chosen one
     hoveredView: null,
+    rejection: null, // the number of the shown rejected hypothesis
+    measure: false,
+    marks: [], // of the measured distance, in the display frame
+    moment: null, // the number of the frame of the sweep that is shown
+    playing: false,
   };
 }
 
@@ -74,5 +80,10 @@ export function createActions(store, objects) {
     hoverView: (rank) => store.set({ hoveredView: rank }),
     hoverViewWith: (event, rank) => { if (event.pointerType === 'mouse') store.set({ hoveredView: rank }); },
     setMode: (mode) => store.set({ mode }),
+    toggleRejection: (number) => store.set({ rejection: state().rejection === number ? null : number, selected: null }),
+    toggleMeasure: () => store.set({ measure: !state().measure, marks: [] }),
+    mark: (position) => store.set({ marks: withMark(state().marks, position) }),
+    setMoment: (moment) => store.set({ moment }),
+    togglePlaying: () => store.set({ playing: !state().playing, moment: state().moment ?? 0 }),
   };
 }

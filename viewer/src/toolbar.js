@@ -6,6 +6,7 @@ const MODES = [
   ['scan', 'Scan', 'Colours of the scan'],
   ['blend', 'Blend', 'Colours of the scan, tinted by object'],
   ['objects', 'Objects', 'One colour per object'],
+  ['truth', 'Truth', 'The ground truth: one colour per true object, that of the found object that overlaps it most'],
 ];
 const TOGGLES = [
   ['mesh', 'Mesh', 'Reconstructed surface instead of points (M)'],
@@ -17,13 +18,15 @@ const TOGGLES = [
   ['path', 'Camera', 'Path of the camera (V)'],
   ['grasps', 'Grasps', 'Grippers at the grasps (G)'],
   ['views', 'Views', 'Views that the camera could take next (N)'],
+  ['measure', 'Measure', 'Distance between two clicked points (D)'],
 ];
 const VIEWS = [['home', 'Home'], ['front', 'Front'], ['side', 'Side'], ['top', 'Top']];
 
 export function createToolbar(scene, store, actions) {
-  const modes = MODES.map(([mode, text, title]) =>
+  const modes = MODES.filter(([mode]) => mode !== 'truth' || scene.truth).map(([mode, text, title]) =>
     h('button', { type: 'button', title, 'data-mode': mode, onclick: () => actions.setMode(mode) }, text));
-  const press = (key) => (key === 'completed' ? actions.toggleAllCompleted() : actions.toggle(key));
+  const special = { completed: actions.toggleAllCompleted, measure: actions.toggleMeasure };
+  const press = (key) => (special[key] ?? (() => actions.toggle(key)))();
   const missing = { mesh: !scene.surface, path: !scene.trajectory, grasps: !scene.grasps, views: !scene.views };
   const toggles = TOGGLES.filter(([key]) => !missing[key]).map(([key, text, title]) =>
     h('button', { type: 'button', title, 'aria-label': text, 'data-toggle': key, onclick: () => press(key) },

@@ -1,6 +1,9 @@
 // Details of one object.
 import { h } from '../dom.js';
 import * as format from '../format.js';
+import { truthOf } from '../truth.js';
+import { createEffects } from './effects.js';
+import { copyButton } from './exports.js';
 
 const vector = (v, digits) => v.map((value) => format.fixed(value, digits)).join(', ');
 
@@ -45,10 +48,17 @@ function classFacts(shape) {
   return [['Class', className(shape)], ...lengths];
 }
 
+function truthFacts(object, truth) {
+  if (!truth) return [];
+  const best = truthOf(truth, object);
+  return [['Ground truth', best ? `${best.name}, IoU ${format.fixed(best.overlap, 2)}` : 'no object']];
+}
+
 function facts(object, scene, extent) {
   const share = object.points.length / Math.max(1, scene.cloud.count);
   return [
     ['Score', format.fixed(object.score, 3)],
+    ...truthFacts(object, scene.truth),
     ['Points seen', `${format.count(object.points.length)} (${format.percent(share)})`],
     ['Completed', completion(object)],
     ...classFacts(object.shape),
@@ -68,12 +78,14 @@ function symmetryRows(object) {
   ];
 }
 
-export function objectDetails(object, scene, extent) {
+export function objectDetails(object, scene, extent, exports) {
   const rows = symmetryRows(object);
   return h('div', {},
     h('dl', {}, facts(object, scene, extent).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])),
     rows.length > 0 && h('table', { class: 'symmetries' },
       h('thead', {}, h('tr', {}, h('th', {}, 'Symmetry'), h('th', {}, 'Direction'), h('th', {}, 'Residual'))),
       h('tbody', {}, rows)),
-    h('p', { class: 'why' }, why(object)));
+    h('p', { class: 'why' }, why(object)),
+    createEffects(object.effects),
+    object.pose && copyButton('Copy pose', 'Copy the pose of the frame fixed to the object, and its size, as JSON', () => exports.copyPose(object)));
 }

@@ -26,7 +26,7 @@ function scoreMeter(score) {
     h('span', { class: 'number' }, format.fixed(score, 2)));
 }
 
-function createRow(object, scene, store, actions, extentOf) {
+function createRow(object, scene, store, actions, extentOf, exports) {
   const { name } = object;
   const { index } = object;
   const eye = iconButton('eye', `Show or hide ${name}`, () => actions.toggleVisible(index), 'eye');
@@ -45,7 +45,7 @@ function createRow(object, scene, store, actions, extentOf) {
   }, h('div', { class: 'row' }, eye, select, completed, solo), details);
   const open = (isOpen) => {
     if (isOpen && !details.firstChild) {
-      details.append(objectDetails(object, scene, extentOf(index)));
+      details.append(objectDetails(object, scene, extentOf(index), exports));
       if (scene.grasps) details.append(createGraspList(object, scene.grasps, store, actions));
     }
     details.hidden = !isOpen;
@@ -68,8 +68,8 @@ function updateRow(entry, state, actions) {
   entry.open(selected);
 }
 
-export function createObjectList(scene, store, actions, extentOf) {
-  const rows = scene.objects.map((object) => createRow(object, scene, store, actions, extentOf));
+export function createObjectList(scene, store, actions, extentOf, exports) {
+  const rows = scene.objects.map((object) => createRow(object, scene, store, actions, extentOf, exports));
   const chip = (text, onclick) => h('button', { class: 'chip', type: 'button', onclick }, text);
   const section = h('section', { class: 'objects', 'aria-label': format.words(`${scene.noun}s`) },
     h('div', { class: 'section-head' }, h('h2', {}, format.words(`${scene.noun}s`)),

@@ -2,8 +2,11 @@
 import { h } from '../dom.js';
 import * as format from '../format.js';
 import { KEY_HELP } from '../keyboard.js';
+import { createExportButtons } from './exports.js';
 import { createGraspSection } from './grasps.js';
 import { createObjectList } from './objects.js';
+import { createSweepSection } from './sweep.js';
+import { createTruthSection } from './truth.js';
 import { createViewSection } from './views.js';
 import { createTimes, totalTime } from './times.js';
 import { createWhy } from './why.js';
@@ -88,7 +91,7 @@ function createGrip(panel, onResize) {
   return grip;
 }
 
-export function createPanel({ scene, store, actions, extentOf, cell, onResize }) {
+export function createPanel({ scene, store, actions, extentOf, cell, onResize, exports }) {
   const hasObjects = scene.objects.length > 0;
   const panel = h('aside', { class: 'panel', 'data-height': 'half', 'aria-label': 'Segmentation result' });
   panel.append(
@@ -97,14 +100,17 @@ export function createPanel({ scene, store, actions, extentOf, cell, onResize })
       h('h1', {}, scene.title || 'Segmentation'),
       h('p', { class: 'stats' }, stats(scene))),
     h('div', { class: 'scroll', tabindex: '-1' },
+      createExportButtons(scene, exports),
       scene.note && h('p', { class: 'note' }, scene.note),
       createWarnings(scene),
       hasObjects && h('p', { class: 'lead' }, `One colour per ${scene.noun}. Sheets are mirror planes, ` +
         'arrows are axes of rotation. Click one for details.'),
       createLegend(scene),
-      hasObjects ? createObjectList(scene, store, actions, extentOf) : emptyMessage(scene),
+      hasObjects ? createObjectList(scene, store, actions, extentOf, exports) : emptyMessage(scene),
+      createSweepSection(scene, store, actions),
+      createTruthSection(scene, actions),
       createGraspSection(scene),
       createViewSection(scene, store, actions),
-      createTimes(scene.timings), createWhy(scene, !hasObjects), createControlsHelp(cell)));
+      createTimes(scene.timings), createWhy(scene, store, actions, !hasObjects), createControlsHelp(cell)));
   return panel;
 }

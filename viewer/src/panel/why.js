@@ -1,6 +1,7 @@
 // How many candidates passed each step, and the rejected hypotheses by reason.
-import { h } from '../dom.js';
+import { h, setPressed } from '../dom.js';
 import * as format from '../format.js';
+import { createEffects } from './effects.js';
 
 const MEANINGS = {
   symmetry: 'the points do not match their image under the symmetry',
@@ -10,12 +11,14 @@ const MEANINGS = {
   perpendicularity: 'the normals are parallel to the axis',
   size: 'too few points',
   inlier: 'too few points have a correspondence',
-  support: 'too little overlap with the segment that proposed it',
-  overlap: 'too little overlap with the segment that proposed it',
+  support: 'too little of the segment that proposed its symmetry is in it',
+  overlap: 'shares too many points with objects that have greater scores together',
+  score: 'too improbable that it is one whole object',
+  composite: 'made up of other hypotheses',
   duplicate: 'nearly the same points as a better hypothesis',
   merged: 'nearly the same points as a better hypothesis',
 };
-const MOST_ROWS = 60;
+const MOST_ROWS = 30;
 
 // In "rotational: distinct axes" the part before the colon is the stream, shown on its own line.
 function splitStep(step) {
@@ -46,37 +49,64 @@ function createFunnel(funnel) {
     h('table', { class: 'bars' }, h('tbody', {}, rows)));
 }
 
+// The hypotheses of each reason with their numbers; those that came nearest to their bound first.
 function byReason(rejected) {
   const groups = new Map();
-  for (const entry of rejected) {
+  rejected.forEach((entry, number) => {
     if (!groups.has(entry.reason)) groups.set(entry.reason, []);
-    groups.get(entry.reason).push(entry);
-  }
+    groups.get(entry.reason).push({ ...entry, number });
+  });
+  for (const entries of groups.values()) entries.sort((a, b) => Math.abs(a.value - a.bound) - Math.abs(b.value - b.bound) || b.size - a.size);
   return [...groups].sort((a, b) => b[1].length - a[1].length);
 }
 
-function rejection({ kind, value, bound, size }) {
+function rejectionRow({ kind, value, bound, size, points, number, effects }, actions) {
   const relation = value > bound ? '>' : value < bound ? '<' : '=';
-  return h('tr', {},
-    h('th', { scope: 'row' }, format.words(kind)),
-    h('td', { class: 'number' }, `${format.fixed(value, 3)} ${relation} ${format.fixed(bound, 3)}`),
-    h('td', { class: 'number' }, format.plural(size, 'point')));
+  const button = h('button', {
+    class: 'grasp', type: 'button', 'data-rejection': String(number), disabled: points.length === 0, 'aria-pressed': 'false',
+    title: points.length ? 'Show it in the scene' : 'Its points are not known', onclick: () => actions.toggleRejection(number),
+  }, h('span', { class: 'source' }, `${format.words(kind)}, ${format.plural(size, 'point')}`),
+  h('span', { class: 'number' }, `${format.fixed(value, 3)} ${relation} ${format.fixed(bound, 3)}`));
+  return h('li', {}, button, h('div', { class: 'rejection-effects', hidden: true }, createEffects(effects)));
 }
 
-function reasonGroup([reason, entries]) {
-  const hidden = entries.length - MOST_ROWS;
-  return h('details', { class: 'reason' },
+function restText(entries) {
+  const hidden = entries.slice(MOST_ROWS);
+  if (hidden.length === 0) return null;
+  const sizes = hidden.map(({ size }) => size);
+  return `and ${format.count(hidden.length)} more that miss the bound by more, of ${format.count(Math.min(...sizes))} to ${format.plural(Math.max(...sizes), 'point')}`;
+}
+
+function reasonGroup([reason, entries], actions) {
+  const rest = restText(entries);
+  return h('details', { class: 'reason', 'data-reason': reason },
     h('summary', {}, h('span', {}, format.words(reason), h('small', {}, MEANINGS[reason] ?? '')),
       h('span', { class: 'aside' }, format.count(entries.length))),
-    h('table', { class: 'refusals' }, h('tbody', {}, entries.slice(0, MOST_ROWS).map(rejection))),
-    hidden > 0 && h('p', { class: 'more' }, `and ${format.count(hidden)} more`));
+    h('ul', { class: 'grasps' }, entries.slice(0, MOST_ROWS).map((entry) => rejectionRow(entry, actions))),
+    rest && h('p', { class: 'more' }, rest));
 }
 
-export function createWhy({ funnel, rejected }, open) {
+// Marks the shown hypothesis; one that the address names opens its group.
+function followRejection(element, store) {
+  const buttons = [...element.querySelectorAll('[data-rejection]')];
+  store.subscribe(({ rejection }, changed) => {
+    if (!changed.has('rejection')) return;
+    for (const button of buttons) {
+      const isShown = button.dataset.rejection === String(rejection);
+      setPressed(button, isShown);
+      button.nextElementSibling.hidden = !isShown;
+      if (isShown) for (const group of [button.closest('.reason'), element]) group.setAttribute('open', '');
+    }
+  });
+}
+
+export function createWhy({ funnel, rejected }, store, actions, open) {
   if (funnel.length === 0 && rejected.length === 0) return null;
-  return h('details', { class: 'why-section', open },
+  const element = h('details', { class: 'why-section', open },
     h('summary', {}, 'Why these objects', h('span', { class: 'aside' }, `${format.count(rejected.length)} rejected`)),
     createFunnel(funnel),
-    rejected.length > 0 && h('h3', {}, 'Rejected hypotheses by reason'),
-    byReason(rejected).map(reasonGroup));
+    rejected.length > 0 && h('h3', {}, 'Rejected hypotheses by reason; click one to see it'),
+    byReason(rejected).map((group) => reasonGroup(group, actions)));
+  followRejection(element, store);
+  return element;
 }

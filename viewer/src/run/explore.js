@@ -1,11 +1,7 @@
 // An exploration: views that were taken, what is known after each, and which could follow. Frame of the table: z up, metres.
 import { fixed, percent, plural } from '../format.js';
-import { decodeAs } from '../payload.js';
+import { decodeDepth } from '../payload.js';
 import { lastNotAfter } from './track.js';
-
-function decodeDepth({ width, height, data }) {
-  return { width, height, nearness: decodeAs(Uint8Array, data) };
-}
 
 /** Null for the page of a run. */
 export function decodeExploration(exploration) {
@@ -43,14 +39,4 @@ export function knownText({ views, stepAt }, time) {
 /** Where a share after a view lies in a chart of this size, with the first view at its left edge. */
 export function chartPoint(step, share, views, { width, height }) {
   return [views > 1 ? (step / (views - 1)) * width : 0, (1 - Math.min(1, Math.max(0, share))) * height];
-}
-
-// Near is bright; where nothing was measured, there is a colour that no depth has.
-const UNMEASURED = [42, 26, 62];
-
-/** Red, green, blue and opacity per pixel of a depth image. */
-export function depthPixels({ nearness }) {
-  const pixels = new Uint8ClampedArray(4 * nearness.length);
-  nearness.forEach((value, i) => pixels.set(value > 0 ? [value, value, value, 255] : [...UNMEASURED, 255], 4 * i));
-  return pixels;
 }

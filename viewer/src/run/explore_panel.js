@@ -1,10 +1,11 @@
 // The parts of the panel that only an exploration has: the view that was taken last with its depth image, the views that
 // could follow, and how much is known after each view.
+import { drawDepth } from '../depth_image.js';
 import { h, setPressed, svg } from '../dom.js';
 import { percent, plural } from '../format.js';
 import { css, qualityColor } from '../palette.js';
 import { gainShare } from '../views.js';
-import { chartPoint, depthPixels, gainText } from './explore.js';
+import { chartPoint, gainText } from './explore.js';
 
 const CHART = { width: 240, height: 84 };
 const CURVES = [['observed', 'seen'], ['completed', 'completed']];
@@ -18,11 +19,6 @@ function onStep({ stepAt }, { store }, write) {
     shown = step;
     write(step);
   });
-}
-
-function drawDepth(canvas, { width, height, ...depth }) {
-  Object.assign(canvas, { width, height });
-  if (width > 0 && height > 0) canvas.getContext('2d').putImageData(new ImageData(depthPixels(depth), width, height), 0, 0);
 }
 
 function createTaken(exploration, player) {

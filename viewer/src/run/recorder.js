@@ -1,5 +1,6 @@
 // Saves a video of the views with captions, time and event, from the current moment until it is stopped or the run ends.
 import { h } from '../dom.js';
+import { download, fileName } from '../download.js';
 import { clock } from './words.js';
 
 const FRAMES = 30; // per second
@@ -10,14 +11,6 @@ const CAPTIONS = { true: 'True scene', believed: 'What the robot believes' };
 const COLORS = { light: { paper: '#eef1f5', ink: '#171b22', rule: '#d3d9e2' }, dark: { paper: '#1c2027', ink: '#eceff4', rule: '#3a414d' } };
 
 const typeOf = () => (window.MediaRecorder && TYPES.find(([type]) => MediaRecorder.isTypeSupported(type))) || null;
-
-function download(blob, name) {
-  const address = URL.createObjectURL(blob);
-  h('a', { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10000);
-}
-
-const fileName = (title) => title.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').slice(0, 60) || 'run';
 
 export class Recorder {
   onChange = () => {};
@@ -40,7 +33,7 @@ export class Recorder {
     this.media = new MediaRecorder(this.frame.captureStream(FRAMES), { mimeType: this.type[0], videoBitsPerSecond: BITS });
     const chunks = [];
     this.media.ondataavailable = ({ data }) => chunks.push(data);
-    this.media.onstop = () => download(new Blob(chunks, { type: this.type[0] }), `${fileName(this.recording.title)}.${this.type[1]}`);
+    this.media.onstop = () => download(new Blob(chunks, { type: this.type[0] }), `${fileName(this.recording.title, 'run')}.${this.type[1]}`);
     this.view.draw();
     this.media.start();
     this.player.actions.play();

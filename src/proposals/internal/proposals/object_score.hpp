@@ -20,6 +20,9 @@ double estimated_probability(const ObjectFeatures& features,
 double estimated_probability(const ObjectFeatures& features, const ProposalContext& context,
                              const TreeModel& model = object_context_model());
 
+/// ln(p / (1 - p)), finite for certain events too.
+double log_odds(double probability);
+
 /// The logarithmic opinion pool of two probabilities (Genest and Zidek 1986): the mean of their
 /// log-odds, the first with weight `weight_a`, the second with the rest.
 double pooled_probability(double a, double b, double weight_a);

@@ -13,6 +13,7 @@ struct BaselineSweep {
   std::string parameter;                         ///< the option of the method that is varied
   std::vector<double> values;                    ///< its values [SI units]
   std::vector<std::vector<PointIndices>> masks;  ///< one list per value, largest first
+  double seconds = 0.0;  ///< wall time of a run at one value [s]; 0 if not measured
 };
 
 }  // namespace symscene

@@ -38,6 +38,10 @@ struct ObjectOutcome {
   std::string reason;
   std::size_t symmetries = 0;      ///< strict symmetries of the ground truth
   std::size_t symmetries_met = 0;  ///< of these, found within 10° and 1 cm
+  /// Of a missed object with points: what was chosen in its place, in words, and a picture of it
+  /// (PNG); see show_failure().
+  std::string instead;
+  std::string picture;
 };
 
 /// The outcome of every object of `truth`. `masks` are the objects in the cloud of the proposals

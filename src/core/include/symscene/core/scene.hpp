@@ -36,6 +36,15 @@ struct ObjectPlane {
   double residual = 0.0;
 };
 
+/// How a feature moves the score of a proposal, compared with the score that the proposal would
+/// have if the feature had its median over all proposals of the scene.
+struct ScoreEffect {
+  std::string feature;  ///< as in the models' files
+  double value = 0.0;
+  double median = 0.0;
+  double effect = 0.0;  ///< of the log-odds of the score; above 0 it speaks for an object
+};
+
 /// An object of the result.
 struct SceneObject {
   PointIndices points;  ///< into the result's cloud, ascending
@@ -49,6 +58,8 @@ struct SceneObject {
   std::optional<ObjectClass> symmetry_class = {};
   std::optional<ObjectBox> box = {};          ///< around it once it is completed
   std::optional<SolidProperties> solid = {};  ///< of its closed surface, if that is not empty
+  /// The features that decided its score, see score_effects(); none without selection.by_score.
+  std::vector<ScoreEffect> score_effects = {};
 
   /// By which objects are sorted.
   double rank() const { return score.value_or(confidence); }
@@ -62,12 +73,15 @@ struct ObjectSurface {
 
 /// A hypothesis that was rejected or merged, and the bound that it failed.
 struct Rejection {
-  std::string kind;          ///< "rotational", "reflectional" or "surface"
-  std::string reason;        ///< the bound that failed: "symmetry", "occlusion", "smoothness", ...
-  double value = 0.0;        ///< value compared with the bound
-  double bound = 0.0;        ///< the bound itself
-  std::size_t size = 0;      ///< points of the hypothesis
-  PointIndices points = {};  ///< into the result's cloud, if known; not written to files
+  std::string kind;      ///< "rotational", "reflectional" or "surface"
+  std::string reason;    ///< the bound that failed: "symmetry", "occlusion", "smoothness", ...
+  double value = 0.0;    ///< value compared with the bound
+  double bound = 0.0;    ///< the bound itself
+  std::size_t size = 0;  ///< points of the hypothesis
+  /// Into the result's cloud, ascending, if known. Files keep at most 128 of them, evenly spread.
+  PointIndices points = {};
+  /// Of the proposals of the highest scores among those rejected by score.
+  std::vector<ScoreEffect> score_effects = {};
 };
 
 /// The number of candidates that remain after a step.

@@ -28,9 +28,10 @@ struct MergedHypothesis {
 struct ObjectProposal {
   MergedHypothesis merged;
   ObjectFeatures features;
-  double own_score = 0.0;  ///< from its OwnFeatures
-  double estimate = 0.0;   ///< from all its features
-  double score = 0.0;      ///< `estimate` pooled with that from its relations to others
+  double own_score = 0.0;        ///< from its OwnFeatures
+  double estimate = 0.0;         ///< from all its features
+  double score = 0.0;            ///< `estimate` pooled with that from its relations to others
+  ProposalContext context = {};  ///< its relations to others
 };
 
 /// The proposals of a scene with the detections and hypotheses that they are made of, before

@@ -6,16 +6,9 @@
 
 #include "symscene/viewer/page.hpp"
 #include "symscene/viewer/run_page.hpp"
+#include "symscene/viewer/shown_depth.hpp"
 
 namespace symscene {
-
-/// A depth image as the page shows it.
-struct ShownDepth {
-  std::size_t width = 0;   ///< [px]
-  std::size_t height = 0;  ///< [px]
-  /// Row by row: 255 for the nearest depth, 1 for the farthest, 0 where nothing was measured.
-  std::vector<std::uint8_t> nearness;
-};
 
 /// A view of an exploration, and what is known after it.
 struct ShownView {

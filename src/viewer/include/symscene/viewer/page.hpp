@@ -9,6 +9,7 @@
 #include "symscene/core/gripper.hpp"
 #include "symscene/core/scene.hpp"
 #include "symscene/core/triangle_mesh.hpp"
+#include "symscene/viewer/shown_depth.hpp"
 
 namespace symscene {
 
@@ -39,6 +40,18 @@ struct PageViews {
   std::vector<PageView> views = {};
 };
 
+/// An object of the ground truth.
+struct PageTruth {
+  std::string name;
+  PointIndices points;  ///< into the result's cloud, ascending; empty where it has none of them
+};
+
+/// A frame of the camera's sweep.
+struct PageFrame {
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  ShownDepth depth;
+};
+
 struct PageOptions {
   // Every field has an initialiser, so that callers may name only some without a warning.
   std::string title = "Segmentation";
@@ -50,6 +63,8 @@ struct PageOptions {
   Trajectory trajectory = {};  ///< path of the camera
   std::optional<PageGrasps> grasps = std::nullopt;
   std::optional<PageViews> views = std::nullopt;
+  std::vector<PageTruth> truth = {};  ///< to compare the objects with
+  std::vector<PageFrame> sweep = {};  ///< frames that the page plays, in order
 
   void validate() const;  // throws InputError
 };
@@ -57,8 +72,8 @@ struct PageOptions {
 /// A self-contained HTML page that shows the result; it needs no other file and no network. Titles
 /// and notes are escaped. Throws InputError if a position is not finite, an index is not below the
 /// size of the cloud, `completed` or `surfaces` are neither empty nor one per object, the cloud
-/// does not lie on the surface, grasps are not those of the result's objects, or a pose or a gain
-/// is not finite.
+/// does not lie on the surface, grasps are not those of the result's objects, a pose or a gain is
+/// not finite, or a depth image has not one value per pixel.
 std::string render_page(const SegmentationResult& result, const PageOptions& options = {});
 
 }  // namespace symscene
