@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/point_cloud.hpp"
 

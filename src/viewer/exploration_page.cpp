@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "page_filling.hpp"
 #include "page_template.hpp"
 #include "run_payload.hpp"

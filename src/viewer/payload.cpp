@@ -1,6 +1,6 @@
 #include "payload.hpp"
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "encoding.hpp"
 #include "grasp_payload.hpp"
 #include "scan_payload.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "encoding.hpp"
 #include "page_filling.hpp"
 #include "page_template.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "core/mesh_thinning.hpp"
 #include "io/atomic_file.hpp"
 #include "page_filling.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "encoding.hpp"
 
 namespace symscene {

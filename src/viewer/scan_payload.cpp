@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base64.hpp"
+#include "core/base64.hpp"
 #include "core/mesh_thinning.hpp"
 #include "encoding.hpp"
 #include "symscene/core/point_cloud.hpp"
