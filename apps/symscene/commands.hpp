@@ -14,6 +14,7 @@
   SUBCOMMAND(next_view)                  \
   SUBCOMMAND(symmetry)                   \
   SUBCOMMAND(view)                       \
+  SUBCOMMAND(export)                     \
   SUBCOMMAND(info)                       \
   SUBCOMMAND(options)                    \
   SUBCOMMAND(help)                       \

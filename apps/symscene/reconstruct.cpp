@@ -259,7 +259,8 @@ void add_reconstruct(CommandLine& line) {
       "symscene reconstruct sweep -o scene\n"
       "  symscene reconstruct tum_fr1_xyz -o desk --intrinsics 517.3,516.5,318.6,255.3");
   arguments.input(state->path, "SEQUENCE",
-                  "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or ROS 1 bag");
+                  "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or recording of "
+                  "ROS");
   arguments.output_folder(state->shared, "scene folder to write");
   arguments.sequence_options(state->source);
   arguments.every(state->every, "use every N-th frame (default 1)");

@@ -131,7 +131,7 @@ void bind_sequence(py::module_& module) {
       "open_sequence", &open, py::arg("path"), py::arg("intrinsics") = py::none(),
       py::arg("depth_scale") = py::none(),
       "Open a sequence of depth images: a folder in the layout of SymScene, TUM RGB-D,\n"
-      "ICL-NUIM, 7-Scenes or Redwood, a ROS 1 bag, an image or a folder of images.\n\n"
+      "ICL-NUIM, 7-Scenes or Redwood, a recording of ROS, an image or a folder of images.\n\n"
       "intrinsics: CameraIntrinsics, (fx, fy, cx, cy) in pixels, or the path of a file like\n"
       "intrinsics.txt or camera.yaml, where the sequence has none. depth_scale: value of the\n"
       "images that is 1 m.");

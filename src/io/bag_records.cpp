@@ -1,12 +1,12 @@
 // The records of a ROS 1 bag, format 2.0.
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "bag.hpp"
 #include "byte_cursor.hpp"
+#include "byte_source.hpp"
 #include "io/atomic_file.hpp"
 #include "text.hpp"
 
@@ -67,54 +67,10 @@ Record take_record(ByteCursor& bytes, const std::string& name) {
   return record;
 }
 
-/// The bytes of a bag, in memory or in a file.
-class BagBytes {
- public:
-  virtual ~BagBytes() = default;
-  virtual std::uint64_t size() const = 0;
-  /// At most `size` bytes from `offset` on, until the next call.
-  virtual std::string_view at(std::uint64_t offset, std::size_t size) = 0;
-};
-
-class BagInMemory final : public BagBytes {
- public:
-  explicit BagInMemory(std::string_view bytes) : bytes_(bytes) {}
-  std::uint64_t size() const override { return bytes_.size(); }
-  std::string_view at(std::uint64_t offset, std::size_t size) override {
-    return bytes_.substr(offset, size);
-  }
-
- private:
-  std::string_view bytes_;
-};
-
-class BagInFile final : public BagBytes {
- public:
-  explicit BagInFile(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
-    std::error_code unknown;
-    size_ = std::filesystem::file_size(path, unknown);
-    if (!stream_ || unknown) throw InputError(path.string(), "a file that can be read", "none");
-  }
-  std::uint64_t size() const override { return size_; }
-  std::string_view at(std::uint64_t offset, std::size_t size) override {
-    buffer_.resize(std::min<std::uint64_t>(size, offset < size_ ? size_ - offset : 0));
-    stream_.clear();
-    stream_.seekg(static_cast<std::streamoff>(offset));
-    stream_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream_.gcount(), 0)));
-    return buffer_;
-  }
-
- private:
-  std::ifstream stream_;
-  std::uint64_t size_ = 0;
-  std::string buffer_;
-};
-
 /// Checks the records in order and remembers what later ones refer to.
 class BagCheck {
  public:
-  BagCheck(BagBytes& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+  BagCheck(ByteSource& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
   void run() {
     const std::string start(bytes_.at(0, magic.size()));
@@ -261,7 +217,7 @@ class BagCheck {
     std::optional<std::set<std::uint32_t>> messages;  ///< offsets of messages, unless compressed
   };
 
-  BagBytes& bytes_;
+  ByteSource& bytes_;
   const std::string& name_;
   std::uint64_t index_position_ = 0;
   std::uint32_t connections_due_ = 0;
@@ -278,13 +234,13 @@ class BagCheck {
 }  // namespace
 
 void require_sound_bag(std::string_view bytes, const std::string& name) {
-  BagInMemory source(bytes);
+  BytesInMemory source(bytes);
   BagCheck(source, name).run();
 }
 
 void require_sound_bag(const std::filesystem::path& path) {
   require_regular_file(path);
-  BagInFile source(path);
+  BytesInFile source(path);
   BagCheck(source, path.string()).run();
 }
 

@@ -12,12 +12,6 @@
 namespace symscene {
 namespace {
 
-/// Reads the header at the beginning of messages. Returns the frame id.
-std::string take_header(ByteCursor& bytes) {
-  bytes.take(12);  // sequence number and time
-  return std::string(bytes.block());
-}
-
 std::size_t bytes_a_pixel(std::string_view encoding) {
   if (encoding == "32FC1" || encoding == "rgba8" || encoding == "bgra8") return 4;
   return is_color_encoding(encoding) ? 3 : 2;
@@ -60,6 +54,22 @@ void for_each_pixel(const RosImage& image, const Put& put) {
 
 float measured(float depth) { return std::isfinite(depth) && depth > 0.0F ? depth : 0.0F; }
 
+/// Depth in metres is stored as quantised inverse depth; 0 is no measurement.
+std::vector<float> compressed_depth_of(const RosImage& image, double scale,
+                                       const std::string& name) {
+  const DepthImage png = parse_depth_png(image.data, name);
+  const auto divisor = static_cast<float>(scale);
+  const bool is_inverse = image.encoding == "32FC1";
+  std::vector<float> depth(png.values.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const auto value = static_cast<float>(png.values[i]);
+    if (value == 0.0F) continue;
+    const float raw = is_inverse ? image.quantization[0] / (value - image.quantization[1]) : value;
+    depth[i] = measured(raw / divisor);
+  }
+  return depth;
+}
+
 }  // namespace
 
 bool is_depth_encoding(std::string_view encoding) {
@@ -72,32 +82,33 @@ bool is_color_encoding(std::string_view encoding) {
 
 double default_depth_scale(std::string_view encoding) { return encoding == "32FC1" ? 1.0 : 1000.0; }
 
-RosImage parse_ros_image(std::string_view bytes, const std::string& name) {
-  ByteCursor rest(bytes, name, "a message sensor_msgs/Image");
+RosImage parse_ros_image(std::string_view bytes, RosFormat format, const std::string& name) {
+  RosCursor rest(bytes, format, name, "a message sensor_msgs/Image");
   RosImage image;
-  image.frame_id = take_header(rest);
+  image.header = rest.header();
   image.size.height = rest.number<std::uint32_t>();
   image.size.width = rest.number<std::uint32_t>();
-  image.encoding = std::string(rest.block());
+  image.encoding = rest.text();
   image.big_endian = rest.number<std::uint8_t>() != 0;
   image.step = rest.number<std::uint32_t>();
-  image.data = rest.block();
+  image.data = rest.data();
   return image;
 }
 
-RosCameraInfo parse_ros_camera_info(std::string_view bytes, const std::string& name) {
-  ByteCursor rest(bytes, name, "a message sensor_msgs/CameraInfo");
-  take_header(rest);
+RosCameraInfo parse_ros_camera_info(std::string_view bytes, RosFormat format,
+                                    const std::string& name) {
+  RosCursor rest(bytes, format, name, "a message sensor_msgs/CameraInfo");
+  rest.header();
   RosCameraInfo info;
   const auto height = rest.number<std::uint32_t>();
   const auto width = rest.number<std::uint32_t>();
-  rest.block();  // name of the distortion model
-  for (auto left = rest.number<std::uint32_t>(); left > 0; --left) {
+  rest.text();  // name of the distortion model
+  for (auto left = rest.count(sizeof(double)); left > 0; --left) {
     if (rest.number<double>() != 0.0) info.distorted = true;
   }
   std::array<double, 9> k{};
   for (double& value : k) value = rest.number<double>();
-  rest.take(9 * sizeof(double));  // R
+  for (int i = 0; i < 9; ++i) rest.number<double>();  // R
   std::array<double, 12> p{};
   for (double& value : p) value = rest.number<double>();
   info.raw = {width, height, k[0], k[4], k[2], k[5]};
@@ -105,7 +116,38 @@ RosCameraInfo parse_ros_camera_info(std::string_view bytes, const std::string& n
   return info;
 }
 
+RosImage parse_ros_compressed_image(std::string_view bytes, RosFormat format,
+                                    const std::string& name) {
+  const char* what = "a message sensor_msgs/CompressedImage";
+  RosCursor rest(bytes, format, name, what);
+  RosImage image;
+  image.compressed = true;
+  image.header = rest.header();
+  const std::string kind = rest.text();
+  image.data = rest.data();
+  image.encoding = kind;
+  const std::string pixels = kind.substr(0, kind.find(';'));
+  const bool is_depth = kind.find("compressedDepth") != std::string::npos;
+  if (is_depth) {  // ConfigHeader of compressed_depth_image_transport stands before the PNG
+    ByteCursor data(image.data, name, what);
+    data.take(sizeof(std::uint32_t));
+    for (float& value : image.quantization) {
+      value = std::bit_cast<float>(data.number<std::uint32_t>());
+    }
+    image.data = data.take(data.left());
+  }
+  if (!is_png(image.data) && (is_depth || !is_jpeg(image.data))) return image;
+  image.size = parse_image_size(image.data, name);
+  if (is_depth || is_depth_encoding(pixels)) {
+    image.encoding = pixels;
+  } else {
+    image.encoding = "rgb8";
+  }
+  return image;
+}
+
 std::vector<float> depth_of(const RosImage& image, double scale, const std::string& name) {
+  if (image.compressed) return compressed_depth_of(image, scale, name);
   require_rows(image, name);
   const bool swap = image.big_endian != (std::endian::native == std::endian::big);
   const auto divisor = static_cast<float>(scale);
@@ -124,6 +166,7 @@ std::vector<float> depth_of(const RosImage& image, double scale, const std::stri
 }
 
 Colors colors_of(const RosImage& image, const std::string& name) {
+  if (image.compressed) return parse_color_image(image.data, name).pixels;
   require_rows(image, name);
   Colors colors(static_cast<Eigen::Index>(image.size.pixels()), 3);
   const int red = image.encoding.starts_with("bgr") ? 2 : 0;

@@ -13,7 +13,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* a_sequence =
     "a sequence of depth images: a folder in the layout of SymScene, TUM RGB-D, ICL-NUIM, 7-Scenes "
-    "or Redwood, a ROS 1 bag, or images of 16-bit grey";
+    "or Redwood, a recording of ROS (.bag, .mcap, .db3 or a folder of rosbag2), or images of "
+    "16-bit "
+    "grey";
 
 struct Layout {
   bool (*recognises)(const fs::path& path);
@@ -29,6 +31,8 @@ constexpr Layout layouts[] = {
     {is_redwood, open_redwood},
     {is_own_layout_without_camera, open_own_layout},
     {is_bag, open_bag},
+    {is_mcap, open_mcap},
+    {is_rosbag2, open_rosbag2},
     {is_single_image, open_single_image},
     {is_image_folder, open_image_folder},
 };

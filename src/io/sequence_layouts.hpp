@@ -30,6 +30,13 @@ SequencePointer open_redwood(const std::filesystem::path& path, const SequenceOp
 bool is_bag(const std::filesystem::path& path);
 SequencePointer open_bag(const std::filesystem::path& path, const SequenceOptions& options);
 
+bool is_mcap(const std::filesystem::path& path);
+SequencePointer open_mcap(const std::filesystem::path& path, const SequenceOptions& options);
+
+/// A .db3 file of rosbag2, or its folder with .db3 or .mcap files.
+bool is_rosbag2(const std::filesystem::path& path);
+SequencePointer open_rosbag2(const std::filesystem::path& path, const SequenceOptions& options);
+
 bool is_single_image(const std::filesystem::path& path);
 SequencePointer open_single_image(const std::filesystem::path& path,
                                   const SequenceOptions& options);

@@ -49,10 +49,11 @@ class DepthSequence {
 bool is_sequence(const std::filesystem::path& path);
 
 /// Opens a sequence in the layout that its path shows: SymScene's own, TUM RGB-D, ICL-NUIM,
-/// 7-Scenes or Redwood folders, a ROS 1 bag where the build has a reader of them, one depth image
-/// or a folder of them. Throws InputError if it is none of these, has no frame, intrinsics or depth
-/// scale are neither in the files nor in `options` (the message names the missing options), the
-/// principal point is outside the image, or a calibrated camera is not valid.
+/// 7-Scenes or Redwood folders, a recording of ROS (a ROS 1 bag, an MCAP file, a .db3 file or
+/// folder of rosbag2) where the build has a reader of it, one depth image or a folder of them.
+/// Throws InputError if it is none of these, has no frame, intrinsics or depth scale are neither in
+/// the files nor in `options` (the message names the missing options), the principal point is
+/// outside the image, or a calibrated camera is not valid.
 std::unique_ptr<DepthSequence> open_sequence(const std::filesystem::path& path,
                                              const SequenceOptions& options = {});
 
