@@ -1,4 +1,5 @@
-// The symmetry groups of scanned models against symmetries that an exhaustive search found.
+// The symmetry groups of scanned models: their exact residuals, and what an exhaustive search and a
+// person found.
 #include <chrono>
 #include <fstream>
 
@@ -6,7 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "annotated_symmetries.hpp"
 #include "core/surface_sampling.hpp"
+#include "moved_mesh.hpp"
 #include "program.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/mesh.hpp"
@@ -140,39 +143,107 @@ std::string orders_of(const SymmetryGroup& group) {
   return text;
 }
 
-void run(const std::filesystem::path& meshes, const std::filesystem::path& searched) {
-  const nlohmann::json all = nlohmann::json::parse(std::ifstream(searched));
-  Counts axes, planes;
-  double slowest = 0.0, total = 0.0;
-  int models = 0;
-  for (const NamedMesh& model : read_mesh_folder(meshes).meshes) {
-    if (!all.contains(model.name)) continue;
-    const KnownModel known = known_model(all.at(model.name));
+/// Exact residuals of all that is listed.
+struct Residuals {
+  int all = 0, above = 0;
+  double worst = 0.0;  ///< by the diagonal
+
+  void add(double residual, double diagonal) {
+    constexpr double bound = 0.01;
+    ++all;
+    above += residual > bound * diagonal ? 1 : 0;
+    worst = std::max(worst, residual / diagonal);
+  }
+  void add(const SymmetryGroup& group, const bench::MovedMesh& mesh) {
+    for (const GroupAxis& found : group.axes)
+      add(mesh.residual(found.axis, found.order), group.diagonal);
+    for (const GroupPlane& found : group.planes) add(mesh.residual(found.plane), group.diagonal);
+  }
+};
+
+struct Input {
+  std::string meshes, searched, annotated;
+};
+
+/// What is counted over all models.
+class Benchmark {
+ public:
+  explicit Benchmark(const Input& input) {
+    if (!input.searched.empty()) searched_ = nlohmann::json::parse(std::ifstream(input.searched));
+    if (!input.annotated.empty()) annotated_ = bench::read_annotated_models(input.annotated);
+  }
+
+  void add(const NamedMesh& model) {
     const auto start = std::chrono::steady_clock::now();
     const SymmetryGroup group = find_symmetry_group(sample_surface(model.mesh, sampled_points));
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    slowest = std::max(slowest, time.count());
-    total += time.count();
-    ++models;
-    const std::string differences = Comparison(known).add(group, axes, planes);
+    slowest_ = std::max(slowest_, time.count());
+    total_ += time.count();
+    ++models_;
     fmt::print("{:32} {:.2f} s  {:2} turns  axes {:12} planes {}{}\n", model.name, time.count(),
-               group.rotations.size(), orders_of(group), group.planes.size(), differences);
+               group.rotations.size(), orders_of(group), group.planes.size(),
+               differences(model.name, group));
+    const bench::MovedMesh moved(model.mesh);
+    residuals_.add(group, moved);
+    for (const bench::AnnotatedModel& each : annotated_) {
+      if (model.name.starts_with(each.number + "_"))
+        comparisons_ += compare_with_annotation(each, model.name, moved, group, annotation_counts_);
+    }
   }
-  fmt::print("\n{} models, {:.2f} s each, at most {:.2f} s\ncontinuous axes: {}\nplanes: {}\n",
-             models, total / std::max(models, 1), slowest, axes.text(), planes.text());
+
+  void print() const {
+    fmt::print("\n{} models, {:.2f} s each, at most {:.2f} s\n", models_,
+               total_ / std::max(models_, 1), slowest_);
+    fmt::print("exact residuals: {} of {} above 1 % of the diagonal, at most {:.2f} %\n",
+               residuals_.above, residuals_.all, 100.0 * residuals_.worst);
+    if (!searched_.is_null())
+      fmt::print("continuous axes: {}\nplanes: {}\n", axes_.text(), planes_.text());
+    if (!annotated_.empty())
+      fmt::print(
+          "\nannotated, and the nearest that is found: angle, distance at the centroid\n{}{} "
+          "annotated, {} found within 1°, {} of them within 1 % of the diagonal; {} have a smaller "
+          "residual than what is found\n",
+          comparisons_, annotation_counts_.all, annotation_counts_.near_angle,
+          annotation_counts_.near, annotation_counts_.annotation_better);
+  }
+
+ private:
+  std::string differences(const std::string& name, const SymmetryGroup& group) {
+    if (!searched_.contains(name)) return "";
+    const KnownModel known = known_model(searched_.at(name));
+    return Comparison(known).add(group, axes_, planes_);
+  }
+
+  nlohmann::json searched_;
+  std::vector<bench::AnnotatedModel> annotated_;
+  Counts axes_, planes_;
+  Residuals residuals_;
+  bench::AnnotationCounts annotation_counts_;
+  std::string comparisons_;
+  double slowest_ = 0.0, total_ = 0.0;  ///< [s]
+  int models_ = 0;
+};
+
+void run(const Input& input) {
+  Benchmark benchmark(input);
+  for (const NamedMesh& model : read_mesh_folder(input.meshes).meshes) benchmark.add(model);
+  benchmark.print();
 }
 
 }  // namespace
 }  // namespace symscene
 
 int main(int argc, char** argv) {
-  CLI::App app("Symmetry groups of whole models against those that an exhaustive search found");
-  std::string meshes, searched;
-  app.add_option("MESHES", meshes, "folder of meshes")->required();
-  app.add_option("SEARCHED", searched, "JSON: by name diag, centroid, rot and refl")->required();
+  CLI::App app("Symmetry groups of whole models: exact residuals, and what is known of them");
+  symscene::Input input;
+  app.add_option("MESHES", input.meshes, "folder of meshes")->required();
+  app.add_option("SEARCHED", input.searched,
+                 "JSON of an exhaustive search: by name diag, centroid, rot and refl");
+  app.add_option("--annotated", input.annotated,
+                 "symmetries that a person saw in 20 objects of the YCB set: blocks of five lines");
   CLI11_PARSE(app, argc, argv);
   return symscene::bench::exit_code_of("symscene_bench_model_symmetries", [&] {
-    symscene::run(meshes, searched);
+    symscene::run(input);
     return 0;
   });
 }
