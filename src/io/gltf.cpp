@@ -19,7 +19,7 @@ constexpr std::size_t fan_mode = 6;
 /// Nodes may share a mesh, so a small file can contain many primitives.
 constexpr std::size_t max_primitives = 1'000'000;
 /// Vertices and corners per byte of the file and its buffers, beyond the first million.
-constexpr std::size_t max_expansion = 100;
+constexpr std::size_t max_expansion = 30;
 constexpr std::size_t small_mesh = 1'000'000;
 
 Eigen::Vector3d vector_or(const JsonCursor& node, const char* key, double otherwise) {
