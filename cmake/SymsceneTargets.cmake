@@ -13,8 +13,10 @@ endif()
 
 add_library(symscene_flags INTERFACE)
 target_compile_features(symscene_flags INTERFACE cxx_std_20)
-target_compile_definitions(symscene_flags INTERFACE EIGEN_MPL2_ONLY
-  $<$<BOOL:${SYMSCENE_STD_THREADS}>:SYMSCENE_STD_THREADS>)
+target_compile_definitions(symscene_flags INTERFACE EIGEN_MPL2_ONLY)
+if(SYMSCENE_STD_THREADS)
+  target_include_directories(symscene_flags BEFORE INTERFACE ${PROJECT_SOURCE_DIR}/tests/std_threads)
+endif()
 target_compile_options(symscene_flags INTERFACE
   -Wall -Wextra -Wconversion $<$<AND:$<BOOL:${SYMSCENE_WERROR}>,$<BOOL:${tested_compiler}>>:-Werror>
   # GCC 12 invents these in its own std::string (its bugs 105329, 105651); the sanitizers see true ones.

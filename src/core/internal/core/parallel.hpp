@@ -7,25 +7,17 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#ifdef SYMSCENE_STD_THREADS
-#include "core/std_threads.hpp"
-#endif
-
 namespace symscene {
 
 /// Runs body(i) for i in [0, count), each in its own task: for few items of unequal cost.
 template <class Body>
 void parallel_for_each(std::size_t count, const Body& body) {
-#ifdef SYMSCENE_STD_THREADS
-  for_each_on_std_threads(count, body);
-#else
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, count, 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
       },
       tbb::simple_partitioner());
-#endif
 }
 
 /// Runs body(begin, end) on blocks of [0, count) that do not depend on the number of threads.
