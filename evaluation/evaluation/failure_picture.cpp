@@ -18,9 +18,11 @@ constexpr float margin = 1.5F;              // around the shown points, times th
 constexpr double least_share = 0.1;  // of the object's points that an object in its place has
 constexpr double elevation = 0.6;    // of the view [rad]
 
-enum class Shade : std::uint8_t { other, missed, common, foreign };
-constexpr std::array<std::array<std::uint8_t, 3>, 4> shades{
-    {{170, 176, 184}, {196, 40, 32}, {30, 140, 84}, {40, 96, 200}}};
+/// The last three are for points that the object has in common with chosen ones, in turn.
+enum class Shade : std::uint8_t { other, missed, foreign, first, second, third };
+constexpr std::size_t common_shades = 3;
+constexpr std::array<std::array<std::uint8_t, 3>, 6> shades{
+    {{170, 176, 184}, {196, 40, 32}, {40, 96, 200}, {30, 140, 84}, {225, 160, 30}, {140, 80, 190}}};
 
 /// The objects that have a tenth of the mask or more, with the number of points in common.
 struct Replacement {
@@ -51,9 +53,14 @@ std::string in_words(const PointIndices& mask, const std::vector<Replacement>& f
 std::vector<Shade> shades_of(const PointIndices& mask, const std::vector<Replacement>& found,
                              const SegmentationResult& result) {
   std::vector<Shade> shown(result.cloud.size(), Shade::other);
-  for (const Replacement& each : found)
-    for (const Index i : result.objects[each.id].points) shown[i] = Shade::foreign;
-  for (const Index i : mask) shown[i] = shown[i] == Shade::foreign ? Shade::common : Shade::missed;
+  for (const Index i : mask) shown[i] = Shade::missed;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto own = static_cast<std::size_t>(Shade::first) + (k % common_shades);
+    for (const Index i : result.objects[found[k].id].points) {
+      if (shown[i] == Shade::missed) shown[i] = static_cast<Shade>(own);
+      if (shown[i] == Shade::other) shown[i] = Shade::foreign;
+    }
+  }
   return shown;
 }
 

@@ -5,8 +5,8 @@
 namespace symscene {
 
 /// Adds to a missed object what was chosen in its place: which of the result's objects have a tenth
-/// of its points or more, and a picture from obliquely above with its points in none of them red,
-/// in them green, their other points blue and all else grey.
+/// of its points or more, and a picture from obliquely above: its points in none of them are red,
+/// those in them green, yellow and violet in turn, their other points blue and all else grey.
 void show_failure(const PointIndices& mask, const SegmentationResult& result,
                   ObjectOutcome& outcome);
 
