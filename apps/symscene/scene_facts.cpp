@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Facts::Json coordinates(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+Facts::Json position_json(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
 void add_box(Facts& facts, const Points& points) {
   const Box box = bounding_box(points);
@@ -27,7 +27,7 @@ void add_box(Facts& facts, const Points& points) {
             fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}: {:.3f}×{:.3f}×{:.3f} m",
                         box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(),
                         box.max.z(), size.x(), size.y(), size.z()),
-            "box", {{"min", coordinates(box.min)}, {"max", coordinates(box.max)}});
+            "box", {{"min", position_json(box.min)}, {"max", position_json(box.max)}});
 }
 
 void add_cloud(Facts& facts, const PointCloud& cloud) {
