@@ -17,5 +17,6 @@ void bind_sequences(pybind11::module_& module);
 void bind_reconstruction(pybind11::module_& module);
 void bind_grasps(pybind11::module_& module);
 void bind_completion(pybind11::module_& module);
+void bind_evaluation(pybind11::module_& module);
 
 }  // namespace symscene::python

@@ -18,4 +18,5 @@ PYBIND11_MODULE(_symscene, module) {
   bind_reconstruction(module);
   bind_grasps(module);
   bind_completion(module);
+  bind_evaluation(module);
 }

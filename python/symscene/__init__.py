@@ -13,6 +13,7 @@ Invalid input raises InputError, a ValueError whose message is the sentence that
 """
 
 from ._example import example_depth, example_sweep
+from ._evaluate import evaluate
 from ._options import OptionDescription, default_options, describe_options
 from ._grasps import grasps
 from ._reconstruct import Reconstruction, reconstruct
@@ -91,6 +92,7 @@ __all__ = [
     "complete",
     "default_options",
     "describe_options",
+    "evaluate",
     "example_depth",
     "example_sweep",
     "grasps",

@@ -425,3 +425,6 @@ def complete(
 def plan_grasps(
     result: SegmentationResult, gripper: str, scene: Optional[Scene], options: str, threads: int
 ) -> GraspPlan: ...
+def evaluate(
+    dataset: str, options: str, fast: bool, progress: _Progress, threads: int
+) -> Tuple[str, List[str]]: ...

@@ -91,6 +91,12 @@ class Scans(BatchTest):
         self.assertEqual({row["status"] for row in rows}, {"done"})
         self.assertEqual(sorted({row["scan"] for row in rows}), [scan.name for scan in self.scans])
 
+    def test_of_a_shard_that_there_is_not_are_refused(self):
+        process = self.start(self.scans_folder, "-o", "out", "--shard", "4/3")
+        told = process.communicate()[1]
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("expected i/n with 1 <= i <= n", told)
+
     def test_that_are_refused_keep_their_sentence_and_do_not_stop_the_others(self):
         (self.scans_folder / "scan0.ply").write_text("text")
         scans = batch.find_scans(self.scans_folder)
@@ -181,12 +187,6 @@ class Workers(BatchTest):
         for scan in self.scans:
             one, other = (next((self.folder / k / "results").glob(f"*/{scan.name}")) for k in ("out", "one"))
             self.assert_same_files(one, other)
-
-    def test_of_another_program_are_refused_with_a_sentence(self):
-        process = self.start(self.scans_folder, "-o", "out", "--shard", "4/3")
-        told = process.communicate()[1]
-        self.assertEqual(process.returncode, 2)
-        self.assertIn("expected i/n with 1 <= i <= n", told)
 
 
 if __name__ == "__main__":

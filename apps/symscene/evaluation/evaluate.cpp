@@ -11,7 +11,7 @@
 #include "evaluation_baselines.hpp"
 #include "io/atomic_file.hpp"
 #include "session.hpp"
-#include "symscene/dataset/dataset_folder.hpp"
+#include "symscene/dataset/dataset_evaluation.hpp"
 #include "symscene/evaluation/report.hpp"
 #include "symscene/workflow/segment_options.hpp"
 #include "workflow/score_models.hpp"
@@ -74,46 +74,12 @@ struct Evaluate {
     return fields;
   }
 
-  static void warn_of(const DatasetEntry& entry, std::span<const std::string> warnings,
-                      Session& session) {
-    for (const std::string& warning : warnings)
-      session.warn(fmt::format("scene {}: {}", entry.name, warning));
-  }
-
-  static std::optional<LabeledView> view_of(const LoadedEntry& known) {
-    if (!known.labeled) return std::nullopt;
-    const LabeledFrame& labeled = *known.labeled;
-    return LabeledView{labeled.camera, labeled.frame.depth, labeled.labels};
-  }
-
   Evaluation evaluate(const std::vector<DatasetEntry>& entries, Session& session) const {
-    Evaluation evaluation;
     SingleViewOptions single_views;
     single_views.view = stages.view;
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      const DatasetEntry& entry = entries[k];
-      const auto on_begin = [&](const std::string& stage) {
-        session.on_begin()(
-            fmt::format("scene {} of {}, {}: {}", k + 1, entries.size(), entry.name, stage));
-      };
-      on_begin("read");
-      const LoadedEntry known = load_entry(entry, single_views);
-      // Before the scene is evaluated: they explain why that may fail. The evaluation repeats them.
-      warn_of(entry, known.scene.warnings, session);
-      SceneEvaluation scene = naming(dataset / entry.name, [&] {
-        return evaluate_scene(known.scene, known.truth, options, on_begin, view_of(known));
-      });
-      const std::span<const std::string> all = scene.warnings;
-      warn_of(entry, all.subspan(known.scene.warnings.size()), session);
-      scene.name = entry.name;
-      scene.subset = known.subset;
-      for (std::size_t i = 0; i < known.lost.size(); ++i) {
-        if (scene.objects[i].outcome == Outcome::lost && !known.lost[i].empty())
-          scene.objects[i].reason = known.lost[i];
-      }
-      evaluation.add(std::move(scene));
-    }
-    return evaluation;
+    const EvaluationCalls calls{session.on_begin(),
+                                [&](const std::string& warning) { session.warn(warning); }};
+    return evaluate_dataset(dataset, entries, options, single_views, calls);
   }
 
   std::string made_with(const DatasetListing& listing) const {

@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pathlib
 import uuid
+from typing import Iterator, TextIO
 
 
-def write_atomically(path: pathlib.Path, text: str) -> None:
-    """Write a temporary file beside the path and rename it. Parents are made."""
+@contextlib.contextmanager
+def atomic_file(path: pathlib.Path) -> Iterator[TextIO]:
+    """A temporary file beside the path, which is renamed at the end. Parents are made."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
     try:
         with open(temporary, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
+            yield file
             file.flush()
             os.fsync(file.fileno())
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def write_atomically(path: pathlib.Path, text: str) -> None:
+    with atomic_file(path) as file:
+        file.write(text)

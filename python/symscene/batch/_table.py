@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import csv
 import importlib.util
-import io
 import os
 import pathlib
 import uuid
 from typing import Any, Dict, Iterator, List, Sequence
 
 from .. import _symscene
-from ._files import write_atomically
+from ._files import atomic_file
 from ._manifest import Scan
 from ._task import read_record
 
@@ -29,7 +28,15 @@ def _rows(record: Dict[str, Any]) -> Iterator[List[Any]]:
         yield [*head, *(item[name] for name in _OBJECT_COLUMNS), *place, item["volume"]]
 
 
-def _write_parquet(path: pathlib.Path, rows: List[List[Any]]) -> None:
+def _all_rows(scans: Sequence[Scan], output: str) -> Iterator[List[Any]]:
+    for scan in scans:
+        record = read_record(output, scan.name)
+        if record is None:
+            _symscene.refuse(output, f"a record of each of {len(scans)} scans", f"none of {scan.name}")
+        yield from _rows(record)
+
+
+def _write_parquet(path: pathlib.Path, rows: Iterator[List[Any]]) -> None:
     import pyarrow
     import pyarrow.parquet
 
@@ -37,7 +44,10 @@ def _write_parquet(path: pathlib.Path, rows: List[List[Any]]) -> None:
     types = {"scan": text, "sha256": text, "status": text, "message": text, "class": text}
     types.update({name: whole for name in ("object", "points", "axes", "planes")})
     schema = pyarrow.schema([(name, types.get(name, pyarrow.float64())) for name in COLUMNS])
-    columns = {name: [row[i] for row in rows] for i, name in enumerate(COLUMNS)}
+    columns: Dict[str, List[Any]] = {name: [] for name in COLUMNS}
+    for row in rows:
+        for name, value in zip(COLUMNS, row):
+            columns[name].append(value)
     temporary = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
     pyarrow.parquet.write_table(pyarrow.table(columns, schema=schema), temporary)
     os.replace(temporary, path)
@@ -49,18 +59,11 @@ def merge(scans: Sequence[Scan], output: str) -> pathlib.Path:
     Equal records give equal bytes, whoever made them in whatever order. Raises InputError if a scan has
     no record.
     """
-    rows: List[List[Any]] = []
-    for scan in scans:
-        record = read_record(output, scan.name)
-        if record is None:
-            _symscene.refuse(output, f"a record of each of {len(scans)} scans", f"none of {scan.name}")
-        rows += _rows(record)
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    writer.writerows(rows)
     table = pathlib.Path(output) / "table.csv"
-    write_atomically(table, text.getvalue())
+    with atomic_file(table) as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        writer.writerows(_all_rows(scans, output))
     if importlib.util.find_spec("pyarrow") is not None:
-        _write_parquet(table.with_suffix(".parquet"), rows)
+        _write_parquet(table.with_suffix(".parquet"), _all_rows(scans, output))
     return table
