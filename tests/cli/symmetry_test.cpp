@@ -72,8 +72,7 @@ TEST_F(SymmetryCommand, WritesModelsInfoOfAFolder) {
 TEST_F(SymmetryCommand, WarnsOfModelsInAnotherUnitThanSaid) {
   const Outcome outcome = run("models --format bop -o models_info.json");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("obj_000003 (2.97e+05 mm)"), std::string::npos)
-      << outcome.err;
+  EXPECT_NE(outcome.err.find("obj_000003 (2.97e+05 mm)"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("--units"), std::string::npos) << outcome.err;
 }
 

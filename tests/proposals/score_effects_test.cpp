@@ -14,8 +14,8 @@ const ScoreModels models{object_model(), object_context_model(), 0.5};
 double log_odds_of(const ObjectProposal& proposal) {
   ProposalContext context = proposal.context;
   context.estimate = estimated_probability(proposal.features);
-  return log_odds(pooled_probability(context.estimate,
-                                     estimated_probability(proposal.features, context), 0.5));
+  return log_odds(
+      pooled_probability(context.estimate, estimated_probability(proposal.features, context), 0.5));
 }
 
 /// A convex thing in one piece beside two that are not.
