@@ -5,6 +5,7 @@
 #include "similarity.hpp"
 
 #include "surfaces.hpp"
+#include "symmetry/group_orders.hpp"
 #include "symmetry/object_symmetry.hpp"
 #include "symmetry/sphere_fit.hpp"
 #include "symscene/symmetry/reflectional_detection.hpp"
@@ -263,12 +264,6 @@ std::vector<PointCloud> whole_surfaces() {
   return {sample_surface(make_box({0.1, 0.16, 0.23}, 0.023), 6000),
           sample_surface(make_revolution(bar, 6, 0.2), 6000),
           sample_surface(make_revolution(cone, 64, 0.01), 6000)};
-}
-
-std::vector<int> orders_of(const SymmetryGroup& group) {
-  std::vector<int> orders;
-  for (const GroupAxis& found : group.axes) orders.push_back(found.order);
-  return orders;
 }
 
 /// Whether a group has the rotations of another one that is moved and scaled.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "surfaces.hpp"
+#include "symmetry/group_orders.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/thread_limit.hpp"
 
@@ -85,12 +86,6 @@ struct Expected {
   std::size_t planes;
   std::size_t rotations;
 };
-
-std::vector<int> orders_of(const SymmetryGroup& group) {
-  std::vector<int> orders;
-  for (const GroupAxis& found : group.axes) orders.push_back(found.order);
-  return orders;
-}
 
 TEST(SymmetryGroup, IsThatOfSolidsAtAnyScaleAndPlace) {
   const std::vector<Expected> solids = {
