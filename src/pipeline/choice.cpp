@@ -100,6 +100,23 @@ void classify_object(const SceneProposals& proposals, const PipelineOptions& opt
 
 constexpr std::size_t explained_rejections = 30;
 
+/// Rejections by score, and the proposals that they are of: those that came nearest to becoming an
+/// object.
+std::vector<std::pair<Rejection*, const ObjectProposal*>> nearest_rejections(
+    const SceneProposals& proposals, SegmentationResult& result) {
+  std::vector<std::pair<Rejection*, const ObjectProposal*>> nearest;
+  for (const ObjectProposal& proposal : proposals.objects) {  // by falling score
+    const auto rejection = std::find_if(
+        result.rejected.begin(), result.rejected.end(), [&](const Rejection& rejected) {
+          return rejected.reason == "score" && rejected.points == proposal.merged.points;
+        });
+    if (rejection == result.rejected.end()) continue;
+    nearest.emplace_back(&*rejection, &proposal);
+    if (nearest.size() == explained_rejections) break;
+  }
+  return nearest;
+}
+
 /// Tells what decided the scores of the objects, and of the rejected proposals that came nearest to
 /// becoming one.
 void explain_scores(const SceneProposals& proposals, const std::vector<std::size_t>& chosen,
@@ -109,19 +126,16 @@ void explain_scores(const SceneProposals& proposals, const std::vector<std::size
                            chosen_model(scoring.object_among_others, object_context_model()),
                            scoring.proposal_context.own_weight};
   const ScoreInputs medians = median_inputs(proposals.objects);
-  parallel_for_each(chosen.size(), [&](std::size_t k) {
-    result.objects[k].score_effects = score_effects(proposals.objects[chosen[k]], medians, models);
+  const auto rejections = nearest_rejections(proposals, result);
+  parallel_for_each(chosen.size() + rejections.size(), [&](std::size_t k) {
+    if (k < chosen.size()) {
+      result.objects[k].score_effects =
+          score_effects(proposals.objects[chosen[k]], medians, models);
+    } else {
+      const auto& [rejection, proposal] = rejections[k - chosen.size()];
+      rejection->score_effects = score_effects(*proposal, medians, models);
+    }
   });
-  std::size_t explained = 0;
-  for (const ObjectProposal& proposal : proposals.objects) {  // by falling score
-    const auto rejection = std::find_if(
-        result.rejected.begin(), result.rejected.end(), [&](const Rejection& rejected) {
-          return rejected.reason == "score" && rejected.points == proposal.merged.points;
-        });
-    if (rejection == result.rejected.end()) continue;
-    rejection->score_effects = score_effects(proposal, medians, models);
-    if (++explained == explained_rejections) break;
-  }
 }
 
 /// Proposals by probability, with the symmetries estimated anew on all points of each object.
