@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <deque>
 #include <system_error>
@@ -88,9 +89,11 @@ std::string describe_end(int status) {
   _exit(0);
 }
 
-/// Runs a worker, which starts a process per item. Never returns.
+/// Runs a worker, which starts a process per item. Both are a group, so that they can be ended
+/// together. Never returns.
 [[noreturn]] void serve(int socket, const ProcessPool::Work& work, pid_t parent) {
   end_with_parent(parent);
+  setpgid(0, 0);
   const pid_t self = getpid();
   for (;;) {
     const std::string packet = receive_packet(socket);
@@ -118,7 +121,9 @@ sigset_t requests_to_end() {
 
 }  // namespace
 
-ProcessPool::ProcessPool(std::size_t processes, const Work& work) {
+ProcessPool::ProcessPool(std::size_t processes, const Work& work,
+                         std::optional<std::chrono::milliseconds> time_limit)
+    : time_limit_(time_limit) {
   try {
     for (std::size_t i = 0; i < processes; ++i) add_worker(work);
   } catch (...) {
@@ -149,12 +154,16 @@ void ProcessPool::add_worker(const Work& work) {
     close(sockets[0]);
     refuse();
   }
-  workers_.push_back({process, sockets[0], false, 0});
+  setpgid(process, process);  // whichever of the two comes first
+  workers_.push_back({process, sockets[0]});
 }
 
 void ProcessPool::close_workers() {
   for (Worker& worker : workers_) {
-    if (worker.busy) kill(worker.process, SIGTERM);
+    if (worker.busy) {
+      kill(-worker.process, SIGTERM);
+      kill(-worker.process, SIGCONT);  // a stopped process ends when it goes on
+    }
     retire(worker);
   }
 }
@@ -170,6 +179,7 @@ bool ProcessPool::give(Worker& worker, std::size_t item) {
   std::string packet(sizeof(item), '\0');
   std::memcpy(packet.data(), &item, sizeof(item));
   worker.item = item;
+  worker.begin = std::chrono::steady_clock::now();
   worker.busy = send_packet(worker.socket, packet);
   if (!worker.busy) retire(worker);
   return worker.busy;
@@ -185,6 +195,30 @@ ItemOutcome ProcessPool::take(Worker& worker) {
   }
   outcome.done = packet.front() == mark_done;
   outcome.text = packet.substr(1);
+  return outcome;
+}
+
+/// Until the first item is overdue; -1 without a limit.
+int ProcessPool::milliseconds_left(const std::vector<Worker*>& busy) const {
+  if (!time_limit_) return -1;
+  auto least = *time_limit_;
+  for (const Worker* worker : busy)
+    least = std::min(least, std::chrono::ceil<std::chrono::milliseconds>(
+                                worker->begin + *time_limit_ - std::chrono::steady_clock::now()));
+  return static_cast<int>(std::clamp<std::int64_t>(least.count(), 0, 60'000));
+}
+
+bool ProcessPool::is_overdue(const Worker& worker) const {
+  return time_limit_ && std::chrono::steady_clock::now() - worker.begin >= *time_limit_;
+}
+
+ItemOutcome ProcessPool::give_up(Worker& worker) const {
+  const double seconds = std::chrono::duration<double>(*time_limit_).count();
+  ItemOutcome outcome{
+      worker.item, false,
+      fmt::format("it was not done within {:g} s, and its process was ended", seconds)};
+  kill(-worker.process, SIGKILL);
+  retire(worker);
   return outcome;
 }
 
@@ -204,12 +238,15 @@ void ProcessPool::run(const std::vector<std::size_t>& items,
       busy.push_back(&worker);
     }
     if (busy.empty()) break;
-    if (poll(waiting.data(), waiting.size(), -1) < 0) {
+    if (poll(waiting.data(), waiting.size(), milliseconds_left(busy)) < 0) {
       if (errno == EINTR) continue;
       throw std::system_error(errno, std::generic_category(), "waiting for processes");
     }
     for (std::size_t i = 0; i < busy.size(); ++i) {
-      if (waiting[i].revents != 0) on_outcome(take(*busy[i]));
+      if (waiting[i].revents != 0)
+        on_outcome(take(*busy[i]));
+      else if (is_overdue(*busy[i]))
+        on_outcome(give_up(*busy[i]));
     }
   }
   for (const std::size_t item : left)

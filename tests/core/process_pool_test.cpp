@@ -12,11 +12,12 @@ namespace symscene {
 namespace {
 
 std::map<std::size_t, ItemOutcome> outcomes(std::size_t processes, std::size_t items,
-                                            const ProcessPool::Work& work) {
+                                            const ProcessPool::Work& work,
+                                            std::optional<std::chrono::milliseconds> limit = {}) {
   std::vector<std::size_t> numbers(items);
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   std::map<std::size_t, ItemOutcome> result;
-  ProcessPool pool(processes, work);
+  ProcessPool pool(processes, work, limit);
   pool.run(numbers, [&](const ItemOutcome& outcome) {
     EXPECT_EQ(result.count(outcome.item), 0U);
     result[outcome.item] = outcome;
@@ -70,6 +71,19 @@ TEST(ProcessPool, OutlivesItsWorkers) {
        })) {
     EXPECT_FALSE(outcome.done);
   }
+}
+
+TEST(ProcessPool, GivesUpItemsWhoseProcessesAreStopped) {
+  const auto all = outcomes(
+      3, 6,
+      [](std::size_t i) -> std::string {
+        if (i == 0) raise(SIGSTOP);
+        if (i == 1) kill(getppid(), SIGSTOP), pause();
+        return "well";
+      },
+      std::chrono::milliseconds(300));
+  for (const auto& [item, outcome] : all) EXPECT_EQ(outcome.done, item > 1) << outcome.text;
+  EXPECT_NE(all.at(0).text.find("0.3 s"), std::string::npos) << all.at(0).text;
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int default_time_limit = 3600;  ///< of a scene [s]
+
 struct Dataset {
   SharedOptions shared;
   DatasetOptions options;
@@ -29,6 +31,7 @@ struct Dataset {
   std::optional<int> frames;
   std::optional<int> min_objects;
   std::optional<int> max_objects;
+  std::optional<int> time_limit;
   std::optional<std::uint64_t> seed;
 
   OptionFields configure() {
@@ -90,9 +93,12 @@ struct Dataset {
     const std::size_t processes =
         std::min(wanted.size(), shared.threads == 0 ? cores : shared.threads);
     // The pool forks, so it comes before the session, whose progress line has a thread.
-    ProcessPool pool(processes, [&](std::size_t i) {
-      return make_and_write_scene(absolute(dir), options, split(), folder.models, i);
-    });
+    ProcessPool pool(
+        processes,
+        [&](std::size_t i) {
+          return make_and_write_scene(absolute(dir), options, split(), folder.models, i);
+        },
+        std::chrono::seconds(time_limit.value_or(default_time_limit)));
     make_missing(wanted, pool, folder.warnings);
   }
 
@@ -150,6 +156,10 @@ void add_dataset(CommandLine& line) {
                   with_default("most objects per scene", defaults.max_objects));
   arguments.count("--frames", state->frames, range_of(defaults, "camera.frames"),
                   with_default("frames per sweep", defaults.camera.frames));
+  arguments.count("--time-limit", state->time_limit, between(1, 1e6),
+                  with_default("seconds after which a scene is given up, as its process is stopped "
+                               "or hangs",
+                               default_time_limit));
   arguments.seed(state->seed, defaults.seed);
   arguments.run_stages(state);
 }

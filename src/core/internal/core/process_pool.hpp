@@ -2,7 +2,9 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +26,10 @@ class ProcessPool {
   /// an exception becomes the text of the outcome.
   using Work = std::function<std::string(std::size_t item)>;
 
-  /// Throws InputError if no process can be started.
-  ProcessPool(std::size_t processes, const Work& work);
+  /// An item that takes longer than `time_limit` is given up, and its processes with it; without a
+  /// limit a stopped process is waited for. Throws InputError if no process can be started.
+  ProcessPool(std::size_t processes, const Work& work,
+              std::optional<std::chrono::milliseconds> time_limit = std::nullopt);
   ~ProcessPool();
   ProcessPool(const ProcessPool&) = delete;
   ProcessPool& operator=(const ProcessPool&) = delete;
@@ -41,6 +45,7 @@ class ProcessPool {
     int socket = -1;
     bool busy = false;
     std::size_t item = 0;
+    std::chrono::steady_clock::time_point begin = {};  ///< of the item
   };
 
   void add_worker(const Work& work);
@@ -48,7 +53,11 @@ class ProcessPool {
   static bool give(Worker& worker, std::size_t item);
   static ItemOutcome take(Worker& worker);
   static void retire(Worker& worker);
+  int milliseconds_left(const std::vector<Worker*>& busy) const;
+  bool is_overdue(const Worker& worker) const;
+  ItemOutcome give_up(Worker& worker) const;
 
+  std::optional<std::chrono::milliseconds> time_limit_;
   std::vector<Worker> workers_;
 };
 
