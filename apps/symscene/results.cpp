@@ -1,8 +1,8 @@
 #include "results.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include "core/median.hpp"
 
 namespace symscene::app {
 namespace {
@@ -41,12 +41,6 @@ std::string format_class(const SceneObject& object) {
   return text;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 }  // namespace
 
 std::string format_objects(const SegmentationResult& result) {
@@ -68,7 +62,7 @@ std::vector<StageTime> median_times(const std::vector<std::vector<StageTime>>& r
   for (std::size_t i = 0; i < medians.size(); ++i) {
     std::vector<double> seconds;
     for (const std::vector<StageTime>& run : runs) seconds.push_back(run.at(i).seconds);
-    medians[i].seconds = median(std::move(seconds));
+    medians[i].seconds = median(std::move(seconds)).value_or(0.0);
   }
   return medians;
 }
