@@ -8,8 +8,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   const std::string_view bytes = fuzz::as_bytes(data, size);
-  fuzz::accepted([&] { return parse_ros_camera_info(bytes, "fuzz"); });
-  const auto image = fuzz::accepted([&] { return parse_ros_image(bytes, "fuzz"); });
+  fuzz::accepted([&] { return parse_ros_camera_info(bytes, RosFormat::ros1, "fuzz"); });
+  const auto image =
+      fuzz::accepted([&] { return parse_ros_image(bytes, RosFormat::ros1, "fuzz"); });
   if (!image) return 0;
   const auto pixels =
       static_cast<std::size_t>(image->size.width) * static_cast<std::size_t>(image->size.height);

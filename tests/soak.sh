@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# soak.sh SECONDS ROOM...: of what ./run soak built, runs all fuzz targets for six tenths of the time, failing calls for two
-# tenths, and the tests of the rooms under the thread sanitizer and valgrind for one each. Prints a table; fails on a finding.
+# soak.sh SECONDS ROOM...: of what ./run soak built, runs all fuzz targets for six tenths of the time, the tests of the rooms
+# under the thread sanitizer and valgrind for one each, failing allocations for two, and then all other failing calls.
+# Prints a table; fails on a finding.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 readonly seconds=$1 jobs=${SYMSCENE_JOBS:-$(nproc)} out=out/soak
@@ -29,6 +30,7 @@ fuzz_all() {
     executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$out/fuzz-$name.log")
     coverage=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$out/fuzz-$name.log" | tail -1)
     found=$(find "$out/found/$name" -type f | wc -l)
+    [[ -n $executions ]] || found=$((found + 1)) # it did not run: see its log
     findings=$((findings + found))
     row "fuzz $name" "${executions:--}" "${coverage:--}" "$found"
   done
@@ -63,7 +65,7 @@ if command -v valgrind >/dev/null; then
 else
   echo "No valgrind"
 fi
-commands=17
+commands=18
 share=$((seconds / 5 / commands))
 test_room faults commands $((seconds + 3600)) env SYMSCENE_FAULT_SECONDS=$((share > 0 ? share : 1)) build/tests/symscene_test_faults
 grep '^faults: ' "$out/faults-commands.log"

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "counted.hpp"
 #include "io/atomic_file.hpp"
+#include "sequence_only.hpp"
 #include "session.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/mcap.hpp"
@@ -27,6 +28,7 @@ struct Export {
   /// The file, and what it holds.
   std::pair<std::string, std::string> content(Session& session) const {
     if (std::filesystem::exists(input / "objects.json")) {
+      require_no_camera(source, "a sequence, not a result");
       const SegmentationResult result = read_result(input);
       return {format_result_mcap(result, mcap_compression()),
               counted(result.objects.size(), "object")};

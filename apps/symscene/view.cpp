@@ -8,6 +8,7 @@
 #include "io/atomic_file.hpp"
 #include "page_sweep.hpp"
 #include "result_page.hpp"
+#include "sequence_only.hpp"
 #include "session.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/viewer/page.hpp"
@@ -24,7 +25,10 @@ struct View {
   SequenceOptions source;
 
   std::vector<PageFrame> sweep(const Trajectory& trajectory, Session& session) const {
-    if (frames.empty()) return {};
+    if (frames.empty()) {
+      require_no_camera(source, "--sequence, whose camera it tells");
+      return {};
+    }
     const auto sequence = open_sequence(frames, source);
     session.warn(sequence->warnings());
     return page_sweep(*sequence, trajectory, frames);
@@ -34,7 +38,8 @@ struct View {
     if (scene.empty()) return {};
     std::vector<PageTruth> known = page_truth(scene, cloud);
     if (known.empty())
-      session.warn(scene.string() + ": no truth.json that this build reads; it is left out");
+      session.warn(scene.string() +
+                   ": no scene with a truth.json that this build reads; it is left out");
     return known;
   }
 

@@ -41,7 +41,8 @@ std::vector<Replacement> replacements(const PointIndices& mask, const Segmentati
 
 std::string in_words(const PointIndices& mask, const std::vector<Replacement>& found,
                      const SegmentationResult& result) {
-  if (found.empty()) return fmt::format("nothing: its {} points are in no object", mask.size());
+  if (found.empty())
+    return fmt::format("nothing: no object has a tenth of its {} points", mask.size());
   std::string text;
   for (const Replacement& each : found) {
     text += fmt::format("{}object {} with {} points, {} of its {}", text.empty() ? "" : "; ",

@@ -195,8 +195,8 @@ std::string failure_pictures(const Evaluation& evaluation) {
   std::string html = section(
       "Worst failures",
       "Missed objects by their best IoU with a returned mask, without those of few points. Red: "
-      "points of the object that are in no mask of the result; green, yellow, violet: those in "
-      "masks, a colour each; blue: other points of those masks; grey: the rest of the scene.");
+      "points of the object in no mask that has a tenth of it; green, yellow, violet: those in "
+      "such masks, a colour each; blue: other points of those masks; grey: the rest of the scene.");
   html += "<div class=\"failures\">\n";
   for (const Failure& failure : failures) html += failure_figure(failure);
   return html + "</div>\n";

@@ -26,7 +26,7 @@ class ViewLook {
     TakenLook look;
     while (taken_ < options_.look.max_views) {
       const NextViews next = ranked();
-      look.is_enough = next.is_enough;
+      look.is_enough = next.is_enough && !next.ranked.empty();  // else no view is left
       if (next.is_enough || !go(order(next))) break;
     }
     look.robot_share = taken_ == 0 ? 0.0 : covered_ / taken_;

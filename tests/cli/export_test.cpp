@@ -22,6 +22,9 @@ TEST_F(Command, RefusesToExportWhatIsNeitherResultNorSequence) {
       << scene.err;
   EXPECT_FALSE(fs::exists(file("scene.mcap")));
   EXPECT_EQ(run("export result -o result.json").code, 2);
+  const Outcome scaled = run("export result -o result.mcap --depth-scale 1000");
+  EXPECT_NE(scaled.code, 0);
+  EXPECT_NE(scaled.err.find("--depth-scale"), std::string::npos) << scaled.err;
   EXPECT_EQ(run("export result -o result.mcap --compression gzip").code, 2);
 }
 

@@ -73,6 +73,7 @@ const std::vector<Writer>& writers() {
       {"segment", "segment in/scene -o new/result --page new/page.html", {"result", "page.html"}},
       {"masks", "masks in/result in/sweep -o new/masks", {"masks"}},
       {"view", "view in/result -o new/page.html", {"page.html"}},
+      {"export", "export in/result -o new/result.mcap", {"result.mcap"}},
       {"grasp",
        "grasp in/result --scene in/scene -o new/g.json --page new/g.html --config in/grasp.json",
        {"g.json", "g.html"}},
@@ -181,7 +182,7 @@ class Faults : public ::testing::TestWithParam<Writer> {
 
   static FaultyRun run(Kind kind = Kind::open, std::uint64_t call = 0) {
     std::string line = GetParam().line + " --quiet";
-    if (GetParam().name != "view") line += " --threads 1";
+    if (GetParam().name != "view" && GetParam().name != "export") line += " --threads 1";
     return run_with_fault(folder_, line, kind, call);
   }
 

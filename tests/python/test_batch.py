@@ -153,8 +153,9 @@ class Manifests(BatchTest):
         (folder / "depth" / "1.png").write_text("one")
         (folder / "a.txt").write_text("two")
         (folder / ".hidden").write_text("three")
+        (folder / "depth" / ".hidden").write_text("four")
         told = subprocess.run(
-            "find * -type f | LC_ALL=C sort | xargs sha256sum | sha256sum",
+            "find -L * -type f -not -path '*/.*' | LC_ALL=C sort | xargs sha256sum | sha256sum",
             shell=True, cwd=folder, capture_output=True, text=True, check=True,
         )
         self.assertEqual(batch.content_hash(folder), told.stdout.split()[0])

@@ -156,10 +156,11 @@ void add_dataset(CommandLine& line) {
                   with_default("most objects per scene", defaults.max_objects));
   arguments.count("--frames", state->frames, range_of(defaults, "camera.frames"),
                   with_default("frames per sweep", defaults.camera.frames));
-  arguments.count("--time-limit", state->time_limit, between(1, 1e6),
-                  with_default("seconds after which a scene is given up, as its process is stopped "
-                               "or hangs",
-                               default_time_limit));
+  arguments.count(
+      "--time-limit", state->time_limit, between(1, 1e6),
+      with_default("seconds after which a scene is given up, with its process of --threads, "
+                   "as it is stopped or hangs",
+                   default_time_limit));
   arguments.seed(state->seed, defaults.seed);
   arguments.run_stages(state);
 }

@@ -9,7 +9,7 @@ again. In Python:
     from symscene import batch
 
     scans = batch.find_scans("scans")
-    batch.run(scans, batch.Settings("out"), workers=8)
+    batch.run(scans, batch.Settings("out"), batch.Cluster(workers=8))
     batch.merge(scans, "out")
 """
 

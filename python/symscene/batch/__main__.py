@@ -81,6 +81,9 @@ def _options(file: Optional[str]) -> Optional[Dict[str, Any]]:
 def _scans(arguments: argparse.Namespace) -> List[Scan]:
     """Of a manifest, or of a folder, whose manifest is then written."""
     if os.path.isdir(arguments.input):
+        scan_folder = pathlib.Path(arguments.input).resolve()
+        if scan_folder in pathlib.Path(arguments.output).resolve().parents:
+            _symscene.refuse(arguments.output, "a folder outside the folder of scans", "one in it")
         scans = find_scans(arguments.input)
         write_manifest(pathlib.Path(arguments.output) / "manifest.csv", scans)
         return scans
@@ -123,7 +126,7 @@ def main(given: Optional[Sequence[str]] = None) -> int:
         failed = 0 if arguments.merge else _run(arguments, scans)
         if not arguments.shard:
             print(merge(scans, arguments.output))
-    except InputError as error:
+    except (InputError, OSError) as error:
         print(f"symscene.batch: {error}", file=sys.stderr)
         return 1
     if failed:

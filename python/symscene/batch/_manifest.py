@@ -37,8 +37,8 @@ def _file_hash(path: pathlib.Path) -> str:
 def content_hash(path: Path) -> str:
     """The SHA-256 hash of a file; of a folder, that of the list of its files.
 
-    The list is what `find * -type f | LC_ALL=C sort | xargs sha256sum` prints there. Hidden files are
-    left out.
+    The list is what `find -L * -type f -not -path '*/.*' | LC_ALL=C sort | xargs sha256sum` prints
+    there, where names have no spaces and no folder is a link. Hidden files are left out.
     """
     root = pathlib.Path(path)
     if not root.is_dir():
@@ -86,7 +86,7 @@ def read_manifest(file: Path) -> List[Scan]:
     try:
         with open(file, encoding="utf-8", newline="") as stream:
             rows = list(csv.reader(stream))
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
         _symscene.refuse(str(file), "a manifest that can be read", str(error))
     if not rows or tuple(rows[0]) != _COLUMNS:
         _symscene.refuse(str(file), "a manifest with the columns " + ", ".join(_COLUMNS), "others")

@@ -129,6 +129,8 @@ def run_scan(scan: Scan, settings: Settings) -> str:
         result = _segmented(scan, settings)
         folder = result_path(settings.output, scan.name)
         folder.parent.mkdir(parents=True, exist_ok=True)
+        # An older record would be taken for that of this result.
+        record_path(settings.output, scan.name).unlink(missing_ok=True)
         _symscene.write_result(folder, result)
     except (InputError, FileNotFoundError) as error:
         write_record(scan, settings, "failed", message=str(error), objects=[])

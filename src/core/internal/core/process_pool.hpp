@@ -26,8 +26,9 @@ class ProcessPool {
   /// an exception becomes the text of the outcome.
   using Work = std::function<std::string(std::size_t item)>;
 
-  /// An item that takes longer than `time_limit` is given up, and its processes with it; without a
-  /// limit a stopped process is waited for. Throws InputError if no process can be started.
+  /// An item that takes longer than `time_limit` is given up, and its process of the pool is lost;
+  /// without a limit a stopped process is waited for. Throws InputError if no process can be
+  /// started.
   ProcessPool(std::size_t processes, const Work& work,
               std::optional<std::chrono::milliseconds> time_limit = std::nullopt);
   ~ProcessPool();
