@@ -56,10 +56,11 @@ Scene TablePerception::build() {
 const PerceivedScene& TablePerception::perceived() {
   if (perceived_) return *perceived_;
   perceived_.emplace(PerceivedScene{build(), {}});
-  auto& [scene, result] = *perceived_;
-  if (!scene.cloud.empty())
-    result = timer_.time("objects", [&] { return segment_scene(scene, options_.pipeline); });
-  return *perceived_;
+  PerceivedScene& now = *perceived_;
+  if (!now.scene.cloud.empty())
+    now.result =
+        timer_.time("objects", [&] { return segment_scene(now.scene, options_.pipeline); });
+  return now;
 }
 
 TableBelief TablePerception::finish(const Gripper& gripper) {
@@ -68,13 +69,13 @@ TableBelief TablePerception::finish(const Gripper& gripper) {
     const Scene scene = perceived_ ? perceived_->scene : build();
     return scene.cloud.empty() ? belief : cylinder_belief(scene, gripper, timer_);
   }
-  const auto& [scene, result] = perceived();
-  if (scene.cloud.empty()) return belief;
+  const PerceivedScene& now = perceived();
+  if (now.scene.cloud.empty()) return belief;
   GraspPlan plan = timer_.time("grasps", [&] {
-    belief.scene = grasp_scene(result, &scene, options_.grasping);
+    belief.scene = grasp_scene(now.result, &now.scene, options_.grasping);
     return plan_grasps(belief.scene, gripper, options_.grasping);
   });
-  for (const SceneObject& object : result.objects) belief.labels.push_back(label_of(object));
+  for (const SceneObject& object : now.result.objects) belief.labels.push_back(label_of(object));
   belief.grasps = std::move(plan.grasps);
   belief.objects = std::move(plan.objects);
   return belief;
