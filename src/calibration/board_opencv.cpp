@@ -11,6 +11,8 @@
 #ifdef SYMSCENE_HAS_OPENCV
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "core/opencv_memory.hpp"
 #endif
 
 namespace symscene {
@@ -225,7 +227,7 @@ bool has_board_calibration() { return true; }
 
 std::optional<std::vector<Eigen::Vector2d>> find_board(std::span<const std::uint8_t> grey,
                                                        Index width, Index height,
-                                                       const Board& board) {
+                                                       const Board& board) try {
   board.validate();
   const cv::Mat image = image_of(grey, width, height);
   ImagePoints corners;
@@ -236,10 +238,12 @@ std::optional<std::vector<Eigen::Vector2d>> find_board(std::span<const std::uint
   std::vector<Eigen::Vector2d> result;
   for (const cv::Point2f& p : corners) result.emplace_back(p.x, p.y);
   return result;
+} catch (const cv::Exception& error) {
+  rethrow_opencv(error);
 }
 
 std::optional<Board> find_other_board(std::span<const std::uint8_t> grey, Index width, Index height,
-                                      const Board& board) {
+                                      const Board& board) try {
   const cv::Mat image = image_of(grey, width, height);
   ImagePoints corners;
   cv::Mat pattern;
@@ -251,11 +255,13 @@ std::optional<Board> find_other_board(std::span<const std::uint8_t> grey, Index 
   const bool same = (other.columns == board.columns && other.rows == board.rows) ||
                     (other.columns == board.rows && other.rows == board.columns);
   return same ? std::nullopt : std::optional(other);
+} catch (const cv::Exception& error) {
+  rethrow_opencv(error);
 }
 
 IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage> images, Index width,
                                           Index height, const Board& board,
-                                          const IntrinsicCalibrationOptions& options) {
+                                          const IntrinsicCalibrationOptions& options) try {
   board.validate();
   options.validate();
   require_images(images, options.min_views, board);
@@ -296,10 +302,12 @@ IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage> images, In
                     "(record the board in the other parts)",
                     100.0 * result.coverage));
   return result;
+} catch (const cv::Exception& error) {
+  rethrow_opencv(error);
 }
 
 std::optional<Eigen::Isometry3d> board_pose(const std::vector<Eigen::Vector2d>& corners,
-                                            const CameraModel& camera, const Board& board) {
+                                            const CameraModel& camera, const Board& board) try {
   board.validate();
   if (corners.size() != board.corners()) return std::nullopt;
   cv::Mat rotation, translation;
@@ -310,11 +318,13 @@ std::optional<Eigen::Isometry3d> board_pose(const std::vector<Eigen::Vector2d>& 
   cv::solvePnPRefineLM(points_of(board), points_of(corners), matrix_of(camera.intrinsics),
                        coefficients_of(camera.distortion), rotation, translation);
   return pose_of(rotation, translation);
+} catch (const cv::Exception& error) {
+  rethrow_opencv(error);
 }
 
 ColorPose calibrate_color_pose(std::span<const BoardImage> depth_images,
                                std::span<const BoardImage> color_images, const CameraModel& depth,
-                               const CameraModel& color, const Board& board) {
+                               const CameraModel& color, const Board& board) try {
   board.validate();
   if (depth_images.size() != color_images.size())
     throw InputError("pairs of images", fmt::format("{} colour images", depth_images.size()),
@@ -345,6 +355,8 @@ ColorPose calibrate_color_pose(std::span<const BoardImage> depth_images,
   // OpenCV maps the frame of the first camera to that of the second.
   pose.T_depth_color = pose_of(R, t).inverse();
   return pose;
+} catch (const cv::Exception& error) {
+  rethrow_opencv(error);
 }
 
 #endif

@@ -5,6 +5,8 @@
 #ifdef SYMSCENE_HAS_OPENCV
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
+
+#include "core/opencv_memory.hpp"
 #endif
 
 namespace symscene {
@@ -73,7 +75,7 @@ Eigen::Isometry3d to_pose(const cv::Vec3d& rotation, const cv::Vec3d& translatio
 bool has_feature_matcher() { return true; }
 
 Keypoints find_keypoints(const std::vector<std::uint8_t>& gray, const CameraIntrinsics& camera,
-                         const std::vector<std::uint8_t>& mask, const FeatureOptions& options) {
+                         const std::vector<std::uint8_t>& mask, const FeatureOptions& options) try {
   constexpr int layers = 3;
   const auto sift = cv::SIFT::create(0, layers, options.contrast);
   const cv::Mat image = image_of(gray, camera);
@@ -94,12 +96,14 @@ Keypoints find_keypoints(const std::vector<std::uint8_t>& gray, const CameraIntr
   found.descriptors = Eigen::Map<const Eigen::MatrixXf>(descriptors.ptr<float>(), descriptors.cols,
                                                         descriptors.rows);
   return found;
+} catch (const cv::Exception& error) {
+  rethrow_opencv(error);
 }
 
 std::optional<SeenFrom> solve_perspective(const Eigen::Matrix3Xd& points,
                                           const Eigen::Matrix2Xd& pixels,
                                           const CameraIntrinsics& camera,
-                                          const PairOptions& options) {
+                                          const PairOptions& options) try {
   std::vector<cv::Point3d> objects;
   std::vector<cv::Point2d> images;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -117,6 +121,8 @@ std::optional<SeenFrom> solve_perspective(const Eigen::Matrix3Xd& points,
   SeenFrom seen{to_pose(rotation, translation), {inliers.begin(), inliers.end()}};
   std::sort(seen.inliers.begin(), seen.inliers.end());
   return seen;
+} catch (const cv::Exception& error) {
+  rethrow_opencv(error);
 }
 
 #endif

@@ -251,9 +251,23 @@ class Faults : public ::testing::TestWithParam<Writer> {
     EXPECT_EQ(err.find("internal error"), std::string::npos) << err;
   }
 
+  /// Destructors of nlohmann::basic_json allocate and may not throw: where that allocation fails
+  /// the library ends the process.
+  static bool ended_in_destructor(const FaultyRun& faulty) {
+    return faulty.signal == SIGABRT &&
+           faulty.err ==
+               "terminate called after throwing an instance of 'std::bad_alloc'\n"
+               "  what():  std::bad_alloc\n";
+  }
+
   void check_fault(Kind kind, std::uint64_t call) {
     SCOPED_TRACE(std::string(kinds[static_cast<std::size_t>(kind)]) + " " + std::to_string(call));
     const FaultyRun faulty = run(kind, call);
+    if (kind == Kind::allocation && ended_in_destructor(faulty)) {
+      expect_whole_outputs(files_below(outputs_folder()));
+      restore_files(outputs_folder(), before_);
+      return;
+    }
     EXPECT_EQ(faulty.signal, 0) << faulty.err;
     const Files files = files_below(outputs_folder());
     expect_no_staging(files);
