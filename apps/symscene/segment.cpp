@@ -57,8 +57,18 @@ struct Segment {
                    session);
   }
 
-  void write_outputs(const SegmentationResult& result, Surroundings around,
-                     std::string description) const {
+  /// The result does not depend on the ground truth: if it cannot be read, the page is without it.
+  std::vector<PageTruth> truth_to_show(const PointCloud& cloud, Session& session) const {
+    try {
+      return page_truth(source.path, cloud);
+    } catch (const InputError& error) {
+      session.warn(std::string(error.what()) + "; the page shows no ground truth");
+      return {};
+    }
+  }
+
+  void write_outputs(const SegmentationResult& result, Surroundings around, std::string description,
+                     Session& session) const {
     ResultExtras extras;
     extras.made_by = std::move(description);
     if (around.surface.triangles.rows() != 0) extras.surface = &around.surface;
@@ -66,7 +76,7 @@ struct Segment {
     write_result(absolute(shared.output), result, extras);
     if (page.empty()) return;
     PageExtras shown;
-    shown.truth = page_truth(source.path, result.cloud);
+    shown.truth = truth_to_show(result.cloud, session);
     write_result_page(page, source.path, result, std::move(around), std::move(shown));
   }
 
@@ -106,7 +116,7 @@ struct Segment {
     write_outputs(
         result,
         {surface_around(input.surface, result, source.path, session), std::move(input.trajectory)},
-        described(fields, session));
+        described(fields, session), session);
     write_masks(input, result);
     session.print_line(format_objects(result));
     std::vector<ReportMember> members{{"output", shared.output},

@@ -190,6 +190,7 @@ TEST_F(SweepCommand, ABareTableKeepsItsSurface) {
   const Outcome nothing = run("segment bare -o nothing --page nothing.html");
   ASSERT_EQ(nothing.code, 0) << nothing.err;
   EXPECT_EQ(nothing.err.find("occupancy.bt"), std::string::npos) << nothing.err;
+  EXPECT_NE(nothing.err.find("the page shows no ground truth"), std::string::npos) << nothing.err;
   EXPECT_GT(fs::file_size(file("nothing") / "surface.ply"), 10000U);
   EXPECT_NE(contents(file("nothing.html")).find(R"("surface":{"colors")"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(contents(file("nothing") / "objects.json")).at("objects").size(),
