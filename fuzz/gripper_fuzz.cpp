@@ -12,8 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto gripper = fuzz::accepted([&] { return parse_gripper(bytes, name); });
     if (!gripper) continue;
     gripper->validate();
-    const std::string text = format_gripper(*gripper);
-    if (format_gripper(parse_gripper(text, "again.json")) != text) std::abort();
+    // YAML may hold names that JSON cannot: text that is not UTF-8.
+    const auto text = fuzz::accepted([&] { return format_gripper(*gripper); });
+    if (text && format_gripper(parse_gripper(*text, "again.json")) != *text) std::abort();
   }
   return 0;
 }

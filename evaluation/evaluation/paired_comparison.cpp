@@ -51,7 +51,7 @@ std::vector<double> drawn_differences(const std::vector<DetectionCounts>& first,
   return differences;
 }
 
-PairedDifference compare(const Evaluation& evaluation, const std::vector<DetectionCounts>& first,
+MethodDifference compare(const Evaluation& evaluation, const std::vector<DetectionCounts>& first,
                          std::size_t method) {
   const Sweep& sweep = evaluation.segmentation[method];
   std::optional<std::size_t> setting;
@@ -70,9 +70,9 @@ PairedDifference compare(const Evaluation& evaluation, const std::vector<Detecti
 
 }  // namespace
 
-std::vector<PairedDifference> paired_differences(const Evaluation& evaluation) {
+std::vector<MethodDifference> paired_differences(const Evaluation& evaluation) {
   const auto reference = first_with_default(evaluation);
-  std::vector<PairedDifference> differences;
+  std::vector<MethodDifference> differences;
   if (!reference || evaluation.scenes.size() < 2) return differences;
   const std::vector<DetectionCounts> first = counts_by_scene(evaluation, *reference, std::nullopt);
   for (std::size_t k = 0; k < evaluation.segmentation.size(); ++k) {

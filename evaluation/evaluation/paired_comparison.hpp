@@ -5,7 +5,7 @@
 namespace symscene {
 
 /// The F of a method in the same scenes as the first one's, and how certain the difference is.
-struct PairedDifference {
+struct MethodDifference {
   std::string method;
   std::string setting;      ///< "default", or its best one in hindsight
   double f = 0.0;           ///< of masks with IoU > 0.9
@@ -18,7 +18,7 @@ struct PairedDifference {
 
 /// The first method that has a default, compared with each other one; empty with fewer than two
 /// scenes. The same for equal input: scenes are drawn with a fixed seed.
-std::vector<PairedDifference> paired_differences(const Evaluation& evaluation);
+std::vector<MethodDifference> paired_differences(const Evaluation& evaluation);
 
 /// The name of the method that the others are compared with; empty if none has a default.
 std::string compared_method(const Evaluation& evaluation);

@@ -220,7 +220,7 @@ TextTable method_time_table(const Evaluation& evaluation) {
 
 TextTable paired_table(const Evaluation& evaluation) {
   TextTable table{{"method", "setting", "F", "difference", "95 % interval"}};
-  for (const PairedDifference& each : paired_differences(evaluation)) {
+  for (const MethodDifference& each : paired_differences(evaluation)) {
     table.push_back({each.method, each.setting, percent(each.f),
                      fmt::format("{:+.1f}", 100.0 * each.difference),
                      fmt::format("{:+.1f} to {:+.1f}", 100.0 * each.low, 100.0 * each.high)});

@@ -274,7 +274,7 @@ Evaluation compared(const std::vector<std::pair<std::size_t, std::size_t>>& foun
   return evaluation;
 }
 
-TEST(PairedDifferences, HaveAnIntervalAroundTheDifference) {
+TEST(MethodDifferences, HaveAnIntervalAroundTheDifference) {
   const auto [method, setting, f, difference, low, high] =
       paired_differences(compared({{2, 1}, {1, 1}, {2, 2}, {2, 0}})).at(0);
   EXPECT_EQ(method, nasty);
@@ -285,14 +285,14 @@ TEST(PairedDifferences, HaveAnIntervalAroundTheDifference) {
   EXPECT_GT(high, difference);
 }
 
-TEST(PairedDifferences, OfTheSameResultsAreZeroWhateverTheScenes) {
-  const PairedDifference same = paired_differences(compared({{2, 2}, {0, 0}, {1, 1}})).at(0);
+TEST(MethodDifferences, OfTheSameResultsAreZeroWhateverTheScenes) {
+  const MethodDifference same = paired_differences(compared({{2, 2}, {0, 0}, {1, 1}})).at(0);
   EXPECT_EQ(same.difference, 0.0);
   EXPECT_EQ(same.low, 0.0);
   EXPECT_EQ(same.high, 0.0);
 }
 
-TEST(PairedDifferences, NeedTwoScenes) {
+TEST(MethodDifferences, NeedTwoScenes) {
   EXPECT_TRUE(paired_differences(compared({{2, 1}})).empty());
 }
 
