@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/little_endian.hpp"
+
 namespace symscene {
 
 /// Writes the fields of a message of ROS 2 in their order, in OMG's Common Data Representation
@@ -14,14 +16,10 @@ class CdrWriter {
   template <class Number>
   CdrWriter& number(Number value) {
     body_.append((sizeof(Number) - body_.size() % sizeof(Number)) % sizeof(Number), '\0');
-    std::uint64_t bits = 0;
     if constexpr (sizeof(Number) == 8) {
-      bits = std::bit_cast<std::uint64_t>(value);
+      append_little_endian(body_, std::bit_cast<std::uint64_t>(value));
     } else {
-      bits = static_cast<std::uint64_t>(value);
-    }
-    for (std::size_t i = 0; i < sizeof(Number); ++i) {
-      body_.push_back(static_cast<char>(static_cast<unsigned char>(bits >> (8 * i))));
+      append_little_endian(body_, value);
     }
     return *this;
   }

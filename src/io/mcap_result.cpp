@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base64.hpp"
+#include "core/little_endian.hpp"
 #include "io/json_cursor.hpp"
 #include "io/pose_json.hpp"
 #include "io/thinned_surfaces.hpp"

@@ -1,7 +1,7 @@
 // A sequence as messages of ROS 2.
-#include <cmath>
-
 #include "cdr_writer.hpp"
+#include "core/little_endian.hpp"
+#include "depth_millimetres.hpp"
 #include "io/pose_json.hpp"
 #include "mcap_writer.hpp"
 #include "ros_json.hpp"
@@ -67,12 +67,7 @@ std::string image_message(std::uint64_t time, const CameraIntrinsics& camera, co
 std::string depth_bytes(const std::vector<float>& depth) {
   std::string bytes;
   bytes.reserve(2 * depth.size());
-  for (const float metres : depth) {
-    const float rounded = std::round(metres * 1000.0F);
-    const auto value = static_cast<std::uint16_t>(rounded < 65536.0F ? rounded : 0.0F);
-    bytes.push_back(static_cast<char>(value & 0xFF));
-    bytes.push_back(static_cast<char>(value >> 8));
-  }
+  for (const std::uint16_t value : to_millimetres(depth)) append_little_endian(bytes, value);
   return bytes;
 }
 

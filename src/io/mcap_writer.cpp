@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "compression.hpp"
+#include "core/little_endian.hpp"
 #include "mcap_format.hpp"
 #include "symscene/core/error.hpp"
 #include "text.hpp"
@@ -17,9 +18,7 @@ constexpr std::size_t full_mcap_chunk = std::size_t{1} << 20;
 
 template <class Integer>
 void put(std::string& bytes, Integer value) {
-  for (std::size_t i = 0; i < sizeof(Integer); ++i) {
-    bytes.push_back(static_cast<char>(static_cast<unsigned char>(std::uint64_t{value} >> (8 * i))));
-  }
+  append_little_endian(bytes, value);
 }
 
 void put_text(std::string& bytes, std::string_view text) {

@@ -38,6 +38,12 @@ class Recording {
 
 using RecordingPointer = std::unique_ptr<Recording>;
 
+/// Sorts topics by name; of those with one name the first stays.
+std::vector<RecordedTopic> sorted_topics(std::vector<RecordedTopic> topics);
+
+/// Sorts messages by time; equal times stay in their order.
+void sort_by_time(std::vector<RecordedMessage>& messages);
+
 /// The name of a type as in ROS 1: "sensor_msgs/msg/Image" becomes "sensor_msgs/Image".
 std::string ros1_type(std::string type);
 

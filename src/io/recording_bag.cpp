@@ -3,7 +3,6 @@
 #include "symscene/core/error.hpp"
 
 #ifdef SYMSCENE_HAS_ROSBAG
-#include <map>
 #include <mutex>
 
 #include <rosbag/bag.h>
@@ -50,14 +49,10 @@ class BagRecording final : public Recording {
 
   std::vector<RecordedTopic> topics() const override {
     return reading(name_, [&] {
-      std::map<std::string, RecordedTopic> found;
-      for (const rosbag::ConnectionInfo* connection : rosbag::View(bag_).getConnections()) {
-        found.try_emplace(connection->topic,
-                          RecordedTopic{connection->topic, connection->datatype, RosFormat::ros1});
-      }
       std::vector<RecordedTopic> topics;
-      for (auto& [name, topic] : found) topics.push_back(std::move(topic));
-      return topics;
+      for (const rosbag::ConnectionInfo* connection : rosbag::View(bag_).getConnections())
+        topics.push_back({connection->topic, connection->datatype, RosFormat::ros1});
+      return sorted_topics(std::move(topics));
     });
   }
 

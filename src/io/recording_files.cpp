@@ -1,6 +1,5 @@
 // A recording of ROS 2 in several files.
 #include <algorithm>
-#include <map>
 #include <string_view>
 
 #include "image_files.hpp"
@@ -18,13 +17,11 @@ class JoinedRecording final : public Recording {
   explicit JoinedRecording(std::vector<RecordingPointer> parts) : parts_(std::move(parts)) {}
 
   std::vector<RecordedTopic> topics() const override {
-    std::map<std::string, RecordedTopic> found;
-    for (const RecordingPointer& part : parts_) {
-      for (const RecordedTopic& topic : part->topics()) found.try_emplace(topic.name, topic);
-    }
     std::vector<RecordedTopic> topics;
-    for (auto& [name, topic] : found) topics.push_back(std::move(topic));
-    return topics;
+    for (const RecordingPointer& part : parts_) {
+      for (RecordedTopic& topic : part->topics()) topics.push_back(std::move(topic));
+    }
+    return sorted_topics(std::move(topics));
   }
 
   std::vector<RecordedMessage> messages(const std::string& topic) override {
@@ -34,9 +31,7 @@ class JoinedRecording final : public Recording {
         found.push_back({message.time, part, message.place});
       }
     }
-    std::stable_sort(
-        found.begin(), found.end(),
-        [](const RecordedMessage& a, const RecordedMessage& b) { return a.time < b.time; });
+    sort_by_time(found);
     return found;
   }
 
@@ -49,6 +44,22 @@ class JoinedRecording final : public Recording {
 };
 
 }  // namespace
+
+std::vector<RecordedTopic> sorted_topics(std::vector<RecordedTopic> topics) {
+  std::stable_sort(topics.begin(), topics.end(),
+                   [](const RecordedTopic& a, const RecordedTopic& b) { return a.name < b.name; });
+  topics.erase(
+      std::unique(topics.begin(), topics.end(),
+                  [](const RecordedTopic& a, const RecordedTopic& b) { return a.name == b.name; }),
+      topics.end());
+  return topics;
+}
+
+void sort_by_time(std::vector<RecordedMessage>& messages) {
+  std::stable_sort(
+      messages.begin(), messages.end(),
+      [](const RecordedMessage& a, const RecordedMessage& b) { return a.time < b.time; });
+}
 
 std::string ros1_type(std::string type) {
   constexpr std::string_view infix = "/msg/";

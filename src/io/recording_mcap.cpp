@@ -1,7 +1,5 @@
 // The messages of ROS in an MCAP file.
 #include <algorithm>
-#include <array>
-#include <map>
 #include <mutex>
 
 #include "io/atomic_file.hpp"
@@ -21,17 +19,14 @@ class McapRecording final : public Recording {
       : reader_(std::move(source), name) {}
 
   std::vector<RecordedTopic> topics() const override {
-    std::map<std::string, RecordedTopic> found;
+    std::vector<RecordedTopic> topics;
     for (const auto& [id, channel] : reader_.channels()) {
       if (!is_ros_message(channel)) continue;
       const RosFormat format =
           channel.message_encoding == "ros1" ? RosFormat::ros1 : RosFormat::cdr;
-      found.try_emplace(channel.topic,
-                        RecordedTopic{channel.topic, ros1_type(channel.schema), format});
+      topics.push_back({channel.topic, ros1_type(channel.schema), format});
     }
-    std::vector<RecordedTopic> topics;
-    for (auto& [name, topic] : found) topics.push_back(std::move(topic));
-    return topics;
+    return sorted_topics(std::move(topics));
   }
 
   /// Several channels may have one topic: those are read whose type and encoding are the first's.
@@ -46,9 +41,7 @@ class McapRecording final : public Recording {
       if (channels.at(message.channel) != first->second) continue;
       found.push_back({1e-9 * static_cast<double>(message.log_time), 0, i});
     }
-    std::stable_sort(
-        found.begin(), found.end(),
-        [](const RecordedMessage& a, const RecordedMessage& b) { return a.time < b.time; });
+    sort_by_time(found);
     return found;
   }
 

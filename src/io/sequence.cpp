@@ -14,8 +14,7 @@ namespace fs = std::filesystem;
 constexpr const char* a_sequence =
     "a sequence of depth images: a folder in the layout of SymScene, TUM RGB-D, ICL-NUIM, 7-Scenes "
     "or Redwood, a recording of ROS (.bag, .mcap, .db3 or a folder of rosbag2), or images of "
-    "16-bit "
-    "grey";
+    "16-bit grey";
 
 struct Layout {
   bool (*recognises)(const fs::path& path);

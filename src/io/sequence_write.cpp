@@ -1,9 +1,9 @@
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "camera_formats.hpp"
+#include "depth_millimetres.hpp"
 #include "image_files.hpp"
 #include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
@@ -45,17 +45,6 @@ bool belongs_to_sequence(const std::string& relative) {
       "depth/", "color/", "meshes/", "intrinsics.txt", "poses.txt", "times.txt"};
   return std::find(own.begin(), own.end(), relative) != own.end() || is_file_beside(relative) ||
          is_frame_file(relative);
-}
-
-/// Converts metres to whole millimetres; 0 where there is no measurement or it exceeds 16 bits.
-std::vector<std::uint16_t> to_millimetres(const std::vector<float>& depth) {
-  std::vector<std::uint16_t> values(depth.size());
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    const float millimetres = std::round(depth[i] * 1000.0F);
-    const bool fits = millimetres >= 0.0F && millimetres <= 65535.0F;  // false for NaN
-    values[i] = fits ? static_cast<std::uint16_t>(millimetres) : std::uint16_t{0};
-  }
-  return values;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base64.hpp"
+#include "core/little_endian.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/core/point_cloud.hpp"
 

@@ -1,6 +1,7 @@
 #include "payload.hpp"
 
 #include "core/base64.hpp"
+#include "core/little_endian.hpp"
 #include "encoding.hpp"
 #include "grasp_payload.hpp"
 #include "scan_payload.hpp"

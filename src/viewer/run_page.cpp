@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/base64.hpp"
+#include "core/little_endian.hpp"
 #include "core/mesh_thinning.hpp"
 #include "io/atomic_file.hpp"
 #include "page_filling.hpp"

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base64.hpp"
+#include "core/little_endian.hpp"
 #include "encoding.hpp"
 
 namespace symscene {

@@ -19,9 +19,8 @@ McapCompression mcap_compression_of(const std::string& name);
 
 /// A result as an MCAP file that Foxglove and Lichtblick show: the cloud (`/cloud`), the closed
 /// surfaces and names of objects (`/objects`), their axes and planes (`/symmetries`), and their
-/// poses
-/// (`/poses`), as messages of Foxglove's schemas in JSON, in the frame `world`. All times are 0.
-/// Throws InputError if a number is not finite.
+/// poses (`/poses`), as messages of Foxglove's schemas in JSON, in the frame `world`. All times are
+/// 0. Throws InputError if a number is not finite.
 std::string format_result_mcap(const SegmentationResult& result,
                                McapCompression compression = McapCompression::none);
 
