@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "core/naming.hpp"
 #include "cylinder_output.hpp"
 #include "gripper_choice.hpp"
 #include "io/atomic_file.hpp"

@@ -19,11 +19,9 @@ struct Export {
   SharedOptions shared;
   SequenceOptions source;
   std::filesystem::path input;
-  std::string compression;
+  std::string compression = "none";
 
-  McapCompression mcap_compression() const {
-    return mcap_compression_of(compression.empty() ? "none" : compression);
-  }
+  McapCompression mcap_compression() const { return mcap_compression_of(compression); }
 
   /// The file, and what it holds.
   std::pair<std::string, std::string> content(Session& session) const {
@@ -38,7 +36,7 @@ struct Export {
                        std::filesystem::exists(input) ? "neither" : "nothing of that name");
     }
     const auto sequence = open_sequence(input, source);
-    for (const std::string& warning : sequence->warnings()) session.warn(warning);
+    session.warn(sequence->warnings());
     return {format_sequence_mcap(*sequence, mcap_compression()),
             counted(sequence->size(), "frame")};
   }

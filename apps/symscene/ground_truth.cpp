@@ -36,8 +36,7 @@ void add_ground_truth(Facts& facts, const fs::path& scene, Index cloud_size) {
 
 std::vector<PageTruth> page_truth(const fs::path& scene, const PointCloud& cloud) {
   // That of a sequence has poses in place of masks, and no cloud.
-  const bool has_cloud = fs::exists(scene / "cloud.ply") || fs::exists(scene / "cloud.pcd");
-  if (!has_cloud || !fs::exists(scene / "truth.json")) return {};
+  if (!is_scene_folder(scene) || !fs::exists(scene / "truth.json")) return {};
   const PointCloud labeled = read_scene(scene).cloud;
   const SceneTruth truth = read_truth(scene / "truth.json", labeled.size());
   std::vector<PointIndices> masks = transfer_masks(labeled, truth, cloud);

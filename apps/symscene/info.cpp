@@ -7,6 +7,7 @@
 
 #ifdef SYMSCENE_HAS_EVALUATION
 #include "symscene/dataset/dataset_folder.hpp"
+#include "symscene/io/scene.hpp"
 #endif
 
 namespace symscene::app {
@@ -58,7 +59,7 @@ struct Info {
 
   Facts facts() const {
     if (fs::exists(path / "objects.json")) return result_facts(path);
-    if (fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd")) return scene_facts(path);
+    if (is_scene_folder(path)) return scene_facts(path);
     if (is_model_file(path)) return model_facts(path);
 #ifdef SYMSCENE_HAS_EVALUATION
     if (is_described_as_dataset(path)) return dataset_facts(path);

@@ -11,6 +11,7 @@
 #include "arguments.hpp"
 #include "io/sha256.hpp"
 #include "symscene/core/error.hpp"
+#include "symscene/io/scene.hpp"
 
 namespace symscene::app {
 namespace {
@@ -58,8 +59,7 @@ std::vector<fs::path> files_of_frame(const fs::path& folder) {
 }
 
 std::vector<fs::path> files_of(const fs::path& folder) {
-  const bool is_scene = fs::exists(folder / "cloud.ply") || fs::exists(folder / "cloud.pcd");
-  return is_scene ? files_of_scene(folder) : files_of_frame(folder);
+  return is_scene_folder(folder) ? files_of_scene(folder) : files_of_frame(folder);
 }
 
 /// Adds the hash of a file.

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "core/naming.hpp"
 #include "io/atomic_file.hpp"
 #include "next_view_output.hpp"
 #include "object_input.hpp"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/naming.hpp"
 #include "segmentation/occupancy_warning.hpp"
 #include "symscene/io/scene.hpp"
 #include "symscene/pipeline/pipeline.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/naming.hpp"
 #include "frame_log.hpp"
 #include "frame_rate.hpp"
 #include "scene_output.hpp"

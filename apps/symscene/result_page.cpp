@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/naming.hpp"
 #include "io/atomic_file.hpp"
 #include "symscene/viewer/page_surface.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/naming.hpp"
 #include "core/plane_text.hpp"
 #include "ground_truth.hpp"
 #include "symscene/io/scene.hpp"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/naming.hpp"
 #include "ground_truth.hpp"
 #include "made_by.hpp"
 #include "mask_images.hpp"

@@ -1,13 +1,14 @@
 #include "segment_input.hpp"
 
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/naming.hpp"
 #include "io/atomic_file.hpp"
 #include "models.hpp"
+#include "sequence_only.hpp"
 #include "symscene/io/cloud.hpp"
 #include "symscene/io/mesh.hpp"
 #include "symscene/io/result.hpp"
@@ -49,10 +50,6 @@ Value read_if_there(const fs::path& file, Session& session, const Read& read) {
   }
 }
 
-bool is_scene_folder(const fs::path& path) {
-  return fs::exists(path / "cloud.ply") || fs::exists(path / "cloud.pcd");
-}
-
 /// Whether the name is that of a cloud. The vertices of a mesh are one too.
 bool has_points(const fs::path& path) {
   const std::string extension = lower_extension(path);
@@ -81,14 +78,10 @@ void SegmentSource::add_to(Arguments& arguments) {
 }
 
 void SegmentSource::require_no_camera(const char* kind) const {
-  const std::array<std::pair<const char*, bool>, 3> given{
-      {{"--intrinsics", this->sequence.intrinsics.has_value() || this->sequence.camera.has_value()},
-       {"--depth-scale", this->sequence.depth_scale.has_value()},
-       {"--sensor", sensor.is_named()}}};
-  for (const auto& [flag, is_given] : given) {
-    if (is_given)
-      throw InputError(path.string(), fmt::format("a depth image, as {} needs", flag), kind);
-  }
+  const char* given = given_camera_option(sequence);
+  if (given == nullptr && sensor.is_named()) given = "--sensor";
+  if (given != nullptr)
+    throw InputError(path.string(), fmt::format("a depth image, as {} needs", given), kind);
 }
 
 void SegmentSource::require_no_units() const {
@@ -111,7 +104,7 @@ bool SegmentSource::is_cloud() const {
 /// of the objects.
 void SegmentSource::crop_table(Scene& scene, const SegmentOptions& options,
                                Session& session) const {
-  const fs::path file = path / (fs::exists(path / "cloud.ply") ? "cloud.ply" : "cloud.pcd");
+  const fs::path file = scene_cloud_file(path);
   BuiltScene built = naming(file, [&] {
     return even_if_plane_misses(table.known({}), [&](const TablePrior& known) {
       return cloud_scene(scene.cloud, read_sensor_cloud(file).viewpoint, known,

@@ -7,11 +7,15 @@
 
 namespace symscene::app {
 
-/// Throws InputError, with `expected` for the input that is missing, if an option is given that
-/// only a sequence of depth images has a use for.
+/// The first option that is given and only a sequence of depth images has a use for; none: nullptr.
+inline const char* given_camera_option(const SequenceOptions& source) {
+  if (source.intrinsics || source.camera) return "--intrinsics";
+  return source.depth_scale ? "--depth-scale" : nullptr;
+}
+
+/// Throws InputError, with `expected` for the input that is missing, if one is given.
 inline void require_no_camera(const SequenceOptions& source, const std::string& expected) {
-  if (source.intrinsics || source.camera) throw InputError("--intrinsics", expected, "none");
-  if (source.depth_scale) throw InputError("--depth-scale", expected, "none");
+  if (const char* given = given_camera_option(source)) throw InputError(given, expected, "none");
 }
 
 }  // namespace symscene::app

@@ -26,16 +26,6 @@ struct ReportMember {
   std::string json;
 };
 
-/// Runs `work`. An InputError from it names `path` too.
-template <class Work>
-auto naming(const std::filesystem::path& path, const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw InputError(path.string() + ": " + error.where(), error.expected(), error.found());
-  }
-}
-
 /// A run of a subcommand: bounds its threads, shows progress and warnings, prints the report.
 class Session {
  public:

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
+#include "core/naming.hpp"
 #include "core/number_in.hpp"
 #include "io/atomic_file.hpp"
 #include "models.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/naming.hpp"
 #include "counted.hpp"
 #include "ground_truth.hpp"
 #include "io/atomic_file.hpp"

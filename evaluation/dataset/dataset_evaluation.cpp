@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "symscene/core/error.hpp"
+#include "core/naming.hpp"
 
 namespace symscene {
 namespace {
@@ -19,17 +19,6 @@ std::optional<LabeledView> view_of(const LoadedEntry& known) {
   if (!known.labeled) return std::nullopt;
   const LabeledFrame& labeled = *known.labeled;
   return LabeledView{labeled.camera, labeled.frame.depth, labeled.labels};
-}
-
-/// The evaluation of a scene, whose errors name its folder.
-SceneEvaluation evaluate_entry(const std::filesystem::path& folder, const LoadedEntry& known,
-                               const EvaluationOptions& options,
-                               const StageTimer::OnBegin& on_begin) {
-  try {
-    return evaluate_scene(known.scene, known.truth, options, on_begin, view_of(known));
-  } catch (const InputError& error) {
-    throw InputError(folder.string() + ": " + error.where(), error.expected(), error.found());
-  }
 }
 
 /// Objects of an image that have no point are lost for a reason of their own.
@@ -57,7 +46,9 @@ Evaluation evaluate_dataset(const std::filesystem::path& dataset,
     const LoadedEntry known = load_entry(entry, single_views);
     // Before the scene is evaluated: they explain why that may fail. The evaluation repeats them.
     tell_warnings(entry, known.scene.warnings, calls);
-    SceneEvaluation scene = evaluate_entry(dataset / entry.name, known, options, on_begin);
+    SceneEvaluation scene = naming(dataset / entry.name, [&] {
+      return evaluate_scene(known.scene, known.truth, options, on_begin, view_of(known));
+    });
     const std::span<const std::string> all = scene.warnings;
     tell_warnings(entry, all.subspan(known.scene.warnings.size()), calls);
     scene.name = entry.name;

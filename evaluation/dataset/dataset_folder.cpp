@@ -59,10 +59,6 @@ std::vector<fs::path> sorted_children(const fs::path& dir) {
   return children;
 }
 
-bool is_scene_folder(const fs::path& dir) {
-  return fs::exists(dir / "cloud.ply") || fs::exists(dir / "cloud.pcd");
-}
-
 /// How the objects of a simulated scene were placed; empty if not known.
 std::string placement(const fs::path& dir) {
   const fs::path file = dir / "scene.json";

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/rejected_points.hpp"
 #include "io/pose_json.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/result.hpp"
@@ -15,7 +16,6 @@ namespace {
 constexpr const char* result_to_write = "result to write";
 constexpr std::size_t version = 3;
 constexpr std::size_t most_order = 1000;  // of an axis that is read
-constexpr Index kept_points = 128;        // of a rejected hypothesis
 
 Json format_axes(const Eigen::Matrix3d& columns) {
   Json axes = Json::array();
@@ -100,20 +100,13 @@ Json format_object(const SegmentationResult& result, std::size_t id) {
   return json;
 }
 
-PointIndices thinned(const PointIndices& points) {
-  PointIndices kept;
-  for (const Index i : evenly_spread(static_cast<Index>(points.size()), kept_points))
-    kept.push_back(points[i]);
-  return kept;
-}
-
 Json format_rejection(const Rejection& rejection) {
   Json json = {{"kind", rejection.kind},
                {"reason", rejection.reason},
                {"value", number_or_null(rejection.value)},
                {"bound", number_or_null(rejection.bound)},
                {"size", rejection.size}};
-  if (!rejection.points.empty()) json["points"] = thinned(rejection.points);
+  if (!rejection.points.empty()) json["points"] = kept_points(rejection);
   add_score_effects(rejection.score_effects, json);
   return json;
 }

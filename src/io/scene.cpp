@@ -33,10 +33,9 @@ bool belongs_to_scene(const std::string& relative) {
 fs::path find_cloud(const fs::path& dir) {
   if (!fs::exists(dir)) throw InputError(dir.string(), scene_folder, "nothing of that name");
   if (!fs::is_directory(dir)) throw InputError(dir.string(), scene_folder, "a file");
-  for (const char* file : {"cloud.ply", "cloud.pcd"}) {
-    if (fs::exists(dir / file)) return dir / file;
-  }
-  throw InputError(dir.string(), scene_folder, "a folder with no cloud.ply");
+  const fs::path cloud = scene_cloud_file(dir);
+  if (cloud.empty()) throw InputError(dir.string(), scene_folder, "a folder with no cloud.ply");
+  return cloud;
 }
 
 /// The text of scene.json: the given one, checked, or a minimal one.
@@ -47,6 +46,15 @@ std::string scene_text(const std::string& scene_json) {
 }
 
 }  // namespace
+
+fs::path scene_cloud_file(const fs::path& dir) {
+  for (const char* file : {"cloud.ply", "cloud.pcd"}) {
+    if (fs::exists(dir / file)) return dir / file;
+  }
+  return {};
+}
+
+bool is_scene_folder(const fs::path& dir) { return !scene_cloud_file(dir).empty(); }
 
 Scene read_scene(const fs::path& dir, const SceneReading& reading) {
   Scene scene;

@@ -2,6 +2,7 @@
 
 #include "core/base64.hpp"
 #include "core/little_endian.hpp"
+#include "core/rejected_points.hpp"
 #include "encoding.hpp"
 #include "grasp_payload.hpp"
 #include "scan_payload.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Index rejected_points = 128;      // of a rejected hypothesis
 constexpr Index closed_triangles = 120000;  // of the closed surfaces of all objects: 1 MB
 
 json to_json(const PointCloud& cloud) {
@@ -74,15 +74,12 @@ json list(const std::vector<Item>& items) {
 }
 
 json to_json(const Rejection& rejection, Index count) {
-  const auto size = static_cast<Index>(rejection.points.size());
-  PointIndices shown;
-  for (const Index i : evenly_spread(size, rejected_points)) shown.push_back(rejection.points[i]);
   return {{"kind", rejection.kind},
           {"reason", rejection.reason},
           {"value", rejection.value},
           {"bound", rejection.bound},
           {"size", rejection.size},
-          {"points", indices("a rejected hypothesis's points", shown, count)},
+          {"points", indices("a rejected hypothesis's points", kept_points(rejection), count)},
           {"effects", list(rejection.score_effects)}};
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "arguments.hpp"
+#include "core/naming.hpp"
 #include "session.hpp"
 #include "symscene/simulation/scanned_models.hpp"
 

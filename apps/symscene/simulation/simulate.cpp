@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/naming.hpp"
 #include "counted.hpp"
 #include "io/ply.hpp"
 #include "session.hpp"

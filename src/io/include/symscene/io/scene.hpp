@@ -13,6 +13,11 @@ struct SceneReading {
   bool expects_table = true;  ///< warn if the folder has no table
 };
 
+/// The file of a scene folder's cloud, cloud.ply or cloud.pcd; empty if the folder has none.
+std::filesystem::path scene_cloud_file(const std::filesystem::path& dir);
+/// Whether it has one.
+bool is_scene_folder(const std::filesystem::path& dir);
+
 /// Reads a scene folder: cloud.ply or cloud.pcd, and occupancy.bt and table_plane.txt if they
 /// exist; Scene::warnings names those that are missing. Throws InputError if `dir` is not a scene
 /// folder or a file is not valid.
