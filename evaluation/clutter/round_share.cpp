@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/random.hpp"
+#include "core/bootstrap.hpp"
 
 namespace symscene {
 
@@ -32,26 +32,22 @@ std::string RoundShare::text() const {
 
 double quantile_of(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(
-      std::lround(share * static_cast<double>(values.size() - 1)))];
+  return at_share(values, share);
 }
 
 RoundShare share_with_interval(std::span<const ShareCounts> rounds) {
-  constexpr int resamples = 2000;
   ShareCounts all;
   for (const ShareCounts& round : rounds) all.add(round);
   RoundShare share{all.share(), 0.0, 1.0, all.part, all.whole};
   if (all.whole == 0) return share;
-  Random random(1);
-  std::vector<double> shares;
-  for (int k = 0; k < resamples; ++k) {
-    ShareCounts drawn;
-    for (std::size_t i = 0; i < rounds.size(); ++i)
-      drawn.add(rounds[random.below(static_cast<std::uint32_t>(rounds.size()))]);
-    if (drawn.whole > 0) shares.push_back(drawn.share());
-  }
-  share.low = quantile_of(shares, 0.025);
-  share.high = quantile_of(shares, 0.975);
+  const auto share_of = [&](std::span<const std::size_t> drawn) -> std::optional<double> {
+    ShareCounts sum;
+    for (const std::size_t round : drawn) sum.add(rounds[round]);
+    return sum.whole > 0 ? std::optional(sum.share()) : std::nullopt;
+  };
+  const Interval interval = bootstrap_interval(rounds.size(), share_of).value_or(Interval{});
+  share.low = interval.low;
+  share.high = interval.high;
   if (share.low == share.high) set_wilson_interval(share);
   return share;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace symscene {
+
 OverlapMatrix overlap_matrix(const std::vector<PointIndices>& truth,
                              const std::vector<PointIndices>& found) {
   OverlapMatrix overlaps(static_cast<Eigen::Index>(truth.size()),

@@ -1,16 +1,12 @@
 #include "paired_comparison.hpp"
 
-#include <algorithm>
-#include <random>
+#include <numeric>
 
+#include "core/bootstrap.hpp"
 #include "sweep_settings.hpp"
 
 namespace symscene {
 namespace {
-
-constexpr std::size_t draws = 2000;
-constexpr std::uint64_t seed = 1;
-constexpr double tail = 0.025;
 
 std::optional<std::size_t> first_with_default(const Evaluation& evaluation) {
   for (std::size_t k = 0; k < evaluation.segmentation.size(); ++k) {
@@ -31,24 +27,10 @@ std::vector<DetectionCounts> counts_by_scene(const Evaluation& evaluation, std::
   return counts;
 }
 
-double f_of(const std::vector<DetectionCounts>& counts, const std::vector<std::size_t>& scenes) {
+double f_of(const std::vector<DetectionCounts>& counts, std::span<const std::size_t> scenes) {
   DetectionCounts sum;
   for (const std::size_t scene : scenes) sum += counts[scene];
   return sum.f_measure();
-}
-
-/// The differences of F over scenes that are drawn anew, ascending.
-std::vector<double> drawn_differences(const std::vector<DetectionCounts>& first,
-                                      const std::vector<DetectionCounts>& other) {
-  std::mt19937_64 random(seed);
-  std::vector<double> differences;
-  std::vector<std::size_t> scenes(first.size());
-  for (std::size_t k = 0; k < draws; ++k) {
-    for (std::size_t& scene : scenes) scene = random() % first.size();
-    differences.push_back(f_of(first, scenes) - f_of(other, scenes));
-  }
-  std::sort(differences.begin(), differences.end());
-  return differences;
 }
 
 MethodDifference compare(const Evaluation& evaluation, const std::vector<DetectionCounts>& first,
@@ -57,15 +39,15 @@ MethodDifference compare(const Evaluation& evaluation, const std::vector<Detecti
   std::optional<std::size_t> setting;
   if (!sweep.at_default) setting = best_setting(sweep, Metric::masks_90);
   const std::vector<DetectionCounts> other = counts_by_scene(evaluation, method, setting);
-  const std::vector<double> drawn = drawn_differences(first, other);
-  std::vector<std::size_t> all(first.size());
-  for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
-  const auto at = [&](double share) {
-    return drawn[static_cast<std::size_t>(share * static_cast<double>(draws - 1))];
+  const auto difference = [&](std::span<const std::size_t> scenes) -> std::optional<double> {
+    return f_of(first, scenes) - f_of(other, scenes);
   };
+  std::vector<std::size_t> all(first.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Interval interval = bootstrap_interval(all.size(), difference).value_or(Interval{});
   return {sweep.method,     setting ? "best: " + setting_text(sweep, *setting) : "default",
-          f_of(other, all), f_of(first, all) - f_of(other, all),
-          at(tail),         at(1.0 - tail)};
+          f_of(other, all), difference(all).value_or(0.0),
+          interval.low,     interval.high};
 }
 
 }  // namespace

@@ -112,11 +112,9 @@ std::string mask_curves(const Evaluation& evaluation) {
   return section(
              "Masks",
              "Precision and recall over the settings of each method: the least probabilities of "
-             "SymScene, "
-             "the bounds of table 4.2, the parameters of the baselines. Dots are settings, lines "
-             "their envelopes, stars the best F, rings the default; dashed curves are of constant "
-             "F: "
-             "20, 40, 60 and 80.") +
+             "SymScene, the bounds of table 4.2, the parameters of the baselines. Dots are "
+             "settings, lines their envelopes, stars the best F, rings the default; dashed curves "
+             "are of constant F: 20, 40, 60 and 80.") +
          shown;
 }
 
@@ -208,9 +206,9 @@ std::string paired_comparison(const Evaluation& evaluation) {
   if (table.size() == 1) return "";
   const std::string text = fmt::format(
       "F of masks at 0.9 in percent: that of {} at its default minus that of each method in the "
-      "same "
-      "scenes, with the interval that holds 95 % of the differences over scenes drawn anew (2,000 "
-      "draws). An interval that does not contain 0 tells methods apart. Methods without a default "
+      "same scenes, with the interval that holds 95 % of the differences over scenes drawn anew "
+      "(2,000 draws). An interval that does not contain 0 tells methods apart. Methods without a "
+      "default "
       "have the setting that is best in hindsight, which favours them.",
       escape_markup(compared_method(evaluation)));
   return section("Paired comparison", text.c_str()) + table_html(table, "l2");

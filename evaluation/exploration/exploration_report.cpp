@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/random.hpp"
+#include "core/bootstrap.hpp"
 #include "symscene/clutter/round_share.hpp"
 
 namespace symscene {
@@ -141,20 +141,17 @@ PairedDifference paired_difference(std::span<const double> differences) {
   PairedDifference result;
   result.scenes = differences.size();
   if (differences.empty()) return result;
-  constexpr int resamples = 2000;
-  const auto count = static_cast<std::uint32_t>(differences.size());
-  const auto mean = [&](auto&& pick) {
+  const auto mean = [&](std::span<const std::size_t> scenes) -> std::optional<double> {
     double sum = 0.0;
-    for (std::uint32_t i = 0; i < count; ++i) sum += differences[pick(i)];
-    return sum / count;
+    for (const std::size_t scene : scenes) sum += differences[scene];
+    return sum / static_cast<double>(scenes.size());
   };
-  result.mean = mean([](std::uint32_t i) { return i; });
-  Random random(1);
-  std::vector<double> means;
-  for (int k = 0; k < resamples; ++k)
-    means.push_back(mean([&](std::uint32_t) { return random.below(count); }));
-  result.low = quantile_of(means, 0.025);
-  result.high = quantile_of(means, 0.975);
+  std::vector<std::size_t> all(differences.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  result.mean = mean(all).value_or(0.0);
+  const Interval interval = bootstrap_interval(all.size(), mean).value_or(Interval{});
+  result.low = interval.low;
+  result.high = interval.high;
   return result;
 }
 
