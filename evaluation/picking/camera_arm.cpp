@@ -43,6 +43,11 @@ const RobotArm& camera_arm(const Robot& robot) {
 
 }  // namespace
 
+double azimuth_of_base(const Robot& robot) {
+  const Eigen::Vector3d base = robot.T_world_base.translation();
+  return std::atan2(base.y(), base.x());
+}
+
 CameraArm::CameraArm(const Robot& robot, const Gripper& gripper, const PickBin& bin,
                      const CameraLookOptions& options, const PickOptions& planning)
     : options_(options),
@@ -54,7 +59,8 @@ CameraArm::CameraArm(const Robot& robot, const Gripper& gripper, const PickBin& 
       obstacles_(scene(bin)),
       collision_(robot, arm_, arm_.gripper ? &gripper : nullptr, gripper.max_opening, obstacles_,
                  robot.home, planning.collision),
-      home_(arm_positions(arm_.arm, robot.home)) {
+      home_(arm_positions(arm_.arm, robot.home)),
+      azimuth_(azimuth_of_base(robot)) {
   const std::vector<Eigen::Isometry3d> links = link_poses(robot.model, robot.home);
   const std::vector<std::size_t> bodies = rigid_bodies(robot.model);
   if (bodies[robot.camera->link] != bodies[arm_.arm.tip_link])
@@ -63,8 +69,6 @@ CameraArm::CameraArm(const Robot& robot, const Gripper& gripper, const PickBin& 
   T_table_base_ = robot.T_world_base * links[arm_.arm.base_link];
   T_camera_tip_ = (links[robot.camera->link] * robot.camera->T_link_camera).inverse() *
                   links[arm_.arm.tip_link];
-  const Eigen::Vector3d base = robot.T_world_base.translation();
-  azimuth_ = std::atan2(base.y(), base.x());
 }
 
 GraspScene CameraArm::scene(const PickBin& bin) const {

@@ -12,6 +12,9 @@
 
 namespace symscene {
 
+/// The azimuth of the robot's base about the table's middle. [rad]
+double azimuth_of_base(const Robot& robot);
+
 /// The arm that carries the robot's camera, and what it must not meet while it looks: the robot
 /// itself, the table, the bin, and the cylinder in which objects may stand. Frame of the table.
 class CameraArm {
@@ -31,8 +34,7 @@ class CameraArm {
   MotionPlanner planner(const MotionLimits& limits) const {
     return {collision_, space_, limits, planning_.rrt};
   }
-  /// The azimuth of the robot's base about the table's middle. [rad]
-  double azimuth() const { return azimuth_; }
+  double azimuth() const { return azimuth_; }  ///< of the base
   /// Why the arm cannot look from where it is at home; empty if it can.
   std::string blocked_home() const;
   /// Free joint positions that bring the camera to a pose, searched from `start` on.
@@ -55,7 +57,7 @@ class CameraArm {
   Eigen::VectorXd home_;
   Eigen::Isometry3d T_table_base_;
   Eigen::Isometry3d T_camera_tip_;
-  double azimuth_ = 0.0;
+  double azimuth_;
 };
 
 }  // namespace symscene

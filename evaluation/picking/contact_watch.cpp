@@ -15,4 +15,11 @@ void ContactWatch::note(bool with_hand) {
     touched_ = "the empty hand touched " + cell_.object(hand.bodies.front()).object.name;
 }
 
+void follow_watched(ArmCell& cell, const Arm& arm, const TimedPath& path, ContactWatch& watch) {
+  cell.follow(arm, path, [&] {
+    watch.note(true);
+    return false;
+  });
+}
+
 }  // namespace symscene

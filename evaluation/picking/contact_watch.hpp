@@ -24,4 +24,7 @@ class ContactWatch {
   std::string touched_;
 };
 
+/// Moves an arm that holds nothing along a path; what it touches is noted.
+void follow_watched(ArmCell& cell, const Arm& arm, const TimedPath& path, ContactWatch& watch);
+
 }  // namespace symscene

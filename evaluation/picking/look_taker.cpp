@@ -1,7 +1,5 @@
 #include "look_taker.hpp"
 
-#include <cmath>
-
 #include "sweep_look.hpp"
 #include "view_look.hpp"
 
@@ -49,12 +47,7 @@ class StationTravel {
   const std::string& touched() const { return watch_.touched(); }
 
  private:
-  void follow(const TimedPath& path) {
-    cell_.follow(arm_.arm(), path, [&] {
-      watch_.note(true);
-      return false;
-    });
-  }
+  void follow(const TimedPath& path) { follow_watched(cell_, arm_.arm(), path, watch_); }
 
   ArmCell& cell_;
   const CameraArm& arm_;
@@ -69,9 +62,9 @@ class StationTravel {
 LookTaker::LookTaker(const Robot& robot, const RobotSolids& solids, const Gripper& gripper,
                      const PickBin& bin, const TriangleMesh& bin_mesh,
                      const SimulatedPickOptions& options)
-    : options_(options), images_(robot, solids, bin_mesh, options) {
-  const Eigen::Vector3d base = robot.T_world_base.translation();
-  azimuth_ = std::atan2(base.y(), base.x());
+    : options_(options),
+      azimuth_(azimuth_of_base(robot)),
+      images_(robot, solids, bin_mesh, options) {
   if (robot.camera && robot.camera->arm)
     arm_.emplace(robot, gripper, bin, options.look, options.pick);
 }
@@ -99,8 +92,11 @@ TakenLook LookTaker::take(ArmCell& cell, TablePerception& perception) {
 
 TakenLook LookTaker::fly(ArmCell& cell, TablePerception& perception) {
   std::vector<CameraMoment> moments;
-  for (const Eigen::Isometry3d& pose : flying_look(options_.look, azimuth_))
+  for (const Eigen::Isometry3d& pose : flying_look(options_.look, azimuth_)) {
+    const double after = static_cast<double>(moments.size()) / options_.record_rate;
     moments.push_back(images_.moment(cell, pose));
+    moments.back().time += after;
+  }
   return {images_.add(cell, moments, perception) / static_cast<double>(moments.size()), {}};
 }
 

@@ -31,7 +31,7 @@ class LookTaker {
   TakenLook move_to_views(ArmCell& cell, TablePerception& perception);
 
   const SimulatedPickOptions& options_;
-  double azimuth_ = 0.0;  ///< of the robot's base about the table's middle [rad]
+  double azimuth_;  ///< of the robot's base [rad]
   LookImages images_;
   std::optional<CameraArm> arm_;
   std::optional<LookMotion> sweep_;

@@ -30,10 +30,7 @@ class Execution {
  private:
   /// Up to the opening of the hand.
   AttemptEnd carry() {
-    cell_.follow(arm_, planned_.pick.to_pre_grasp, [&] {
-      watch_.note(true);
-      return false;
-    });
+    follow_watched(cell_, arm_, planned_.pick.to_pre_grasp, watch_);
     cell_.follow(arm_, planned_.pick.approach, [&] { return cell_.world().hand_contacts().any(); });
     cell_.close_fingers(true);
     cell_.wait(options_.closing_time);

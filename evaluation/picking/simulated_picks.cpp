@@ -234,10 +234,7 @@ class PickLoop {
     const auto path = home.path ? home.path : straight_home();
     if (!path) return;
     ContactWatch watch(*cell_);
-    cell_->follow(arm_.arm, *path, [&] {
-      watch.note(true);
-      return false;
-    });
+    follow_watched(*cell_, arm_.arm, *path, watch);
     if (!watch.touched().empty())
       tell(watch.touched() + " on the way home", RecordedOutcome::failure);
   }

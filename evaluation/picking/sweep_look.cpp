@@ -9,21 +9,18 @@ namespace {
 
 std::vector<CameraMoment> swept(ArmCell& cell, const Arm& arm, const LookMotion& motion, int frames,
                                 const LookImages& images, ContactWatch& watch) {
-  const auto watched = [&] {
-    watch.note(true);
-    return false;
-  };
-  cell.follow(arm, motion.there, watched);
+  follow_watched(cell, arm, motion.there, watch);
   const double begin = cell.time();
   const double interval = motion.sweep.duration() / std::max(1, frames - 1);
   std::vector<CameraMoment> moments{images.moment(cell)};
   cell.follow(arm, motion.sweep, [&] {
     if (cell.time() - begin >= interval * static_cast<double>(moments.size()))
       moments.push_back(images.moment(cell));
-    return watched();
+    watch.note(true);
+    return false;
   });
   moments.resize(std::min(moments.size(), static_cast<std::size_t>(frames)));
-  cell.follow(arm, motion.back, watched);
+  follow_watched(cell, arm, motion.back, watch);
   return moments;
 }
 
