@@ -49,7 +49,7 @@ std::vector<Change> changes() {
   add("shift 2.5 mm", here * Eigen::Translation3d(0.0025, 0.0, 0.0));
   for (const double angle : {10.0, 30.0, 45.0, 90.0, 137.0})
     add(fmt::format("turn {:.0f} deg", angle),
-        here * Eigen::AngleAxisd(angle * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ()));
+        here * Eigen::AngleAxisd(radians(angle), Eigen::Vector3d::UnitZ()));
   add("turn any axis",
       here * Eigen::AngleAxisd(1.1, Eigen::Vector3d(0.36, -0.48, 0.8).normalized()));
   add("mirror", here * Eigen::Scaling(-1.0, 1.0, 1.0));
@@ -59,13 +59,6 @@ std::vector<Change> changes() {
   for (const double spacing : {0.002, 0.003, 0.004, 0.006, 0.008})
     all.push_back({fmt::format("spacing {:.0f} mm", 1e3 * spacing), here, false, spacing});
   return all;
-}
-
-Points moved(const Points& points, const Eigen::Affine3d& motion) {
-  Points result(points.rows(), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-    result.row(i) = (motion * points.row(i).transpose().cast<double>()).cast<float>();
-  return result;
 }
 
 Plane moved(const Plane& plane, const Eigen::Affine3d& motion) {
@@ -92,10 +85,10 @@ PointCloud shuffled(const PointCloud& cloud) {
 Scene changed(const Scene& scene, const Change& change) {
   constexpr double margin = 0.3;
   Scene result = scene;
-  result.cloud.positions = moved(scene.cloud.positions, change.motion);
+  result.cloud.positions = moved_points(scene.cloud.positions, change.motion);
   if (scene.cloud.has_normals()) {
     const Eigen::Affine3d turn(change.motion.linear());
-    result.cloud.normals = moved(scene.cloud.normals, turn);
+    result.cloud.normals = moved_points(scene.cloud.normals, turn);
   }
   if (scene.table) result.table = moved(*scene.table, change.motion);
   if (scene.occupancy && !change.motion.isApprox(Eigen::Affine3d::Identity()))
@@ -114,7 +107,7 @@ std::vector<PointIndices> found_objects(const Scene& scene, const Change& change
                                  result.objects.size());
   for (std::size_t k = 0; k < result.objects.size(); ++k)
     for (const Index point : result.objects[k].points) owner[point] = k;
-  const CellList nearby(moved(result.cloud.positions, change.motion.inverse()), same_place);
+  const CellList nearby(moved_points(result.cloud.positions, change.motion.inverse()), same_place);
   std::vector<PointIndices> masks(result.objects.size());
   for (Index i = 0; i < scene.cloud.size(); ++i) {
     const Index nearest = nearby.nearest(scene.cloud.position(i), same_place).first;

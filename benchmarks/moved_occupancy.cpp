@@ -39,13 +39,18 @@ void for_each_voxel(const OccupancyLeaf& leaf, const VoxelBox& box, const Visit&
 
 }  // namespace
 
+Points moved_points(const Points& points, const Eigen::Affine3d& motion) {
+  Points result(points.rows(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    result.row(i) = (motion * points.row(i).transpose().cast<double>()).cast<float>();
+  return result;
+}
+
 OccupancyMap moved_occupancy(const OccupancyMap& map, const Eigen::Affine3d& T_moved_world,
                              const Points& around, double margin) {
   const Eigen::Affine3d T_world_moved = T_moved_world.inverse();
-  Points back = around;
-  for (Eigen::Index i = 0; i < back.rows(); ++i)
-    back.row(i) = (T_world_moved * around.row(i).transpose().cast<double>()).cast<float>();
-  const VoxelBox source = box_around(back, 2.0 * margin, map.resolution);
+  const VoxelBox source =
+      box_around(moved_points(around, T_world_moved), 2.0 * margin, map.resolution);
   std::vector<VoxelState> states(source.count(), VoxelState::never_seen);
   for (const OccupancyLeaf& leaf : map.leaves)
     for_each_voxel(leaf, source,

@@ -1,19 +1,11 @@
-#include <string>
-
 #include "accepted.hpp"
-#include "io/recording.hpp"
+#include "all_messages.hpp"
 
 /// Any bytes are a file of rosbag2 whose messages can be read, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symscene;
   fuzz::accepted([&] {
-    const RecordingPointer recording = open_sqlite_recording(fuzz::as_bytes(data, size), "fuzz");
-    for (const RecordedTopic& topic : recording->topics()) {
-      for (const RecordedMessage& message : recording->messages(topic.name)) {
-        recording->bytes(message);
-      }
-    }
-    return true;
+    return fuzz::read_all_messages(open_sqlite_recording(fuzz::as_bytes(data, size), "fuzz"));
   });
   return 0;
 }

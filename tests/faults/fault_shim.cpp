@@ -88,6 +88,22 @@ int failed(int error) {
   return -1;
 }
 
+void* without_memory() {
+  errno = ENOMEM;
+  return nullptr;
+}
+
+/// A call that writes to `file`: write_share(n) writes an n-th of what was asked for.
+template <class WriteShare>
+ssize_t counted_write(int file, const WriteShare& write_share) {
+  if (!active || !is_file(file)) return write_share(1);
+  if (counted(Kind::kill)) {
+    static_cast<void>(write_share(2) < 0);
+    be_killed();
+  }
+  return counted(Kind::write) ? failed(ENOSPC) : write_share(1);
+}
+
 bool changes(int flags) { return (flags & (O_CREAT | O_TRUNC)) != 0; }
 
 void begin() {
@@ -171,22 +187,12 @@ int fclose(FILE* stream) {
 
 ssize_t write(int file, const void* bytes, size_t size) {
   static auto* const original = real<ssize_t(int, const void*, size_t)>("write");
-  if (!active || !is_file(file)) return original(file, bytes, size);
-  if (counted(Kind::kill)) {
-    static_cast<void>(original(file, bytes, size / 2) < 0);
-    be_killed();
-  }
-  return counted(Kind::write) ? failed(ENOSPC) : original(file, bytes, size);
+  return counted_write(file, [&](size_t n) { return original(file, bytes, size / n); });
 }
 
 ssize_t writev(int file, const iovec* parts, int count) {
   static auto* const original = real<ssize_t(int, const iovec*, int)>("writev");
-  if (!active || !is_file(file)) return original(file, parts, count);
-  if (counted(Kind::kill)) {
-    static_cast<void>(original(file, parts, count / 2) < 0);
-    be_killed();
-  }
-  return counted(Kind::write) ? failed(ENOSPC) : original(file, parts, count);
+  return counted_write(file, [&](int n) { return original(file, parts, count / n); });
 }
 
 ssize_t read(int file, void* bytes, size_t size) {
@@ -216,27 +222,19 @@ int mkdir(const char* path, mode_t mode) noexcept {
 }
 
 void* malloc(size_t size) noexcept {
-  if (!counted(Kind::allocation)) return __libc_malloc(size);
-  errno = ENOMEM;
-  return nullptr;
+  return counted(Kind::allocation) ? without_memory() : __libc_malloc(size);
 }
 
 void* calloc(size_t count, size_t size) noexcept {
-  if (!counted(Kind::allocation)) return __libc_calloc(count, size);
-  errno = ENOMEM;
-  return nullptr;
+  return counted(Kind::allocation) ? without_memory() : __libc_calloc(count, size);
 }
 
 void* realloc(void* memory, size_t size) noexcept {
-  if (!counted(Kind::allocation)) return __libc_realloc(memory, size);
-  errno = ENOMEM;
-  return nullptr;
+  return counted(Kind::allocation) ? without_memory() : __libc_realloc(memory, size);
 }
 
 void* aligned_alloc(size_t alignment, size_t size) noexcept {
-  if (!counted(Kind::allocation)) return __libc_memalign(alignment, size);
-  errno = ENOMEM;
-  return nullptr;
+  return counted(Kind::allocation) ? without_memory() : __libc_memalign(alignment, size);
 }
 
 int posix_memalign(void** memory, size_t alignment, size_t size) noexcept {

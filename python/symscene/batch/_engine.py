@@ -91,7 +91,6 @@ def _client(cluster: Cluster, retries: int) -> Iterator[Any]:
     distributed = _distributed()
     import dask
 
-    # Workers must not be tied to the limits of this machine's memory: a scan is not divided.
     with contextlib.ExitStack() as stack:
         stack.enter_context(
             dask.config.set({"distributed.scheduler.allowed-failures": retries})
@@ -110,7 +109,7 @@ def _client(cluster: Cluster, retries: int) -> Iterator[Any]:
                 n_workers=cluster.workers,
                 threads_per_worker=1,
                 processes=True,
-                memory_limit=0,
+                memory_limit=0,  # none: a scan is not divided
                 dashboard_address=None,
                 local_directory=folder,
             )

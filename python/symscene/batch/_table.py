@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import csv
 import importlib.util
-import os
 import pathlib
-import uuid
 from typing import Any, Dict, Iterator, List, Sequence
 
 from .. import _symscene
-from ._files import atomic_file
+from ._files import atomic_file, replacing
 from ._manifest import Scan
 from ._task import read_record
 
@@ -48,9 +46,8 @@ def _write_parquet(path: pathlib.Path, rows: Iterator[List[Any]]) -> None:
     for row in rows:
         for name, value in zip(COLUMNS, row):
             columns[name].append(value)
-    temporary = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
-    pyarrow.parquet.write_table(pyarrow.table(columns, schema=schema), temporary)
-    os.replace(temporary, path)
+    with replacing(path) as temporary:
+        pyarrow.parquet.write_table(pyarrow.table(columns, schema=schema), temporary)
 
 
 def merge(scans: Sequence[Scan], output: str) -> pathlib.Path:
