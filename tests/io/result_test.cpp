@@ -2,38 +2,13 @@
 
 #include <limits>
 
-#include "io/io_support.hpp"
+#include "io/small_result.hpp"
 
 namespace symscene {
 namespace {
 
 using namespace io_test;
 namespace fs = std::filesystem;
-
-SegmentationResult small_result() {
-  SegmentationResult result;
-  result.cloud = random_cloud(40, 1);
-  SceneObject object;
-  object.points = {0, 5, 39};
-  object.score = 1.0 / 3.0;
-  object.confidence = 0.25;
-  object.rotational = {{{Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d(0.6, 0, 0.8)}, 0.01}};
-  object.reflectional = {{{Eigen::Vector3d(1e-20, 2, 3), Eigen::Vector3d(0, 1, 0)}, 0.02}};
-  object.centroid = Eigen::Vector3d(0.1, 0.7, -1e10);
-  const Eigen::Quaterniond turned = Eigen::Quaterniond(0.1, 0.2, 0.3, 0.4).normalized();
-  object.box = {{{1.0 / 3.0, 0.2, 0.3}, turned}, {{0.1, 1.0 / 7.0, 0.3}, turned}, {0.1, 0.2, 0.05}};
-  SceneObject overlapping;
-  overlapping.points = {5, 6};
-  result.objects = {object, overlapping};
-  result.completed = {random_cloud(7, 2), PointCloud{}};
-  result.rejected = {{"rotational", "symmetry", 0.05, 0.03, 120},
-                     {"reflectional", "occlusion", 0.5, 0.1, 7}};
-  result.rejected[0].points = {3, 4};
-  result.objects[0].score_effects = {{"convexity", 0.9, 0.5, 0.75}};
-  result.funnel = {{"candidates", 50}, {"filtered", 3}};
-  result.timings = {{"z first", 0.25}, {"a second", 0.5}};
-  return result;
-}
 
 TEST(Result, WritingAndReadingGiveTheSameBits) {
   const TemporaryFolder folder;
@@ -68,17 +43,6 @@ TEST(Result, WritingAndReadingGiveTheSameBits) {
   EXPECT_EQ(again.funnel[0].count, 50U);
   EXPECT_EQ(again.timings[0].stage, "z first");
   EXPECT_EQ(format_objects_json(again), format_objects_json(result));
-}
-
-/// A tetrahedron whose last triangle was not seen.
-ObjectSurface small_surface() {
-  ObjectSurface surface;
-  surface.mesh.vertices.resize(4, 3);
-  surface.mesh.vertices << 0.1F, 0.0F, 1e-7F, 1.0F / 3.0F, 0, 0, 0, 1, 0, 0, 0, 1;
-  surface.mesh.triangles.resize(4, 3);
-  surface.mesh.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
-  surface.observed = {1, 1, 1, 0};
-  return surface;
 }
 
 TEST(Result, SurfacesAndSolidsAreReadBackWithTheSameBits) {
@@ -355,58 +319,6 @@ TEST(Result, AFolderWithOtherFilesIsNotReplaced) {
     fs::remove(folder / "out" / name);
   }
   write_result(folder / "out", small_result());
-}
-
-TEST(Result, InconsistentFilesAreRefused) {
-  const TemporaryFolder folder;
-  write_result(folder / "out", small_result());
-  fs::copy_file(folder / "out/objects/1.ply", folder / "out/objects/0.ply",
-                fs::copy_options::overwrite_existing);
-  EXPECT_EQ(refusal([&] { read_result(folder / "out"); }),
-            (folder / "out/objects/0.ply").string() + ": expected 3 observed points, found 2");
-  fs::copy_file(folder / "out/cloud.ply", folder / "out/objects/0.ply",
-                fs::copy_options::overwrite_existing);
-  EXPECT_THROW(read_result(folder / "out"), InputError);
-  EXPECT_EQ(refusal([&] { read_result(folder / "none"); }),
-            (folder / "none").string() +
-                ": expected a result folder, which holds cloud.ply and objects.json, found nothing "
-                "of that name");
-}
-
-TEST(Result, MembersThatAreGivenTwiceAreRefused) {
-  const std::string twice = replaced(format_objects_json(small_result()), "{", "{\"version\": 1,");
-  EXPECT_EQ(refusal([&] { parse_objects_json(twice, "objects.json", 40); }),
-            "objects.json: expected each member of a JSON object once, found \"version\" twice");
-}
-
-TEST(Result, RefusalsNameFileAndPath) {
-  const std::string text = format_objects_json(small_result());
-  const auto message = [&](const std::string& from, const std::string& to) {
-    const std::string changed = replaced(text, from, to);
-    return refusal([&] { parse_objects_json(changed, "objects.json", 40); });
-  };
-  EXPECT_EQ(message("\"version\":3", "\"version\":4"),
-            "objects.json: version: expected at most 3, found 4");
-  EXPECT_EQ(message("\"residual\":0.01", "\"score\":0.01"),
-            "objects.json: objects[0].rotational[0]: expected a member \"residual\", found none");
-  EXPECT_EQ(message("[0,5,39]", "[0,5,40]"),
-            "objects.json: objects[0].points[2]: expected an index below 40, the size of the "
-            "cloud, found 40");
-  EXPECT_EQ(message("\"score\":0.3333333333333333", "\"score\":1.5"),
-            "objects.json: objects[0].score: expected a score in [0, 1], found 1.5");
-  EXPECT_EQ(message("\"id\":1", "\"id\":7"), "objects.json: objects[1].id: expected 1, found 7");
-  EXPECT_EQ(message("[0.6,0.0,0.8]", "[0,0,0]"),
-            "objects.json: objects[0].rotational[0].direction: expected a direction, found a "
-            "vector without length");
-  EXPECT_EQ(message("objects/0.ply", "../../etc/passwd"),
-            "objects.json: objects[0].cloud: expected objects/0.ply, found \"../../etc/passwd\"");
-  EXPECT_EQ(message("\"funnel\":[", "\"funnel\":[{},"),
-            "objects.json: funnel[0]: expected a member \"step\", found none");
-}
-
-TEST(Result, DamagedFilesAreReadOrRefused) {
-  const std::string text = format_objects_json(small_result());
-  EXPECT_EQ(damage(text, [](std::string_view b) { parse_objects_json(b, "x", 40); }), 1);
 }
 
 }  // namespace
