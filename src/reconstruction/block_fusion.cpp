@@ -12,6 +12,9 @@ constexpr int edge = TsdfBlock::edge;
 constexpr int voxels = TsdfBlock::voxels;
 constexpr float packed_unit = Measurement::depth_unit;
 
+/// A look contradicts a voxel if the distances differ by this share of the truncation distance.
+constexpr float contradicting_share = 0.75F;
+
 /// Projection of a block's voxels, up to the translation of the block.
 struct Projection {
   float x[voxels];  ///< a voxel's centre relative to its block, in the camera's axes [m]
@@ -45,16 +48,17 @@ Projection make_projection(const Measurement& measurement, const Eigen::Matrix3d
 
 /// Scale, truncation and weights of the fused distances.
 struct Truncation {
-  float units;        ///< per metre
-  float least;        ///< [m]
-  float most;         ///< [m]
-  float growth;       ///< truncation over squared depth [1/m]
-  float full_behind;  ///< see TsdfOptions::full_weight_behind
-  float zero_behind;  ///< see TsdfOptions::zero_weight_behind
-  float full_growth;  ///< TsdfOptions::full_weight_sigmas over squared depth [1/m]
-  float zero_growth;  ///< TsdfOptions::zero_weight_sigmas over squared depth [1/m]
-  float full_most;    ///< largest share of the depth of zero weight
-  int max_weight;     ///< [Measurement::weight_units]
+  float units;             ///< per metre
+  float least;             ///< [m]
+  float most;              ///< [m]
+  float growth;            ///< truncation over squared depth [1/m]
+  float full_behind;       ///< see TsdfOptions::full_weight_behind
+  float zero_behind;       ///< see TsdfOptions::zero_weight_behind
+  float full_growth;       ///< TsdfOptions::full_weight_sigmas over squared depth [1/m]
+  float zero_growth;       ///< TsdfOptions::zero_weight_sigmas over squared depth [1/m]
+  float full_most;         ///< largest share of the depth of zero weight
+  int max_weight;          ///< [Measurement::weight_units]
+  float max_contradicted;  ///< TsdfOptions::max_contradicted_looks
 };
 
 Truncation make_truncation(const TsdfOptions& options, double noise, float distance_unit) {
@@ -69,7 +73,8 @@ Truncation make_truncation(const TsdfOptions& options, double noise, float dista
           .full_most =
               static_cast<float>(std::max(options.full_weight_behind / options.zero_weight_behind,
                                           options.full_weight_sigmas / options.zero_weight_sigmas)),
-          .max_weight = static_cast<int>(Measurement::weight_units * options.max_weight)};
+          .max_weight = static_cast<int>(Measurement::weight_units * options.max_weight),
+          .max_contradicted = static_cast<float>(options.max_contradicted_looks)};
 }
 
 /// Depths and pixels of the voxels of a block whose corner is at (x, y, z) of the camera's frame.
@@ -107,15 +112,18 @@ void gather_pixels(const std::uint32_t* image, const int* pixel, int* packed) {
 
 /// Averages the measured distances into the voxels of a block (Newcombe et al. 2011, Eqs. 6 to 13).
 /// Returns the smallest distance of a seen voxel to the surface. [units]
-SYMSCENE_MULTIVERSION
-int fuse_pixels(const Truncation& truncation, const float* depths, const int* pixels,
-                std::int16_t* distance, std::uint16_t* weight) {
+/// `forgets`: with TsdfOptions::max_contradicted_looks.
+template <bool forgets>
+[[gnu::always_inline]] inline int fuse_pixels(const Truncation& truncation, const float* depths,
+                                              const int* pixels, std::int16_t* distance,
+                                              std::uint16_t* weight) {
   const float units = truncation.units, least = truncation.least, most = truncation.most;
   const float growth = truncation.growth;
   const float full_behind = truncation.full_behind, zero_behind = truncation.zero_behind;
   const float full_growth = truncation.full_growth, zero_growth = truncation.zero_growth;
   const float full_most = truncation.full_most;
   const int max_weight = truncation.max_weight;
+  const float max_contradicted = truncation.max_contradicted;
   constexpr int never_seen = TsdfBlock::never_seen;
   constexpr float per_squared_root = Measurement::weight_units / (64.0F * 64.0F);
   int nearest = -never_seen;
@@ -130,7 +138,6 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
     // The bound holds along the ray too, where a surface is seen at a flat angle.
     const int seen = static_cast<int>(full > -cut) & static_cast<int>(depths[i] - depth < cut) &
                      static_cast<int>(tenths > 0);
-    const int before = weight[i];
     // The weight falls to zero behind the surface (Bylow et al. 2013): views of one side of a thin
     // wall do not outweigh those of the other.
     const float squared = depth * depth;
@@ -143,8 +150,17 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
         static_cast<float>(root * root) * per_squared_root * std::clamp(falloff, 0.0F, 1.0F);
     const auto rounded = static_cast<int>(weighted + 0.5F);
     const int added = seen != 0 ? rounded : 0;
-    const int sum = before + added;
     const int old = distance[i];
+    int before = weight[i];
+    if constexpr (forgets) {
+      // What a look of full weight contradicts has moved: the looks before it count less.
+      const float gap = std::abs(cut_off * units - static_cast<float>(old));
+      const int contradicts = static_cast<int>(gap > contradicting_share * cut * units) &
+                              static_cast<int>(full >= -full_depth) & seen;
+      const auto kept = static_cast<int>(max_contradicted * static_cast<float>(added));
+      before -= contradicts * std::max(before - kept, 0);
+    }
+    const int sum = before + added;
     const float mean = (static_cast<float>(old) * static_cast<float>(before) +
                         cut_off * units * static_cast<float>(added)) /
                        static_cast<float>(std::max(sum, 1));
@@ -156,6 +172,18 @@ int fuse_pixels(const Truncation& truncation, const float* depths, const int* pi
     weight[i] = static_cast<std::uint16_t>(std::min(sum, max_weight));
   }
   return nearest;
+}
+
+SYMSCENE_MULTIVERSION
+int fuse_all(const Truncation& truncation, const float* depths, const int* pixels,
+             std::int16_t* distance, std::uint16_t* weight) {
+  return fuse_pixels<false>(truncation, depths, pixels, distance, weight);
+}
+
+SYMSCENE_MULTIVERSION
+int fuse_forgetting(const Truncation& truncation, const float* depths, const int* pixels,
+                    std::int16_t* distance, std::uint16_t* weight) {
+  return fuse_pixels<true>(truncation, depths, pixels, distance, weight);
 }
 
 }  // namespace
@@ -179,8 +207,9 @@ int BlockFusion::fuse(const Eigen::Vector3f& corner, Pixels& pixels, TsdfBlock& 
   project_block(kernel_->projection, corner.x(), corner.y(), corner.z(), pixels.depth,
                 pixels.pixel);
   gather_pixels(kernel_->projection.image, pixels.pixel, pixels.packed);
-  return fuse_pixels(kernel_->truncation, pixels.depth, pixels.packed, block.distance.data(),
-                     block.weight.data());
+  const auto fuse_block = kernel_->truncation.max_contradicted > 0.0F ? fuse_forgetting : fuse_all;
+  return fuse_block(kernel_->truncation, pixels.depth, pixels.packed, block.distance.data(),
+                    block.weight.data());
 }
 
 void BlockFusion::color(const Pixels& pixels, const Colors& colors, ColorBlock& block) const {
