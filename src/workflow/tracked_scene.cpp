@@ -16,9 +16,13 @@ TrackedScene::TrackedScene(const CameraIntrinsics& camera, const TrackedSceneOpt
 }
 
 void TrackedScene::look_at(std::span<const DepthFrame> frames, bool is_tracked) {
+  use(choose_sensor(frames, is_tracked, camera_, named_, options_.sensor));
+}
+
+void TrackedScene::use(const SensorChoice& sensor) {
   if (sensor_)
-    throw InputError("sensor", "frames to look at before the first is added", "later ones");
-  sensor_ = choose_sensor(frames, is_tracked, camera_, named_, options_.sensor);
+    throw InputError("sensor", "to be chosen once, before the first frame is added", "a later one");
+  sensor_ = sensor;
   double& tracking_noise = options_.reconstruction.measurement.noise;
   tracking_noise = sensor_->tracking_noise.value_or(tracking_noise);
   options_.view.noise = sensor_->noise.value_or(options_.view.noise);

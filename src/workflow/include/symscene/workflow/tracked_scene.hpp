@@ -30,6 +30,9 @@ class TrackedScene {
   /// single frame is not tracked. Without this the first frame decides.
   void look_at(std::span<const DepthFrame> frames, bool is_tracked = true);
 
+  /// The same by a choice that is made already.
+  void use(const SensorChoice& sensor);
+
   /// Locates a frame and fuses it. Throws InputError as Reconstruction::add().
   FrameReport add(const DepthFrame& frame,
                   const std::optional<Eigen::Isometry3d>& T_world_camera = std::nullopt,
