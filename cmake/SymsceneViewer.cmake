@@ -1,7 +1,7 @@
 # Builds the viewer's pages with npm, in the build folder, and embeds them into symscene_viewer.
 # Include after symscene_library(viewer ...).
 include(SymsceneEmbed)
-set(SYMSCENE_VIEWER_PAGE "" CACHE FILEPATH "A built viewer/dist/page.html with review.html and run.html beside it, to build without Node and npm")
+set(SYMSCENE_VIEWER_PAGE "" CACHE FILEPATH "A built viewer/dist/page.html with review.html, run.html and live.html beside it, to build without Node and npm")
 
 # Sets `page` to the path of the built page, with the others beside it, and adds the commands that make them.
 function(symscene_build_page page)
@@ -20,7 +20,7 @@ function(symscene_build_page page)
       ${SYMSCENE_NPM} ci --omit=dev --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error
     COMMAND ${CMAKE_COMMAND} -E touch ${work}/packages.stamp
     DEPENDS ${packages} COMMENT "Fetching three.js and esbuild" VERBATIM)
-  add_custom_command(OUTPUT ${work}/dist/page.html ${work}/dist/review.html ${work}/dist/run.html
+  add_custom_command(OUTPUT ${work}/dist/page.html ${work}/dist/review.html ${work}/dist/run.html ${work}/dist/live.html
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${work}/src
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${source}/src ${work}/src
     COMMAND ${CMAKE_COMMAND} -E copy ${source}/template.html ${source}/build.mjs ${work}
@@ -39,6 +39,7 @@ function(symscene_embed_pages target)
   symscene_embed(${target} ${page} page_template)
   symscene_embed(${target} ${dist}/review.html review_template)
   symscene_embed(${target} ${dist}/run.html run_template)
+  symscene_embed(${target} ${dist}/live.html live_template)
 endfunction()
 
 if(TARGET symscene_viewer)

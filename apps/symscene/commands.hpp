@@ -7,6 +7,7 @@
   SUBCOMMAND(reconstruct)                \
   SUBCOMMAND(stitch)                     \
   SUBCOMMAND(segment)                    \
+  SUBCOMMAND(watch)                      \
   SUBCOMMAND(masks)                      \
   SUBCOMMAND(grasp)                      \
   SUBCOMMAND(plan)                       \

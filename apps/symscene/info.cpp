@@ -4,10 +4,10 @@
 #include "commands.hpp"
 #include "facts.hpp"
 #include "symscene/core/point_cloud.hpp"
+#include "symscene/io/scene.hpp"
 
 #ifdef SYMSCENE_HAS_EVALUATION
 #include "symscene/dataset/dataset_folder.hpp"
-#include "symscene/io/scene.hpp"
 #endif
 
 namespace symscene::app {

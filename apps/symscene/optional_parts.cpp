@@ -16,6 +16,7 @@ std::vector<OptionalPart> optional_parts() {
           {"MCAP compressed by Zstandard", "libzstd-dev", SYMSCENE_WITH_ZSTD == 1},
           {"robots in URDF", "liburdfdom-dev", SYMSCENE_WITH_URDF == 1},
           {"files in YAML", "libyaml-cpp-dev", SYMSCENE_WITH_YAML == 1},
+          {"the page of live scenes", "libcpp-httplib-dev", SYMSCENE_WITH_HTTP == 1},
           {"videos", "libgif-dev", SYMSCENE_WITH_GIF == 1},
           {"the baseline LCCP", "libpcl-dev", SYMSCENE_WITH_PCL == 1}};
 }

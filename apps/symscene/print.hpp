@@ -8,9 +8,10 @@
 
 namespace symscene::app {
 
-/// Writes to standard output. Errors show when main() flushes the stream.
+/// Writes to standard output, through a pipe too at once. main() asks the stream for errors.
 inline void print_output(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
 }
 
 /// Writes the file or, without one, to standard output.

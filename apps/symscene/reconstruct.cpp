@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <future>
 #include <memory>
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include "commands.hpp"
 #include "core/naming.hpp"
 #include "frame_log.hpp"
+#include "frame_reader.hpp"
 #include "frame_rate.hpp"
 #include "scene_output.hpp"
 #include "sensor_choice.hpp"
@@ -46,30 +46,6 @@ struct ReconstructOptions {
     scene.validate();
     sensor.validate();
   }
-};
-
-/// Reads the frames of a sequence, one ahead of the frame in use.
-class FrameReader {
- public:
-  explicit FrameReader(const DepthSequence& sequence) : sequence_(sequence) { start(); }
-
-  /// The next frame. Throws InputError if it cannot be read; the following frame can still be read.
-  DepthFrame next() {
-    std::future<DepthFrame> current = std::move(ahead_);
-    start();
-    return current.get();
-  }
-
- private:
-  void start() {
-    if (next_ == sequence_.size()) return;
-    ahead_ = std::async(std::launch::async, [this, i = next_] { return sequence_.read(i); });
-    ++next_;
-  }
-
-  const DepthSequence& sequence_;
-  std::size_t next_ = 0;
-  std::future<DepthFrame> ahead_;
 };
 
 constexpr int max_unreadable_warnings = 5;

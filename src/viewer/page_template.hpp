@@ -13,4 +13,7 @@ std::string_view review_template();
 /// viewer/dist/run.html, the same.
 std::string_view run_template();
 
+/// viewer/dist/live.html, the same.
+std::string_view live_template();
+
 }  // namespace symscene

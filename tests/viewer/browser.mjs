@@ -24,8 +24,8 @@ function browser() {
 
 after(async () => (await started)?.close());
 
-// A page of a context of its own; `trouble` collects errors and requests.
-async function openContext(options) {
+// A page of a context of its own; `trouble` collects errors and requests, except those to `server`.
+async function openContext({ server, ...options }) {
   const context = await (await browser()).newContext({ reducedMotion: 'reduce', ...options });
   const page = await context.newPage();
   const trouble = [];
@@ -36,7 +36,8 @@ async function openContext(options) {
   });
   page.on('pageerror', (error) => trouble.push(`uncaught: ${error.stack}`));
   page.on('request', (request) => {
-    if (!/^(file|data):/.test(request.url())) trouble.push(`request: ${request.url()}`);
+    const isExpected = /^(file|data):/.test(request.url()) || (server && request.url().startsWith(server));
+    if (!isExpected) trouble.push(`request: ${request.url()}`);
   });
   return { context, page, trouble };
 }
@@ -128,6 +129,18 @@ export function browserTest(name, path, options, body, { hash = '', isFresh = fa
     } finally {
       if (isAlone) await opened.context.close();
       else if (!passed) await closeLast();
+    }
+  });
+}
+
+/** A test of a page that its server sends: `body(page, trouble)` opens it. No other server may be asked. */
+export function servedTest(name, server, options, body, { skip = false } = {}) {
+  test(name, { timeout: 120000, skip }, async () => {
+    const { context, page, trouble } = await openContext({ server: await server(), ...options });
+    try {
+      await body(page, trouble);
+    } finally {
+      await context.close();
     }
   });
 }

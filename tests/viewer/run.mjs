@@ -11,6 +11,7 @@ import { bareTable, emptyResult, noPoints, tabletop } from './fixture.mjs';
 import { writePage } from './payload.mjs';
 import './modules.mjs';
 import './review.mjs';
+import './live_page.mjs';
 import './explore_page.mjs';
 import './run_modules.mjs';
 import './run_page.mjs';

@@ -1,0 +1,214 @@
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "counted.hpp"
+#include "frame_rate.hpp"
+#include "frame_reader.hpp"
+#include "live_loop.hpp"
+#include "live_server.hpp"
+#include "made_by.hpp"
+#include "scene_output.hpp"
+#include "sensor_choice.hpp"
+#include "session.hpp"
+#include "stop_request.hpp"
+#include "symscene/io/result.hpp"
+#include "symscene/viewer/live_page.hpp"
+#include "thinned_sequence.hpp"
+#include "workflow/score_models.hpp"
+
+namespace symscene::app {
+namespace {
+
+using Clock = LiveLoop::Clock;
+
+/// When each frame of a recording arrives: as it was recorded, or as soon as the one before is
+/// done.
+class Playback {
+ public:
+  Playback(const DepthSequence& sequence, bool is_fast)
+      : sequence_(sequence), is_fast_(is_fast), start_(Clock::now()) {}
+
+  /// Waits for frame i, unless the command is stopped before. Returns when it arrived.
+  Clock::time_point wait_for(std::size_t i, const StopRequest& stop) const {
+    if (is_fast_) return Clock::now();
+    constexpr std::chrono::milliseconds slice{50};
+    const Clock::time_point due =
+        start_ + std::chrono::duration_cast<Clock::duration>(
+                     std::chrono::duration<double>(sequence_.time(i) - sequence_.time(0)));
+    while (Clock::now() < due && !stop.is_made())
+      std::this_thread::sleep_until(std::min(due, Clock::now() + slice));
+    return due;
+  }
+
+ private:
+  const DepthSequence& sequence_;
+  bool is_fast_;
+  Clock::time_point start_;
+};
+
+struct Watch {
+  SharedOptions shared;
+  LiveOptions options;
+  SequenceOptions source;
+  std::filesystem::path path;
+  std::string poses;
+  std::optional<int> every;
+  bool is_fast = false;
+  bool is_unserved = false;
+  std::string host = "127.0.0.1";
+  std::optional<int> port;
+  std::string token;
+  TableArguments table_arguments;
+  SensorArguments sensor_arguments;
+
+  OptionFields configure() {
+    return configure_options(options, shared.config,
+                             [&] { read_score_models(options.pipeline.models); });
+  }
+
+  /// Beyond this machine the scene is only served to those who have a token.
+  LiveAddress address() const {
+    LiveAddress address{host, port.value_or(0), token};
+    if (token.empty() && !address.is_loopback()) address.token = random_token();
+    return address;
+  }
+
+  std::unique_ptr<LiveServer> serve(Session& session) const {
+    if (is_unserved) return nullptr;
+    auto server = std::make_unique<LiveServer>(address(), render_live_page(folder_name(path)));
+    session.print_line(fmt::format("open {}", server->url()));
+    return server;
+  }
+
+  SensorChoice choose_sensor(const DepthSequence& sequence, Session& session) const {
+    const MeasurementOptions& measured = options.tracked.reconstruction.measurement;
+    return sensor_arguments.choose(sequence, sequence.size() > 1,
+                                   {sequence.depth_scale(), measured.min_depth, measured.max_depth},
+                                   options.tracked.sensor, session);
+  }
+
+  void tell(const LiveReport& report, Session& session) const {
+    if (shared.json)
+      session.print(live_json(report) + "\n");
+    else
+      session.print_line(live_line(report));
+  }
+
+  std::optional<DepthFrame> read(FrameReader& reader, Session& session) const {
+    try {
+      return reader.next();
+    } catch (const InputError& error) {
+      session.warn(error.what());
+      return std::nullopt;
+    }
+  }
+
+  void play(const DepthSequence& sequence, LiveLoop& loop, const StopRequest& stop,
+            Session& session) const {
+    const PoseUse use = poses == "exact" ? PoseUse::exact : PoseUse::start;
+    const Playback playback(sequence, is_fast);
+    FrameReader reader(sequence);
+    for (std::size_t i = 0; i < sequence.size() && !stop.is_made(); ++i) {
+      const Clock::time_point arrived = playback.wait_for(i, stop);
+      const std::optional<DepthFrame> frame = read(reader, session);
+      if (!frame) continue;
+      const auto pose = poses.empty() ? std::nullopt : sequence.pose(i);
+      loop.add(*frame, pose, use, arrived);
+    }
+  }
+
+  void write(const LiveReport& last, const LiveScene& scene, const OptionFields& fields,
+             Session& session) const {
+    if (shared.output.empty()) return;
+    LiveOptions defaults;
+    ResultExtras extras;
+    extras.made_by =
+        made_by("watch", path, changed_options(fields, option_fields(defaults)), session);
+    if (!scene.cameras().empty()) extras.trajectory = &scene.cameras();
+    write_result(absolute(shared.output), last.update.result, extras);
+  }
+
+  void run() {
+    const OptionFields fields = configure();
+    table_arguments.table();  // before the work
+    if (!shared.output.empty()) require_beside_frames(shared.output, path);
+    Session session("watch", shared);
+    const auto sequence =
+        every_nth(open_sequence(path, source), static_cast<std::size_t>(every.value_or(1)));
+    session.warn(sequence->warnings());
+    LiveScene scene(sequence->camera(), options, named_sensor(sensor_arguments.name));
+    scene.use(choose_sensor(*sequence, session));
+    const std::unique_ptr<LiveServer> server = serve(session);
+    const StopRequest stop;
+    const FrameRate rate(sequence->size());
+    std::shared_ptr<const LiveReport> last;
+    LiveLoop loop(scene, table_arguments.told(), [&](std::shared_ptr<const LiveReport> report) {
+      last = report;
+      tell(*report, session);
+      if (server) server->publish(std::move(report));
+    });
+    play(*sequence, loop, stop, session);
+    loop.finish();
+    const double per_second = rate.per_second();
+    if (!last || !last->problem.empty())
+      throw InputError(path.string(), "a frame that shows a surface",
+                       last ? last->problem : "none that can be read");
+    write(*last, scene, fields, session);
+    if (server) {
+      server->finish();
+      if (!stop.is_made()) session.print_line("the last frame is in; Ctrl-C ends the page");
+      if (!stop.is_made()) stop.wait();
+    }
+    finish(*last, scene, per_second, session);
+  }
+
+  void finish(const LiveReport& last, const LiveScene& scene, double per_second,
+              Session& session) const {
+    std::vector<ReportMember> members{{"frames", scene.frames()},
+                                      {"lost", last.lost},
+                                      {"updates", last.number},
+                                      {"objects", last.update.result.objects.size()}};
+    if (!shared.output.empty()) members.insert(members.begin(), {"output", shared.output});
+    members.push_back(ReportMember::raw("frames_per_second", fmt::format("{:.4g}", per_second)));
+    session.print_line(fmt::format("{} ({} lost), {:.1f} per second; {}",
+                                   counted(scene.frames(), "frame"), last.lost, per_second,
+                                   counted(last.number, "update")));
+    session.finish(members, last.update.result.timings);
+  }
+};
+
+}  // namespace
+
+void add_watch(CommandLine& line) {
+  const auto state = std::make_shared<Watch>();
+  Arguments arguments(
+      line, "watch", "Find the objects of a scene while its frames arrive, and show them on a page",
+      "symscene watch sweep\n"
+      "  symscene watch sweep --no-server --fast -o result");
+  arguments.input(state->path, "SEQUENCE",
+                  "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or recording of "
+                  "ROS, played as it was recorded");
+  arguments.optional_output_folder(state->shared, "result folder to write after the last frame");
+  arguments.flag("--fast", state->is_fast,
+                 "take each frame as soon as the one before is fused, not when it was recorded");
+  arguments.flag("--no-server", state->is_unserved, "serve no page; end after the last frame");
+  arguments.text("--host", "ADDRESS", state->host,
+                 "address of this machine to serve at (default 127.0.0.1: only this machine)");
+  arguments.count("--port", state->port, between(0, 65535),
+                  "port to serve at (default: a free one)");
+  arguments.text("--token", "TEXT", state->token,
+                 "what requests must bring (default: at other addresses than this machine's own a "
+                 "random one)");
+  arguments.sequence_options(state->source);
+  arguments.every(state->every, "use every N-th frame (default 1)");
+  arguments.choice("--poses", state->poses, {"exact", "start"},
+                   "use the sequence's poses as they are, or as initial poses of tracking");
+  state->table_arguments.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
+  state->sensor_arguments.add_to(arguments);
+  arguments.run_stages(state);
+}
+
+}  // namespace symscene::app

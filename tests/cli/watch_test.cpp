@@ -1,0 +1,70 @@
+// `symscene watch`, run as a process, without its server: tests/viewer/live_page.mjs has that.
+#include <sstream>
+
+#include "cli/small_sweep.hpp"
+
+namespace symscene::testing {
+namespace {
+
+using nlohmann::json;
+
+class Watch : public SweepCommand {
+ protected:
+  static std::vector<json> lines_of(const std::string& text) {
+    std::vector<json> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(json::parse(line));
+    return lines;
+  }
+
+  static json objects_in(const std::string& folder) {
+    return json::parse(contents(file(folder) / "objects.json")).at("objects");
+  }
+};
+
+TEST_F(Watch, TellsEachUpdateAndWritesTheLastAsAResult) {
+  const Outcome watched = run("watch sweep --no-server --fast --poses exact -o live --json");
+  ASSERT_EQ(watched.code, 0) << watched.err;
+  const std::vector<json> lines = lines_of(watched.out);
+  ASSERT_GE(lines.size(), 2U);
+  const json &last = lines[lines.size() - 2], &summary = lines.back();
+  EXPECT_EQ(last.at("frames"), frames);
+  EXPECT_EQ(summary.at("frames"), frames);
+  EXPECT_EQ(summary.at("lost"), 0);
+  EXPECT_EQ(summary.at("updates"), lines.size() - 1);
+  std::size_t before = 0;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    EXPECT_EQ(lines[i].at("update"), i + 1);
+    EXPECT_GT(lines[i].at("frames"), before);
+    EXPECT_GT(lines[i].at("latency"), 0.0);
+    before = lines[i].at("frames");
+  }
+  const json objects = objects_in("live");
+  EXPECT_GT(objects.size(), 3U);
+  EXPECT_EQ(last.at("objects").size(), objects.size());
+}
+
+TEST_F(Watch, FindsAtTheEndWhatReconstructAndSegmentFind) {
+  ASSERT_EQ(run("watch sweep --no-server --fast --poses exact -o live").code, 0);
+  ASSERT_EQ(run("reconstruct sweep --poses exact -o placed").code, 0);
+  ASSERT_EQ(run("segment placed -o found").code, 0);
+  const json live = objects_in("live"), found = objects_in("found");
+  ASSERT_EQ(live.size(), found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double points = found[i].at("points").size();
+    EXPECT_NEAR(live[i].at("points").size(), points, 0.05 * points + 5) << i;
+  }
+}
+
+TEST_F(Watch, RefusesFramesThatShowNothingAndOptionsThatContradict) {
+  const Outcome dark = run("watch dark --no-server --fast");
+  EXPECT_EQ(dark.code, 1);
+  EXPECT_NE(dark.err.find("expected"), std::string::npos) << dark.err;
+  EXPECT_EQ(run("watch none --no-server").code, 1);
+  EXPECT_EQ(run("watch sweep --no-server --port 70000").code, 2);
+  EXPECT_EQ(run("watch sweep --no-server --no-table --any-up").code, 1);
+  EXPECT_FALSE(fs::exists(file("new")));
+}
+
+}  // namespace
+}  // namespace symscene::testing
