@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cloud_units.hpp"
 #include "core/naming.hpp"
 #include "io/atomic_file.hpp"
 #include "models.hpp"
@@ -156,7 +157,11 @@ SegmentInput SegmentSource::read_cloud_file(const SegmentOptions& options, Sessi
   require_no_camera("a cloud");
   StageTimer timer(session.on_begin());
   SensorCloud seen = timer.time("read", [&] { return read_sensor_cloud(path); });
-  if (units == "mm") scale_to_metres(seen);
+  const bool is_scaled = units == "mm";
+  if (is_scaled) scale_to_metres(seen);
+  if (const auto doubt =
+          check_cloud_units(seen.cloud.positions, is_scaled, path.string(), options.pipeline))
+    session.warn(*doubt);
   BuiltScene built = timer.time("find table", [&] {
     return naming(path, [&] {
       return cloud_scene(seen.cloud, seen.viewpoint, table.known({}),
@@ -177,10 +182,10 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
                      fmt::format("{} frames", sequence->size()));
   }
   DepthFrame frame = timer.time("read", [&] { return sequence->read(0); });
+  const DepthUse depths{sequence->depth_scale(), options.view.points.min_depth,
+                        options.view.points.max_depth};
   const ReportedSensor chosen = timer.time("estimate sensor", [&] {
     constexpr bool tracked = false;
-    const DepthUse depths{sequence->depth_scale(), options.view.points.min_depth,
-                          options.view.points.max_depth};
     return sensor.choose({&frame, 1}, tracked, sequence->camera(), depths, options.sensor, session);
   });
   ViewInput view = naming(path, [&] {

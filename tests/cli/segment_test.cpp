@@ -52,21 +52,23 @@ TEST_F(Command, RefusesAFileOfAnotherKindNamingAllKinds) {
   expect_refusal("segment cloud.xyz -o new", 1, "a cloud (.ply, .pcd), found another file");
 }
 
+/// A tube of 8 cm and 12 cm, its coordinates multiplied by `scale`, as cloud.ply.
+std::string cloud_of_a_tube(double scale) {
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 7200\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n";
+  for (int k = 0; k < 7200; ++k) {
+    const double angle = 0.0523599 * (k % 120);
+    text += std::to_string(scale * 0.04 * std::cos(angle)) + " " +
+            std::to_string(scale * 0.04 * std::sin(angle)) + " " +
+            std::to_string(scale * 0.002 * (k / 120)) + "\n";
+  }
+  return text;
+}
+
 TEST_F(Command, ReadsACloudInMillimetres) {
-  const auto cloud = [](double scale) {
-    std::string text =
-        "ply\nformat ascii 1.0\nelement vertex 7200\nproperty float x\n"
-        "property float y\nproperty float z\nend_header\n";
-    for (int k = 0; k < 7200; ++k) {
-      const double angle = 0.0523599 * (k % 120);
-      text += std::to_string(scale * 0.04 * std::cos(angle)) + " " +
-              std::to_string(scale * 0.04 * std::sin(angle)) + " " +
-              std::to_string(scale * 0.002 * (k / 120)) + "\n";
-    }
-    return text;
-  };
-  write(file("metres.ply"), cloud(1.0));
-  write(file("millimetres.ply"), cloud(1000.0));
+  write(file("metres.ply"), cloud_of_a_tube(1.0));
+  write(file("millimetres.ply"), cloud_of_a_tube(1000.0));
   ASSERT_EQ(run("segment metres.ply -o of_metres --no-table").code, 0);
   ASSERT_EQ(run("segment millimetres.ply -o of_mm --no-table --units mm").code, 0);
   const auto box = [](const std::string& result) {
@@ -75,6 +77,34 @@ TEST_F(Command, ReadsACloudInMillimetres) {
   };
   EXPECT_NEAR(box("of_mm"), box("of_metres"), 0.002);
   expect_refusal("segment scene -o new --units mm", 1, "a cloud (.ply, .pcd), as --units needs");
+}
+
+TEST_F(Command, RefusesACloudWhoseUnitIsEvidentlyTheOther) {
+  write(file("millimetres.ply"), cloud_of_a_tube(1000.0));
+  write(file("metres.ply"), cloud_of_a_tube(1.0));
+  for (const char* table : {"", " --no-table"}) {
+    expect_refusal(std::string("segment millimetres.ply -o new") + table, 1,
+                   "millimetres.ply: expected points less than 0.02 m apart, found 2 m and more in "
+                   "a cloud of 108 m (if the unit is the millimetre, give --units mm)");
+    expect_refusal(std::string("segment metres.ply -o new --units mm") + table, 1,
+                   "metres.ply: expected an extent of at least 15 mm, with --units mm, found 0.108 "
+                   "mm (if the unit is the metre, leave out --units mm)");
+  }
+  expect_refusal("grasp millimetres.ply -o new.json", 1, "give --units mm");
+}
+
+TEST_F(Command, DoubtsTheUnitOfADenseCloudAsLargeAsABuilding) {
+  // Each point twice, so that their distances tell nothing.
+  std::string twice = cloud_of_a_tube(1000.0);
+  const std::size_t points = twice.find("end_header\n") + 11;
+  twice += twice.substr(points);
+  twice.replace(twice.find("7200"), 4, "14400");
+  write(file("twice.ply"), twice);
+  const Outcome outcome = run("segment twice.ply -o new --no-table");
+  EXPECT_NE(outcome.err.find("twice.ply: the cloud is 108 m large: unless it is a building, its "
+                             "unit is the millimetre (give --units mm)"),
+            std::string::npos)
+      << outcome.err;
 }
 
 TEST_F(Command, ViewComparesWithTheGroundTruthOfTheScene) {
