@@ -16,6 +16,7 @@ namespace {
 constexpr double max_outside = 0.2;  // share of the depths
 constexpr double far_table = 4.0;    // [m]
 constexpr double usual_depth = 1.0;  // of a table before a camera [m]
+constexpr double large_table = 6.0;  // more than a camera sees of one [m²]
 
 /// Metres, millimetres, the scale of the TUM benchmark, tenths of a millimetre. [1/m]
 constexpr std::array<double, 4> usual_scales = {1.0, 1000.0, 5000.0, 10000.0};
@@ -84,6 +85,22 @@ std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frame
       "{:.0f} % of the depths are outside {:g} to {:g} m and not used; the median depth is {:.3g} "
       "m{}",
       100.0 * share, use.min_depth, use.max_depth, median_depth, advice(median_depth, use));
+}
+
+std::optional<std::string> large_table_warning(const DepthFrame& frame, double area,
+                                               const DepthUse& use) {
+  if (area <= large_table) return {};
+  const double median_depth = median_of({&frame, 1});
+  const bool is_advised =
+      share_outside({&frame, 1}, use) > max_outside && !advice(median_depth, use).empty();
+  if (is_advised) return {};
+  const double likely = likely_scale(median_depth, use.scale);
+  if (likely == 0.0) return {};
+  const double ratio = use.scale / likely;
+  return fmt::format(
+      "the table is {:.3g} m^2 large at a median depth of {:.3g} m: unless it is a floor, try "
+      "--depth-scale {:g}, which makes it {:.2g} m^2 at {:.3g} m",
+      area, median_depth, likely, area * ratio * ratio, median_depth * ratio);
 }
 
 }  // namespace symscene::app

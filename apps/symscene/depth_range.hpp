@@ -21,4 +21,10 @@ struct DepthUse {
 std::optional<std::string> depth_range_warning(std::span<const DepthFrame> frames,
                                                const DepthUse& use);
 
+/// A sentence if the table that was found in a frame is larger than tables are, as with a scale too
+/// small, although the depths are used: its area, and the usual scale with which the median depth
+/// is most like that of a table. `area` is in m².
+std::optional<std::string> large_table_warning(const DepthFrame& frame, double area,
+                                               const DepthUse& use);
+
 }  // namespace symscene::app

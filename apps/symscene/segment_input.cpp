@@ -64,6 +64,14 @@ SequenceOptions in_millimetres(SequenceOptions options, const fs::path& path) {
   return options;
 }
 
+/// Warns of a table that is larger than tables are.
+void doubt_table(const ViewInput& view, const DepthUse& depths, Session& session) {
+  const auto& supports = view.scene.built.table.planes.supports;
+  if (supports.empty()) return;
+  if (const auto doubt = large_table_warning(view.frame, supports.front().area, depths))
+    session.warn(*doubt);
+}
+
 void scale_to_metres(SensorCloud& seen) {
   seen.cloud.positions *= 0.001F;
   seen.viewpoint *= 0.001;
@@ -193,6 +201,7 @@ SegmentInput SegmentSource::read_view(const SegmentOptions& options, Session& se
   });
   for (const StageTime& stage : view.scene.stages) timer.add(stage.stage, stage.seconds);
   report_table(view.scene.built, session);
+  doubt_table(view, depths, session);
   return {std::move(view.scene.built.scene),
           std::move(view.surface),
           std::move(view.cameras),

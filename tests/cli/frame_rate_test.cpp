@@ -49,6 +49,22 @@ TEST(DepthRange, AFarBackgroundIsNotTakenForAWrongScale) {
             "33 % of the depths are outside 0.2 to 6 m and not used; the median depth is 3 m");
 }
 
+TEST(DepthRange, ATableLargerThanTablesAreIsTakenForAWrongScale) {
+  const auto warning = large_table_warning(frame_at(3.9), 11.0, {200.0, 0.2, 6.0});
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(*warning,
+            "the table is 11 m^2 large at a median depth of 3.9 m: unless it is a floor, try "
+            "--depth-scale 1000, which makes it 0.44 m^2 at 0.78 m");
+}
+
+TEST(DepthRange, ALargeTableIsNotDoubtedTwiceNorOneThatIsNear) {
+  const DepthUse use{1000.0, 0.2, 6.0};
+  EXPECT_FALSE(large_table_warning(frame_at(3.9), 5.0, use));
+  EXPECT_FALSE(large_table_warning(frame_at(1.0), 11.0, use)) << "no other scale is likelier";
+  EXPECT_TRUE(depth_range_warning(std::vector{frame_at(7.0)}, use));
+  EXPECT_FALSE(large_table_warning(frame_at(7.0), 11.0, use)) << "already doubted by its range";
+}
+
 TEST(DepthRange, AdvisesAScaleWhereMostIsUsedButFarForATable) {
   const std::vector<DepthFrame> frames{frame_at(5.5), frame_at(5.5), frame_at(7.0)};
   const auto warning = depth_range_warning(frames, {1000.0, 0.2, 6.0});

@@ -80,6 +80,11 @@ TEST_F(SweepCommand, AWrongDepthScaleIsNoticed) {
                              "try --depth-scale 1000, which makes it 0."})
       EXPECT_NE(outcome.err.find(part), std::string::npos) << scale << "\n" << outcome.err;
   }
+  // The depths are used then, but the table is 25 times as large.
+  const Outcome five_times = run(segment + " --depth-scale 200");
+  EXPECT_NE(five_times.err.find("unless it is a floor, try --depth-scale 1000, which makes it "),
+            std::string::npos)
+      << five_times.err;
   EXPECT_EQ(run(segment).err.find("--depth-scale"), std::string::npos);
 }
 
