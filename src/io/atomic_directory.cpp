@@ -1,11 +1,9 @@
-#include <fcntl.h>
-#include <cstdio>
-
 #include <cerrno>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
+#include "folder_swap.hpp"
 #include "io/atomic_file.hpp"
 #include "symscene/core/error.hpp"
 #include "temporary_name.hpp"
@@ -54,30 +52,6 @@ void sync_tree(const fs::path& staging, const fs::path& target) {
   sync_to_disk(staging, target);
 }
 
-/// Exchanges two folders in one step, if the file system supports it. Returns whether it did.
-bool exchange(const fs::path& a, const fs::path& b) {
-#ifdef RENAME_EXCHANGE
-  return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
-#else
-  static_cast<void>(a), static_cast<void>(b);
-  return false;
-#endif
-}
-
-/// Replaces the folder `target` by `staging`; afterwards `staging` is the old one.
-void swap_folders(const fs::path& staging, const fs::path& target) {
-  if (exchange(staging, target)) return;
-  const fs::path old = temporary_beside(target);
-  fs::rename(target, old);
-  std::error_code error;
-  fs::rename(staging, target, error);
-  if (error) {
-    fs::rename(old, target);
-    throw fs::filesystem_error("rename", staging, target, error);
-  }
-  fs::rename(old, staging);
-}
-
 [[noreturn]] void fail(const fs::path& target, const fs::filesystem_error& error) {
   throw InputError(target.string(), "a folder that can be written", error.code().message());
 }
@@ -95,9 +69,9 @@ AtomicDirectory::AtomicDirectory(const fs::path& target, DirectoryLayout layout)
       on_signal_(staging_),
       layout_(std::move(layout)) {
   try {
+    remove_stale_staging(target_);
     require_replaceable(target_, layout_);
     fs::create_directories(target_.parent_path());
-    remove_stale_staging(target_);
     fs::create_directory(staging_);
   } catch (const fs::filesystem_error& error) {
     fail(target_, error);

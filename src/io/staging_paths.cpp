@@ -101,7 +101,12 @@ void remove_stale_staging(const fs::path& path) {
     const auto process = writer_of(entry->path().filename().string(), path.filename().string());
     if (process && kill(*process, 0) != 0 && errno == ESRCH) stale.push_back(entry->path());
   }
-  for (const fs::path& left : stale) fs::remove_all(left, ignored);
+  for (const fs::path& left : stale) {
+    if (is_set_aside(left.filename().string()) && !fs::exists(fs::symlink_status(path, ignored)))
+      fs::rename(left, path, ignored);
+    else
+      fs::remove_all(left, ignored);
+  }
 }
 
 void remove_staging_on_signals() {

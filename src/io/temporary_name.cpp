@@ -29,6 +29,8 @@ const std::string& host() {
   return name;
 }
 
+constexpr std::string_view set_aside = ".old";
+
 std::string beginning(std::string_view target) {
   return fmt::format(".{}.tmp-{}-", target, host());
 }
@@ -42,6 +44,10 @@ fs::path temporary_beside(const fs::path& path) {
       fmt::format("{}{}-{}", beginning(path.filename().string()), getpid(), counter++));
   return beside;
 }
+
+fs::path set_aside_beside(const fs::path& path) { return temporary_beside(path) += set_aside; }
+
+bool is_set_aside(std::string_view name) { return name.ends_with(set_aside); }
 
 std::optional<pid_t> writer_of(std::string_view name, std::string_view target) {
   const std::string begin = beginning(target);

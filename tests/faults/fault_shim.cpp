@@ -6,6 +6,8 @@
 //                                is written before
 //   SYMSCENE_FAULT_COUNTS=FILE   the counts, one std::uint64_t per kind; processes that are forked
 //   share them
+//   SYMSCENE_NO_EXCHANGE=1       no two files exchange their names, as on file systems that cannot
+//                                do that: such calls fail and are not counted
 // Calls count from the beginning to the end of main(). Files are those that the process opened
 // itself: neither the standard streams nor sockets. Clocks stand still, so that equal runs write
 // equal bytes, and nothing waits for a disk.
@@ -49,6 +51,7 @@ Counts* counts = &own_counts;
 std::atomic<bool> active{false};
 std::size_t failing_kind = kinds.size();
 std::uint64_t failing_call = 0;
+bool can_exchange = true;
 
 template <class Function>
 Function* real(const char* name) {
@@ -115,6 +118,7 @@ void begin() {
     const char* number = strchr(fault, ' ');
     failing_call = number == nullptr ? 0 : strtoull(number, nullptr, 10);
   }
+  can_exchange = getenv("SYMSCENE_NO_EXCHANGE") == nullptr;
   if (const char* path = getenv("SYMSCENE_FAULT_COUNTS")) {
     const int file = open(path, O_RDWR | O_CLOEXEC);
     void* shared = mmap(nullptr, sizeof(Counts), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
@@ -212,6 +216,7 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to,
               unsigned flags) noexcept {
   static auto* const original =
       real<int(int, const char*, int, const char*, unsigned)>("renameat2");
+  if (!can_exchange && (flags & RENAME_EXCHANGE) != 0) return failed(EINVAL);
   if (counted_change(Kind::rename)) return failed(EINVAL);
   return original(from_folder, from, to_folder, to, flags);
 }

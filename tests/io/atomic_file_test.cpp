@@ -184,6 +184,37 @@ TEST(AtomicDirectory, WhatADeadProcessLeftIsRemovedByTheNextWriter) {
   EXPECT_EQ(folder.names(), (Names{".out.tmp-1", living.filename().string(), "other", "out"}));
 }
 
+TEST(AtomicDirectory, WhatADeadProcessSetAsideIsWhereItWasBeforeTheNextOneCommits) {
+  const TemporaryFolder folder;
+  write_folder(folder / "out", "first");
+  status_of([&] { fs::rename(folder / "out", set_aside_beside(folder / "out")); });
+  ASSERT_FALSE(fs::exists(folder / "out"));
+  { const AtomicDirectory given_up(folder / "out", layout()); }
+  EXPECT_EQ(folder.names(), Names{"out"});
+  EXPECT_EQ(read_text(folder / "out/sub/a"), "first");
+}
+
+TEST(AtomicDirectory, WhatADeadProcessSetAsideDoesNotReplaceWhatTookItsPlace) {
+  const TemporaryFolder folder;
+  write_folder(folder / "out", "first");
+  status_of([&] { fs::rename(folder / "out", set_aside_beside(folder / "out")); });
+  fs::create_directory(folder / "out");
+  write_text(folder / "out/marker", "second");
+  { const AtomicDirectory given_up(folder / "out", layout()); }
+  EXPECT_EQ(folder.names(), Names{"out"});
+  EXPECT_EQ(read_text(folder / "out/marker"), "second");
+}
+
+TEST(AtomicDirectory, WhatALivingProcessSetAsideIsLeftAlone) {
+  const TemporaryFolder folder;
+  write_folder(folder / "out", "first");
+  const fs::path aside = set_aside_beside(folder / "out");
+  fs::rename(folder / "out", aside);
+  write_folder(folder / "out", "second");
+  EXPECT_EQ(read_text(aside / "marker"), "first");
+  EXPECT_EQ(read_text(folder / "out/marker"), "second");
+}
+
 TEST(AtomicDirectory, IsRemovedIfASignalEndsTheProcess) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
