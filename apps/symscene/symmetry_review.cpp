@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include "io/atomic_file.hpp"
-#include "io/json_cursor.hpp"
-#include "symscene/core/error.hpp"
 #include "symscene/symmetry/group_review.hpp"
 
 namespace symscene::app {
@@ -15,9 +13,9 @@ namespace {
 using Kind = ReviewedSymmetry::Kind;
 
 const double same_angle = radians(1.0);
+static_assert(ReviewChoice::continuous == GroupAxis::continuous);
 constexpr double same_distance = 0.01;  ///< by the diagonal
 
-const char* const accepted_choice = "accepted";
 const char* const rejected_choice = "rejected";
 const char* const open_choice = "open";
 
@@ -33,15 +31,6 @@ std::vector<ReviewedSymmetry> listed(const SymmetryGroup& group) {
   for (const GroupPlane& found : group.planes)
     symmetries.push_back({Kind::plane, 0, found.plane.point, found.plane.normal, found.residual});
   return symmetries;
-}
-
-/// The order of an axis in a file of choices: a number or "continuous".
-std::optional<int> order_of(const JsonCursor& symmetry) {
-  const std::optional<JsonCursor> order = symmetry.find("order");
-  if (!order) return std::nullopt;
-  if (!order->is_string()) return static_cast<int>(order->count());
-  if (order->string() != "continuous") order->fail("a number or continuous");
-  return GroupAxis::continuous;
 }
 
 bool is_same(const ReviewedSymmetry& symmetry, const Eigen::Vector3d& point,
@@ -83,30 +72,8 @@ ReviewedModel reviewed_model(const ModelSymmetries& symmetries, TriangleMesh mes
           symmetries.diameter, symmetries.group.diagonal, listed(symmetries.group)};
 }
 
-ReviewChoices::ReviewChoices(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  const Json document = parse_json(read_file(file), name);
-  const JsonCursor root(document, name);
-  if (root.at("version").count() != 1) root.at("version").fail("1");
-  for (const JsonCursor& model : root.at("models").items()) {
-    const auto [entry, is_new] = models_.try_emplace(model.at("name").string());
-    if (!is_new) model.at("name").fail("a model once");
-    std::vector<Choice>& choices = entry->second;
-    for (const JsonCursor& each : model.at("symmetries").items()) {
-      const JsonCursor choice = each.at("choice");
-      const std::string kind = each.at("kind").string();
-      if (kind != to_string(Kind::plane) && kind != to_string(Kind::axis) &&
-          kind != to_string(Kind::sphere))
-        each.at("kind").fail("plane, axis or sphere");
-      choices.push_back({kind, each.at("point").vector3(), each.at("direction").direction(),
-                         choice.string(),
-                         kind == to_string(Kind::axis) ? order_of(each) : std::nullopt});
-      const std::string& said = choices.back().choice;
-      if (said != accepted_choice && said != rejected_choice && said != open_choice)
-        choice.fail(fmt::format("{}, {} or {}", accepted_choice, rejected_choice, open_choice));
-    }
-  }
-}
+ReviewChoices::ReviewChoices(const std::filesystem::path& file)
+    : models_(parse_review_choices(read_file(file), file.string())) {}
 
 std::vector<std::string> ReviewChoices::apply(ModelSymmetries& model) const {
   const auto found = models_.find(model.name);
@@ -117,7 +84,7 @@ std::vector<std::string> ReviewChoices::apply(ModelSymmetries& model) const {
   int undecided = 0;
   for (const ReviewedSymmetry& symmetry : symmetries) {
     const auto choice =
-        std::find_if(found->second.begin(), found->second.end(), [&](const Choice& each) {
+        std::find_if(found->second.begin(), found->second.end(), [&](const ReviewChoice& each) {
           return each.kind == to_string(symmetry.kind) &&
                  each.order.value_or(symmetry.order) == symmetry.order &&
                  is_same(symmetry, each.point, each.direction,

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "io/review_choices.hpp"
 #include "symmetry_formats.hpp"
 #include "symscene/core/triangle_mesh.hpp"
 #include "symscene/viewer/review_page.hpp"
@@ -26,14 +25,7 @@ class ReviewChoices {
   std::vector<std::string> apply(ModelSymmetries& model) const;
 
  private:
-  struct Choice {
-    std::string kind;
-    Eigen::Vector3d point, direction;
-    std::string choice;
-    std::optional<int> order;  ///< of an axis, 0 for a continuous one; none where the file has none
-  };
-
-  std::map<std::string, std::vector<Choice>> models_;
+  ReviewChoicesByModel models_;
 };
 
 }  // namespace symscene::app

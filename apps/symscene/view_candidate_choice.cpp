@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "io/atomic_file.hpp"
+#include "io/view_costs.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/io/camera_file.hpp"
 #include "symscene/io/intrinsics.hpp"
@@ -119,17 +119,8 @@ std::vector<Eigen::Isometry3d> ViewCandidateChoice::poses(const SegmentationResu
 }
 
 std::vector<double> ViewCandidateChoice::read_costs(std::size_t count) const {
-  std::vector<double> numbers;
-  if (costs.empty()) return numbers;
-  std::istringstream text(read_file(costs));
-  for (std::string word; text >> word;) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(word.c_str(), &end));
-    constexpr double greatest = 1e9;
-    const bool is_number = *end == '\0' && numbers.back() >= 0.0 && numbers.back() <= greatest;
-    if (!is_number && word != "inf")
-      throw InputError(costs.string(), "numbers from 0 to 1e9, or inf", "\"" + word + "\"");
-  }
+  if (costs.empty()) return {};
+  std::vector<double> numbers = parse_view_costs(read_file(costs), costs.string());
   if (numbers.size() != count)
     throw InputError(costs.string(), fmt::format("{} numbers, one per candidate", count),
                      std::to_string(numbers.size()));
