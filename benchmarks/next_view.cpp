@@ -3,16 +3,20 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "io/atomic_file.hpp"
 #include "program.hpp"
+#include "symscene/core/error.hpp"
 #include "symscene/core/thread_limit.hpp"
 #include "symscene/exploration/exploration_report.hpp"
 #include "symscene/physics/physics_world.hpp"
+#include "symscene/simulation/scanned_models.hpp"
 
 namespace {
 
@@ -30,11 +34,15 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& a) {
-  app.add_option("--objects", a.objects, "folder with NAME.urdf, its surface and convex parts")
+  app.add_option("--objects", a.objects,
+                 "folder with NAME.urdf, its surface and convex parts; of tables: of meshes in "
+                 "metres (.ply, .obj)")
       ->required();
-  app.add_option("--share", a.share, "objects by the hash of their name: all, fitting, held-out")
+  app.add_option("--share", a.share,
+                 "objects by the hash of their name: all, fitting, held-out; of tables: all")
       ->capture_default_str();
-  app.add_option("--scene", a.kind, "packed or pile")->capture_default_str();
+  app.add_option("--scene", a.kind, "packed, pile or table: scanned objects")
+      ->capture_default_str();
   app.add_option("--scenes", a.scenes, "scenes")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--first", a.first, "number of the first scene")
       ->check(CLI::NonNegativeNumber)
@@ -42,6 +50,9 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_option("--seed", a.options.seed, "seed of all scenes")->capture_default_str();
   app.add_option("--count", a.options.objects, "objects per scene")->capture_default_str();
   app.add_option("--views", a.options.views, "views per scene")->capture_default_str();
+  app.add_option("--spread", a.options.drop.spread,
+                 "radius of the disc over which objects are dropped onto tables [m]")
+      ->capture_default_str();
   app.add_option("--grasp-after", a.options.grasp_after,
                  "views after which the best grasp of the least visible object is tried; 0: never")
       ->capture_default_str();
@@ -80,22 +91,49 @@ std::vector<ExplorationPolicy> policies_of(const Arguments& arguments) {
   return {all.begin(), all.end()};
 }
 
+ClutterKind parse_kind(const std::string& text) {
+  for (const ClutterKind kind : {ClutterKind::packed, ClutterKind::pile}) {
+    if (text == to_string(kind)) return kind;
+  }
+  throw InputError("--scene", "packed, pile or table", text);
+}
+
+using SceneExplorer = std::function<std::vector<Exploration>(int scene)>;
+
+SceneExplorer table_explorer(const Arguments& arguments) {
+  if (arguments.share != "all")
+    throw InputError("--share", "all where --scene is table", arguments.share);
+  auto models = read_models(arguments.objects, {}).models;
+  fmt::print("{} meshes, tables\n", models.size());
+  return [&arguments, models = std::move(models)](int scene) {
+    return explore_scanned_table(models, policies_of(arguments), arguments.options, scene);
+  };
+}
+
+/// Explores the scene of a number; prints what scenes are made of. The arguments must outlive it.
+SceneExplorer scene_explorer(Arguments& arguments) {
+  if (arguments.kind == scanned_table_kind) return table_explorer(arguments);
+  arguments.options.kind = parse_kind(arguments.kind);
+  auto objects = read_clutter_objects(arguments.objects, parse_object_share(arguments.share));
+  fmt::print("{} objects ({}), {}\n", objects.size(), arguments.share, arguments.kind);
+  return [&arguments, objects = std::move(objects)](int scene) {
+    return explore_clutter(objects, policies_of(arguments), arguments.options, scene);
+  };
+}
+
 int run(Arguments& arguments) {
   if (!has_physics()) {
     fmt::print(stderr, "this build has no physics: libmujoco-dev would add it\n");
     return 1;
   }
   const ThreadLimit limit(arguments.threads);
-  arguments.options.kind = parse_clutter_kind(arguments.kind);
-  const std::vector<ExplorationPolicy> policies = policies_of(arguments);
-  const std::vector<ClutterObject> objects =
-      read_clutter_objects(arguments.objects, parse_object_share(arguments.share));
-  fmt::print("{} objects ({}), {}, {} scenes of {} from {} on, {} views, seed {}\n", objects.size(),
-             arguments.share, arguments.kind, arguments.scenes, arguments.options.objects,
-             arguments.first, arguments.options.views, arguments.options.seed);
+  const SceneExplorer explore_scene = scene_explorer(arguments);
+  fmt::print("{} scenes of {} from {} on, {} views, seed {}\n", arguments.scenes,
+             arguments.options.objects, arguments.first, arguments.options.views,
+             arguments.options.seed);
   std::vector<Exploration> all;
   for (int scene = arguments.first; scene < arguments.first + arguments.scenes; ++scene) {
-    for (const Exploration& e : explore_clutter(objects, policies, arguments.options, scene)) {
+    for (const Exploration& e : explore_scene(scene)) {
       if (arguments.verbose) print_exploration(e);
       all.push_back(e);
     }

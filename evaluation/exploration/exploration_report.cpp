@@ -16,6 +16,7 @@ namespace {
 /// Explorations of a policy, one per scene in ascending order.
 using ByPolicy = std::map<ExplorationPolicy, std::vector<const Exploration*>>;
 using StepMeasure = std::function<double(const ExplorationStep&)>;
+using StepCounts = std::function<DetectionCounts(const ExplorationStep&)>;
 using Measure = std::function<double(const Exploration&)>;
 
 /// Those of the scenes in which every policy has the most steps.
@@ -61,15 +62,16 @@ std::string table_of(const ByPolicy& by_policy, const char* title, const StepMea
   return text;
 }
 
-/// F of the counts of all scenes.
-std::string mask_table(const ByPolicy& by_policy) {
-  std::string text = "F of masks at an overlap of 0.75\n";
+/// A share of the counts of all scenes together.
+std::string count_table(const ByPolicy& by_policy, const char* title, const StepCounts& counts_of,
+                        double (DetectionCounts::*share)() const) {
+  std::string text = fmt::format("{}\n", title);
   for (const auto& [policy, explorations] : by_policy) {
     text += fmt::format("  {:<18}", to_string(policy));
     for (std::size_t k = 0; k < views_of(by_policy); ++k) {
       DetectionCounts counts;
-      for (const Exploration* e : explorations) counts += e->steps[k].masks;
-      text += fmt::format(" {:6.3f}", counts.f_measure());
+      for (const Exploration* e : explorations) counts += counts_of(e->steps[k]);
+      text += fmt::format(" {:6.3f}", (counts.*share)());
     }
     text += '\n';
   }
@@ -135,6 +137,10 @@ std::string decision_text(const ByPolicy& by_policy) {
   return text;
 }
 
+std::string counts_csv(const DetectionCounts& counts) {
+  return fmt::format("{},{},{}", counts.correct, counts.found, counts.ground_truth);
+}
+
 }  // namespace
 
 PairedDifference paired_difference(std::span<const double> differences) {
@@ -162,7 +168,15 @@ std::string format_exploration_report(std::span<const Exploration> explorations,
   std::string text = fmt::format("{} scenes\n", by_policy.begin()->second.size());
   text += table_of(by_policy, "surface observed", [](const auto& s) { return s.observed; });
   text += table_of(by_policy, "surface completed", [](const auto& s) { return s.completed; });
-  text += mask_table(by_policy);
+  text += count_table(
+      by_policy, "F of masks at an overlap of 0.75", [](const auto& s) { return s.masks; },
+      &DetectionCounts::f_measure);
+  text += count_table(
+      by_policy, "recall of axes within 10° and 1 cm", [](const auto& s) { return s.axes; },
+      &DetectionCounts::recall);
+  text += count_table(
+      by_policy, "recall of planes within 10° and 1 cm", [](const auto& s) { return s.planes; },
+      &DetectionCounts::recall);
   text += grasp_text(by_policy);
   text += differences_text(by_policy, reference, "area under the curve of observed surface",
                            [](const auto& e) { return e.mean_observed(); });
@@ -174,14 +188,15 @@ std::string format_exploration_report(std::span<const Exploration> explorations,
 
 std::string format_explorations_csv(std::span<const Exploration> explorations) {
   std::string csv =
-      "scene,policy,views,candidate,observed,completed,masks_correct,masks_found,masks_true,"
-      "grasped,decision_seconds\n";
+      "kind,scene,policy,views,candidate,observed,completed,masks_correct,masks_found,masks_true,"
+      "axes_correct,axes_found,axes_true,planes_correct,planes_found,planes_true,grasped,"
+      "decision_seconds\n";
   for (const Exploration& e : explorations) {
     for (std::size_t k = 0; k < e.steps.size(); ++k) {
       const ExplorationStep& s = e.steps[k];
-      csv += fmt::format("{},{},{},{},{:.4f},{:.4f},{},{},{},{},{:.4f}\n", e.scene,
+      csv += fmt::format("{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{:.4f}\n", e.kind, e.scene,
                          to_string(e.policy), k + 1, s.view, s.observed, s.completed,
-                         s.masks.correct, s.masks.found, s.masks.ground_truth,
+                         counts_csv(s.masks), counts_csv(s.axes), counts_csv(s.planes),
                          s.grasped ? (*s.grasped ? "1" : "0") : "", s.decision_seconds);
     }
   }

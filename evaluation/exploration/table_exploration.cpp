@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include "benchmark_frame.hpp"
 #include "core/random.hpp"
 #include "exploration_loop.hpp"
 #include "symscene/core/error.hpp"
@@ -35,16 +36,6 @@ std::vector<ObjectModel> household_models(const TabletopOptions& options) {
 
 Tabletop dropped(std::span<const ObjectModel> models, const TableExplorationOptions& options) {
   return drop_tabletop(models, tabletop_options(options), drop_options(options));
-}
-
-/// The middle of the table becomes that of the benchmark.
-Tabletop in_benchmark_frame(Tabletop tabletop) {
-  const Eigen::Isometry3d T_world_tabletop(
-      Eigen::Translation3d(0.5 * clutter::size, 0.5 * clutter::size, clutter::table_height));
-  tabletop.T_world_table = T_world_tabletop * tabletop.T_world_table;
-  for (PlacedObject& placed : tabletop.objects)
-    placed.T_world_object = T_world_tabletop * placed.T_world_object;
-  return tabletop;
 }
 
 std::vector<TriangleMesh> object_meshes(const Tabletop& table) {

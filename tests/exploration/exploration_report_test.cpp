@@ -10,7 +10,7 @@ Exploration flat(int scene, ExplorationPolicy policy, double share) {
   ExplorationStep step;
   step.completed = share;
   step.observed = 0.5 * share;
-  return {scene, policy, {step, step}};
+  return {"packed", scene, policy, {step, step}};
 }
 
 TEST(PairedDifference, OfEqualDifferencesHasNoWidth) {
@@ -56,7 +56,9 @@ TEST(ExplorationReport, WritesALinePerView) {
   const std::vector<Exploration> one{flat(7, ExplorationPolicy::oracle, 0.5)};
   const std::string csv = format_explorations_csv(one);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
-  EXPECT_NE(csv.find("7,oracle,2,0,0.2500,0.5000,0,0,0,,0.0000"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("packed,7,oracle,2,0,0.2500,0.5000,0,0,0,0,0,0,0,0,0,,0.0000"),
+            std::string::npos)
+      << csv;
 }
 
 }  // namespace

@@ -40,10 +40,45 @@ TEST_F(ExploreClutter, PoliciesShareTheFirstViewAndVisitNoneTwice) {
   }
 }
 
-TEST_F(ExploreClutter, ThreeViewsShowMoreThanOneAndCompletionAdds) {
+TEST_F(ExploreClutter, ThreeViewsShowMoreThanOneCompletionAddsAndSymmetriesAreCounted) {
   const Exploration e = explore({ExplorationPolicy::oracle}, 3).front();
   EXPECT_GT(e.steps[2].observed, e.steps[0].observed);
-  for (const ExplorationStep& step : e.steps) EXPECT_GE(step.completed, step.observed);
+  EXPECT_EQ(e.kind, "packed");
+  for (const ExplorationStep& step : e.steps) {
+    EXPECT_GE(step.completed, step.observed);
+    EXPECT_EQ(step.axes.ground_truth, 0U);    // of boxes
+    EXPECT_GE(step.planes.ground_truth, 6U);  // of two boxes; more of square ones
+    EXPECT_LE(step.planes.correct, std::min(step.planes.found, step.planes.ground_truth));
+  }
+  EXPECT_GT(e.steps.back().planes.correct, 0U);
+}
+
+std::vector<ObjectModel> box_models() {
+  std::vector<ObjectModel> models;
+  for (const ClutterObject& box : box_objects()) {
+    models.push_back({box.name, box.surface, {}, {}, false});
+  }
+  return models;
+}
+
+TEST_F(ExploreClutter, TablesOfScannedObjectsAreExploredInTheSameWay) {
+  ExplorationOptions options;
+  options.objects = 2;
+  options.views = 2;
+  options.grasp_after = 1;
+  const std::vector policies{ExplorationPolicy::symmetry, ExplorationPolicy::fixed_arc};
+  const auto explorations = explore_scanned_table(box_models(), policies, options, 4);
+  ASSERT_EQ(explorations.size(), 2U);
+  EXPECT_EQ(explorations[0].steps[0].observed, explorations[1].steps[0].observed);
+  for (const Exploration& e : explorations) {
+    EXPECT_EQ(e.kind, scanned_table_kind);
+    EXPECT_EQ(e.scene, 4);
+    ASSERT_EQ(e.steps.size(), 2U);
+    EXPECT_TRUE(e.steps[0].grasped.has_value());
+    EXPECT_GT(e.steps[0].observed, 0.1);
+    EXPECT_EQ(e.steps[0].masks.ground_truth, 2U);
+    EXPECT_GE(e.steps[0].planes.ground_truth, 6U);
+  }
 }
 
 TEST_F(ExploreClutter, IsTheSameAgain) {

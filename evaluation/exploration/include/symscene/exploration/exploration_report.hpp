@@ -27,8 +27,9 @@ PairedDifference paired_difference(std::span<const double> differences);
 std::string format_exploration_report(std::span<const Exploration> explorations,
                                       ExplorationPolicy reference = ExplorationPolicy::symmetry);
 
-/// One line per view: scene, policy, number of the view, candidate, observed, completed, masks
-/// (correct, found, true), grasped (1, 0 or empty), seconds of the decision.
+/// One line per view: kind and number of the scene, policy, number of the view, candidate,
+/// observed, completed, masks, axes and planes (each correct, found, true), grasped (1, 0 or
+/// empty), seconds of the decision.
 std::string format_explorations_csv(std::span<const Exploration> explorations);
 
 }  // namespace symscene
