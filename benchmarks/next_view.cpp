@@ -23,7 +23,8 @@ namespace {
 using namespace symscene;
 
 struct Arguments {
-  std::filesystem::path objects, steps;
+  std::filesystem::path objects, steps, report;
+  std::vector<std::filesystem::path> earlier;
   std::string share = "all", kind = "packed";
   std::vector<std::string> policies;
   int scenes = 50;
@@ -36,8 +37,7 @@ struct Arguments {
 void declare(CLI::App& app, Arguments& a) {
   app.add_option("--objects", a.objects,
                  "folder with NAME.urdf, its surface and convex parts; of tables: of meshes in "
-                 "metres (.ply, .obj)")
-      ->required();
+                 "metres (.ply, .obj)");
   app.add_option("--share", a.share,
                  "objects by the hash of their name: all, fitting, held-out; of tables: all")
       ->capture_default_str();
@@ -69,6 +69,11 @@ void declare(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   app.add_flag("!--exact", a.options.noise.enabled, "depth images without noise");
   app.add_option("--steps", a.steps, "CSV file to write: one line per view");
+  app.add_option("--report", a.report, "HTML page to write: curves with intervals, and tables");
+  app.add_option(
+      "--read", a.earlier,
+      "CSV file that --steps wrote: reported together with others, of any kind of scene, "
+      "and nothing is explored; can be repeated");
   app.add_option("--threads", a.threads, "at most so many threads")->capture_default_str();
   app.add_flag("-v,--verbose", a.verbose, "one line per scene and policy");
 }
@@ -121,12 +126,9 @@ SceneExplorer scene_explorer(Arguments& arguments) {
   };
 }
 
-int run(Arguments& arguments) {
-  if (!has_physics()) {
-    fmt::print(stderr, "this build has no physics: libmujoco-dev would add it\n");
-    return 1;
-  }
-  const ThreadLimit limit(arguments.threads);
+/// A file is written after every scene, so that a run that is stopped leaves what it has.
+std::vector<Exploration> explore_scenes(Arguments& arguments) {
+  if (arguments.objects.empty()) throw InputError("--objects", "a folder", "none");
   const SceneExplorer explore_scene = scene_explorer(arguments);
   fmt::print("{} scenes of {} from {} on, {} views, seed {}\n", arguments.scenes,
              arguments.options.objects, arguments.first, arguments.options.views,
@@ -140,7 +142,42 @@ int run(Arguments& arguments) {
     if (!arguments.steps.empty())
       write_file_atomically(arguments.steps, format_explorations_csv(all));
   }
+  return all;
+}
+
+std::vector<Exploration> read_explorations(const Arguments& arguments) {
+  std::vector<Exploration> all;
+  for (const std::filesystem::path& path : arguments.earlier) {
+    for (Exploration& e : parse_explorations_csv(read_file(path), path.string()))
+      all.push_back(std::move(e));
+  }
+  if (!arguments.steps.empty())
+    write_file_atomically(arguments.steps, format_explorations_csv(all));
+  return all;
+}
+
+/// What the page says of its origin.
+std::string made_with(const Arguments& arguments) {
+  if (!arguments.earlier.empty())
+    return fmt::format("From {} tables of earlier runs.", arguments.earlier.size());
+  return fmt::format("Seed {}, scenes from {} on, {} objects each, {} objects to draw from.",
+                     arguments.options.seed, arguments.first, arguments.options.objects,
+                     arguments.share);
+}
+
+int run(Arguments& arguments) {
+  const bool explores = arguments.earlier.empty();
+  if (explores && !has_physics()) {
+    fmt::print(stderr, "this build has no physics: libmujoco-dev would add it\n");
+    return 1;
+  }
+  const ThreadLimit limit(arguments.threads);
+  const std::vector<Exploration> all =
+      explores ? explore_scenes(arguments) : read_explorations(arguments);
   fmt::print("{}", format_exploration_report(all));
+  if (!arguments.report.empty())
+    write_file_atomically(arguments.report,
+                          format_exploration_report_page(all, made_with(arguments)));
   return 0;
 }
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "markup.hpp"
-#include "report_text.hpp"
+#include "evaluation/markup.hpp"
+#include "evaluation/report_text.hpp"
 #include "sweep_settings.hpp"
 
 namespace symscene {

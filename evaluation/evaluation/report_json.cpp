@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "report_text.hpp"
+#include "evaluation/report_text.hpp"
 #include "sweep_settings.hpp"
 #include "symscene/core/error.hpp"
 #include "symscene/evaluation/report.hpp"

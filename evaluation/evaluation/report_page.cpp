@@ -4,83 +4,16 @@
 
 #include "core/base64.hpp"
 #include "curve_plot.hpp"
-#include "markup.hpp"
+#include "evaluation/markup.hpp"
+#include "evaluation/report_parts.hpp"
 #include "paired_comparison.hpp"
 #include "report_tables.hpp"
 
 namespace symscene {
 namespace {
 
-constexpr const char* style = R"(
-:root { color-scheme: light dark; --back: #fff; --text: #1c2024; --faint: #667079; --line: #d8dde1;
-  --band: #f4f6f8; --c0: #1d5fc4; --c1: #7aa7e8; --c2: #c2680a; --c3: #13795b; --c4: #a12a8f;
-  --c5: #b3261e; --c6: #6b5b00; --c7: #4c5a67; }
-@media (prefers-color-scheme: dark) { :root { --back: #14181c; --text: #e6eaee; --faint: #98a4af;
-  --line: #333b43; --band: #1c2228; --c0: #6ea8ff; --c1: #3f6fb5; --c2: #ffae57; --c3: #4fd1a5;
-  --c4: #ee8ade; --c5: #ff8a80; --c6: #dcc94c; --c7: #b0bec9; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 2rem 1.25rem 4rem; max-width: 84rem; background: var(--back);
-  color: var(--text); font: 15px/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.7rem; margin: 0; }
-h2 { font-size: 1.2rem; margin: 2.5rem 0 .5rem; }
-p { max-width: 48rem; margin: .4rem 0 .8rem; color: var(--faint); }
-.scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .9rem; }
-th, td { padding: .3rem .4rem; text-align: right; white-space: nowrap; vertical-align: top; }
-th { font-weight: 600; white-space: normal; vertical-align: bottom; border-bottom: 2px solid var(--line); }
-td { border-bottom: 1px solid var(--line); }
-tbody tr:nth-child(even) { background: var(--band); }
-.l1 :is(th, td):nth-child(-n+1), .l2 :is(th, td):nth-child(-n+2),
-.last :is(th, td):last-child { text-align: left; }
-.last td:last-child { white-space: normal; min-width: 18rem; }
-.l2 td:nth-child(-n+2) { white-space: normal; }
-.failures { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1.25rem; }
-.failures img { width: 100%; border: 1px solid var(--line); border-radius: .3rem; display: block; }
-.failures figcaption small { display: block; font-weight: 400; color: var(--faint); }
-.total tbody tr:last-child td { font-weight: 600; border-top: 2px solid var(--line); }
-.figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr));
-  gap: 2rem 1.5rem; }
-.small { grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); }
-figure { margin: 0; }
-figcaption { font-weight: 600; margin-bottom: .3rem; }
-svg { width: 100%; height: auto; display: block; }
-svg text { font: 11px system-ui, sans-serif; fill: var(--faint); }
-.grid { stroke: var(--line); fill: none; }
-.equal { stroke: var(--faint); fill: none; stroke-dasharray: 1 4; opacity: .8; }
-.curve { fill: none; stroke: var(--c); stroke-width: 2; stroke-linejoin: round; }
-.dots { fill: none; stroke: var(--c); stroke-width: 4; stroke-linecap: round; opacity: .35; }
-.ring { fill: none; stroke: var(--c); stroke-width: 2; }
-.star { fill: var(--c); stroke: var(--back); stroke-width: 1; }
-.legend { list-style: none; margin: .4rem 0 0; padding: 0; font-size: .9rem; }
-.legend li { padding-left: 1.4rem; position: relative; }
-.legend small { display: block; color: var(--faint); }
-.swatch { position: absolute; left: 0; top: .45rem; width: .9rem; height: .5rem;
-  border-radius: .2rem; background: var(--c); }
-.c0 { --c: var(--c0); } .c1 { --c: var(--c1); } .c2 { --c: var(--c2); } .c3 { --c: var(--c3); }
-.c4 { --c: var(--c4); } .c5 { --c: var(--c5); } .c6 { --c: var(--c6); } .c7 { --c: var(--c7); }
-)";
-
-constexpr std::size_t color_count = 8;
 constexpr std::size_t most_worst_scenes = 15;
 constexpr std::size_t most_failures = 10;
-
-std::string row_html(const std::vector<std::string>& row, const char* cell) {
-  std::string html = "<tr>";
-  for (const std::string& text : row)
-    html += fmt::format("<{0}>{1}</{0}>", cell, escape_markup(text));
-  return html + "</tr>\n";
-}
-
-std::string table_html(const TextTable& table, const char* classes) {
-  std::string html = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<thead>", classes);
-  html += row_html(table.front(), "th") + "</thead>\n<tbody>\n";
-  for (std::size_t k = 1; k < table.size(); ++k) html += row_html(table[k], "td");
-  return html + "</tbody>\n</table></div>\n";
-}
-
-std::string section(const char* title, const char* text) {
-  return fmt::format("<h2>{}</h2>\n<p>{}</p>\n", title, text);
-}
 
 /// The curves of the methods that the metric applies to, each in its own colour.
 std::string figure(const std::string& caption, const std::vector<const Sweep*>& candidates,
@@ -90,7 +23,7 @@ std::string figure(const std::string& caption, const std::vector<const Sweep*>& 
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (!candidates[k]->has(metric)) continue;
     shown.push_back(candidates[k]);
-    colors.push_back(k % color_count);
+    colors.push_back(k % report_colors);
   }
   return shown.empty() ? "" : curve_figure(caption, shown, colors, metric);
 }
@@ -109,7 +42,7 @@ std::string figures(const Evaluation& evaluation) {
 std::string mask_curves(const Evaluation& evaluation) {
   const std::string shown = figures(evaluation);
   if (shown.find("<figure>") == std::string::npos) return "";
-  return section(
+  return report_section(
              "Masks",
              "Precision and recall over the settings of each method: the least probabilities of "
              "SymScene, the bounds of table 4.2, the parameters of the baselines. Dots are "
@@ -123,12 +56,12 @@ std::string symmetry_figures(const Evaluation& evaluation) {
   if (evaluation.outcomes.symmetries == 0) return "";
   std::vector<const Sweep*> sweeps;
   for (const Sweep& sweep : evaluation.segmentation) sweeps.push_back(&sweep);
-  std::string html =
-      section("Symmetries",
-              "Rotation axes and mirror planes within 10° and 10 cm, and within 10° and 1 cm, of "
-              "the ground truth: before segmentation (table 3.1) and of the returned objects. "
-              "Planes through a rotation axis of their object and weak symmetries count as "
-              "neither right nor wrong.");
+  std::string html = report_section(
+      "Symmetries",
+      "Rotation axes and mirror planes within 10° and 10 cm, and within 10° and 1 cm, of "
+      "the ground truth: before segmentation (table 3.1) and of the returned objects. "
+      "Planes through a rotation axis of their object and weak symmetries count as "
+      "neither right nor wrong.");
   for (const Sweep& sweep : evaluation.detection) sweeps.push_back(&sweep);
   html += "<div class=\"figures small\">\n";
   html += figure("Axes, 10° and 10 cm", sweeps, Metric::axes);
@@ -139,15 +72,15 @@ std::string symmetry_figures(const Evaluation& evaluation) {
 }
 
 std::string missed_objects(const Evaluation& evaluation) {
-  std::string html = section(
+  std::string html = report_section(
       "Missed objects",
       "True objects at the default options: found (IoU &gt; 0.9); not proposed, as none of their "
       "symmetries was detected; proposed but wrongly segmented (no proposal with IoU &gt; 0.9); "
       "rejected by a bound or in the selection of objects; or lost before segmentation, as the "
       "scene's cloud has no point of them. Every labelled object counts.");
-  html += table_html(missed_object_table(evaluation), "l1 total");
+  html += report_table(missed_object_table(evaluation), "l1 total");
   const TextTable reasons = reason_table(evaluation);
-  if (reasons.size() > 1) html += "<br/>\n" + table_html(reasons, "l2");
+  if (reasons.size() > 1) html += "<br/>\n" + report_table(reasons, "l2");
   return html;
 }
 
@@ -190,7 +123,7 @@ std::string failure_figure(const Failure& failure) {
 std::string failure_pictures(const Evaluation& evaluation) {
   const std::vector<Failure> failures = worst_failures(evaluation);
   if (failures.empty()) return "";
-  std::string html = section(
+  std::string html = report_section(
       "Worst failures",
       "Missed objects by their best IoU with a returned mask, without those of few points. Red: "
       "points of the object in no mask that has a tenth of it; green, yellow, violet: those in "
@@ -211,54 +144,47 @@ std::string paired_comparison(const Evaluation& evaluation) {
       "default "
       "have the setting that is best in hindsight, which favours them.",
       escape_markup(compared_method(evaluation)));
-  return section("Paired comparison", text.c_str()) + table_html(table, "l2");
+  return report_section("Paired comparison", text.c_str()) + report_table(table, "l2");
 }
 
 /// Empty where all objects are of one kind.
 std::string kinds(const Evaluation& evaluation) {
   if (evaluation.kinds.size() < 2) return "";
-  return section("Kinds of objects", "At the default options; symmetries within 10° and 1 cm.") +
-         table_html(kind_table(evaluation), "l1");
+  return report_section("Kinds of objects",
+                        "At the default options; symmetries within 10° and 1 cm.") +
+         report_table(kind_table(evaluation), "l1");
 }
 
 std::string pixels(const std::vector<Sweep>& sweeps) {
   const TextTable table = pixel_table(sweeps);
   if (table.size() == 1) return "";
-  return section("Pixels",
-                 "Label images against those of the dataset, as UOIS-Net (Xie et al. 2020) reports "
-                 "them, in percent: precision, recall and F of overlap and of boundaries after an "
-                 "assignment of masks to objects for the greatest sum of F, and the share of "
-                 "objects with an overlap F over 0.75; means over images. The best setting is that "
-                 "with the greatest overlap F.") +
-         table_html(table, "l2");
+  return report_section(
+             "Pixels",
+             "Label images against those of the dataset, as UOIS-Net (Xie et al. 2020) reports "
+             "them, in percent: precision, recall and F of overlap and of boundaries after an "
+             "assignment of masks to objects for the greatest sum of F, and the share of "
+             "objects with an overlap F over 0.75; means over images. The best setting is that "
+             "with the greatest overlap F.") +
+         report_table(table, "l2");
 }
 
 std::string subsets(const Evaluation& evaluation) {
   std::string html;
   for (const auto& [subset, sweeps] : evaluation.subsets) {
     html += fmt::format("<h2>Subset {}</h2>\n", escape_markup(subset));
-    html += table_html(without_empty_columns(headline_table(sweeps)), "l2");
+    html += report_table(without_empty_columns(headline_table(sweeps)), "l2");
     const TextTable of_pixels = pixel_table(sweeps);
-    if (of_pixels.size() > 1) html += "<br/>\n" + table_html(of_pixels, "l2");
+    if (of_pixels.size() > 1) html += "<br/>\n" + report_table(of_pixels, "l2");
   }
   return html;
 }
 
 std::string scenes(const Evaluation& evaluation) {
   const TextTable worst = worst_scene_table(evaluation, most_worst_scenes);
-  if (worst.size() == 1) return section("Worst scenes", "None: every object was found.");
-  return section("Worst scenes",
-                 "At the default options, by the F of their masks at IoU &gt; 0.9.") +
-         table_html(worst, "l1 last");
-}
-
-std::string head(const ReportInfo& info) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
-      "<meta charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<title>{} – evaluation</title>\n<style>{}</style>\n</head>\n<body>\n",
-      escape_markup(info.dataset), style);
+  if (worst.size() == 1) return report_section("Worst scenes", "None: every object was found.");
+  return report_section("Worst scenes",
+                        "At the default options, by the F of their masks at IoU &gt; 0.9.") +
+         report_table(worst, "l1 last");
 }
 
 std::string opening(const Evaluation& evaluation, const ReportInfo& info) {
@@ -271,27 +197,27 @@ std::string opening(const Evaluation& evaluation, const ReportInfo& info) {
 }  // namespace
 
 std::string report_page(const Evaluation& evaluation, const ReportInfo& info) {
-  std::string html = head(info) + opening(evaluation, info);
-  html +=
-      section("Headline",
-              "F in percent: of masks above an IoU, of symmetries within 10° and 10 cm or 1 cm. "
-              "“Default” has the options of the run; “best” has the greatest F of each metric "
-              "over all settings, and all else at the best setting for masks at 0.9.");
-  html +=
-      table_html(without_empty_columns(headline_table(evaluation.segmentation)), "l2") + "<br/>\n";
-  html += table_html(default_table(evaluation.segmentation), "l1 last");
+  std::string html = report_head(info.dataset + " – evaluation") + opening(evaluation, info);
+  html += report_section(
+      "Headline",
+      "F in percent: of masks above an IoU, of symmetries within 10° and 10 cm or 1 cm. "
+      "“Default” has the options of the run; “best” has the greatest F of each metric "
+      "over all settings, and all else at the best setting for masks at 0.9.");
+  html += report_table(without_empty_columns(headline_table(evaluation.segmentation)), "l2") +
+          "<br/>\n";
+  html += report_table(default_table(evaluation.segmentation), "l1 last");
   html += paired_comparison(evaluation) + pixels(evaluation.segmentation);
   html += mask_curves(evaluation) + symmetry_figures(evaluation);
   html += missed_objects(evaluation);
   html += failure_pictures(evaluation) + kinds(evaluation);
-  html +=
-      section("Runtime",
-              "Mean wall time over scenes by number of objects, without completion, as measured in "
-              "this run; the time of a baseline is that of a run at the middle of its settings.");
-  html += table_html(runtime_table(evaluation), "l1") + "<br/>\n";
-  html += table_html(method_time_table(evaluation), "l1");
+  html += report_section(
+      "Runtime",
+      "Mean wall time over scenes by number of objects, without completion, as measured in "
+      "this run; the time of a baseline is that of a run at the middle of its settings.");
+  html += report_table(runtime_table(evaluation), "l1") + "<br/>\n";
+  html += report_table(method_time_table(evaluation), "l1");
   html += subsets(evaluation) + scenes(evaluation);
-  return html + "</body>\n</html>\n";
+  return html + report_end;
 }
 
 }  // namespace symscene

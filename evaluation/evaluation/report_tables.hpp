@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report_text.hpp"
+#include "evaluation/report_text.hpp"
 #include "symscene/evaluation/report.hpp"
 
 namespace symscene {

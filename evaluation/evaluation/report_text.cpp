@@ -1,4 +1,4 @@
-#include "report_text.hpp"
+#include "evaluation/report_text.hpp"
 
 #include <algorithm>
 

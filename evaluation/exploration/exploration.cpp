@@ -109,13 +109,6 @@ Tabletop scanned_table(std::span<const ObjectModel> models, const ExplorationOpt
   return in_benchmark_frame(drop_tabletop(models, arrangement, options.drop));
 }
 
-template <class Measure>
-double mean_of(const std::vector<ExplorationStep>& steps, Measure&& measure) {
-  double sum = 0.0;
-  for (const ExplorationStep& step : steps) sum += measure(step);
-  return steps.empty() ? 0.0 : sum / static_cast<double>(steps.size());
-}
-
 }  // namespace
 
 const char* to_string(ExplorationEnd end) {
@@ -147,14 +140,6 @@ void ExplorationOptions::validate() const {
   next_view.validate();
   noise.validate();
   execution.validate();
-}
-
-double Exploration::mean_observed() const {
-  return mean_of(steps, [](const ExplorationStep& step) { return step.observed; });
-}
-
-double Exploration::mean_completed() const {
-  return mean_of(steps, [](const ExplorationStep& step) { return step.completed; });
 }
 
 std::vector<Exploration> explore_clutter(std::span<const ClutterObject> objects,

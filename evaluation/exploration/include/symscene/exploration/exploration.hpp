@@ -69,10 +69,6 @@ struct Exploration {
   ExplorationPolicy policy = ExplorationPolicy::symmetry;
   std::vector<ExplorationStep> steps;
   ExplorationEnd end = ExplorationEnd::views;
-
-  /// Mean over the views of a measure: the area under its curve, between 0 and 1.
-  double mean_observed() const;
-  double mean_completed() const;
 };
 
 /// Explores scene number `scene` by each of the policies: the same objects, the same first view (60
