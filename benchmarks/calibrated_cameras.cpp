@@ -47,7 +47,7 @@ std::optional<Plane> measured_plane(const CameraToCalibrate& camera, const Camer
   Eigen::Isometry3d T_camera_board = T_camera_wall;
   T_camera_board.translate(-0.5 * board.corner(board.corners() - 1));
   const BoardImage image = board_image(lens_of(camera), board, T_camera_board, 0.1, seed);
-  const auto pose = board_pose(image.corners, calibrated, board);
+  const auto pose = board_pose(image, calibrated, board);
   if (!pose) return std::nullopt;
   return plane_of(*pose);
 }

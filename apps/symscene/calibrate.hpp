@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
 #include "arguments.hpp"
+#include "symscene/calibration/charuco.hpp"
 #include "symscene/calibration/depth_calibration.hpp"
 #include "symscene/calibration/intrinsic_calibration.hpp"
 
@@ -13,14 +15,31 @@ namespace symscene::app {
 void add_calibrate_intrinsics(CommandLine& line);
 void add_calibrate_depth(CommandLine& line);
 
-/// --board and --square.
+/// The board that is looked for: a plain checkerboard, or one with markers.
+struct BoardTarget {
+  Board board;
+  std::optional<CharucoBoard> charuco;
+
+  /// Throws InputError, which tells what to install, if this build cannot find it.
+  void require_finder() const;
+  /// The corners in a grey image, or why there are none.
+  CharucoView find(const std::vector<std::uint8_t>& grey, Index width, Index height) const;
+  /// Throws InputError if the image, in which `view` found no board, shows another one.
+  void refuse_other(const std::vector<std::uint8_t>& grey, Index width, Index height,
+                    const CharucoView& view) const;
+};
+
+/// --board, --square, --charuco and --marker.
 struct BoardArguments {
   std::string size;
   std::string square;
+  std::string dictionary;
+  std::string marker;
 
   void add_to(Arguments& arguments);
+  bool are_given() const;
   /// Throws InputError if they are not like 8x6 and 0.0245.
-  Board board() const;
+  BoardTarget target() const;
 };
 
 /// Luma of Rec. 601.

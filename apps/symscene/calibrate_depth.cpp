@@ -41,9 +41,7 @@ struct CalibrateDepth {
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
-  bool has_board() const {
-    return !board_arguments.size.empty() || !board_arguments.square.empty();
-  }
+  bool has_board() const { return board_arguments.are_given(); }
 
   /// Distance of the board by its corners over the depth measured at them, median; none without
   /// depth.
@@ -76,23 +74,24 @@ struct CalibrateDepth {
 
   /// The plane of the board that the colours of a frame show.
   static std::optional<Plane> board_plane(const DepthFrame& frame, const CameraModel& rectified,
-                                          const Board& board, std::vector<double>& ratios) {
+                                          const BoardTarget& target, std::vector<double>& ratios) {
     if (frame.colors.rows() == 0) return std::nullopt;
     const CameraIntrinsics& camera = rectified.intrinsics;
-    const auto corners = find_board(grey_values(frame.colors), camera.width, camera.height, board);
-    if (!corners) return std::nullopt;
-    const auto T_camera_board = board_pose(*corners, rectified, board);
+    const CharucoView view = target.find(grey_values(frame.colors), camera.width, camera.height);
+    if (!view.is_found()) return std::nullopt;
+    const auto T_camera_board = board_pose(view.image, rectified, target.board);
     if (!T_camera_board) return std::nullopt;
     const Eigen::Vector3d normal = T_camera_board->linear().col(2);
     const Plane plane{normal, -normal.dot(T_camera_board->translation())};
-    if (const auto ratio = distance_ratio(*corners, plane, frame, camera)) ratios.push_back(*ratio);
+    if (const auto ratio = distance_ratio(view.image.corners, plane, frame, camera))
+      ratios.push_back(*ratio);
     return plane;
   }
 
   DepthCalibration by_walls(const DepthSequence& sequence, const CameraModel& rectified,
                             Session& session) const {
-    const std::optional<Board> board =
-        has_board() ? std::optional(board_arguments.board()) : std::nullopt;
+    const std::optional<BoardTarget> target =
+        has_board() ? std::optional(board_arguments.target()) : std::nullopt;
     WallCalibrator calibrator(sequence.camera(), options.correction, options.wall);
     std::vector<double> ratios;
     std::size_t without_board = 0;
@@ -100,8 +99,8 @@ struct CalibrateDepth {
       session.on_begin()(fmt::format("frame {} of {}", i + 1, sequence.size()));
       const DepthFrame frame = sequence.read(i);
       std::optional<Plane> plane;
-      if (board) {
-        plane = board_plane(frame, rectified, *board, ratios);
+      if (target) {
+        plane = board_plane(frame, rectified, *target, ratios);
         if (!plane) {
           ++without_board;
           continue;
@@ -112,7 +111,7 @@ struct CalibrateDepth {
     if (without_board > 0)
       session.warn(
           fmt::format("the board is not found in {} of {} frames", without_board, sequence.size()));
-    require_square(std::move(ratios), board.value_or(Board{3, 3, 1.0}));
+    if (target) require_square(std::move(ratios), target->board);
     session.on_begin()("fit correction");
     return calibrator.calibrate();
   }
@@ -138,10 +137,7 @@ struct CalibrateDepth {
     if (!wall && !has_board())
       throw InputError("symscene calibrate depth",
                        "--wall, or --board and --square: what the images show", "none of them");
-    if (has_board()) {
-      board_arguments.board();
-      if (!has_board_calibration()) find_board({}, 0, 0, board_arguments.board());
-    }
+    if (has_board()) board_arguments.target().require_finder();
     require_not_input(shared.output, path);
     // Depth is measured anew.
     if (source.camera) source.camera->depth_correction.reset();

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct BoardImages {
   ImageSize size;
   std::vector<BoardImage> found;
-  std::vector<std::string> missing;  ///< names of those without the board
+  std::vector<std::string> missing;  ///< names of those without the board, and why
   std::vector<std::size_t> numbers;  ///< per found image its number among all
 };
 
@@ -66,33 +66,38 @@ struct CalibrateIntrinsics {
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
-  static BoardImages find_boards(const std::vector<fs::path>& files, const Board& board,
+  static BoardImages find_boards(const std::vector<fs::path>& files, const BoardTarget& target,
                                  Session& session) {
     BoardImages images;
-    std::optional<Board> other;
     for (std::size_t i = 0; i < files.size(); ++i) {
       session.on_begin()(fmt::format("image {} of {}", i + 1, files.size()));
       const ColorImage image = read_color_image(files[i]);
       if (i == 0) images.size = image.size;
       require_same_size(image, images, files[i]);
-      const std::vector<std::uint8_t> grey = grey_values(image.pixels);
-      const auto corners = find_board(grey, image.size.width, image.size.height, board);
+      CharucoView view =
+          target.find(grey_values(image.pixels), image.size.width, image.size.height);
       const std::string name = files[i].filename().string();
-      if (corners) {
-        images.found.push_back({name, *corners});
-        images.numbers.push_back(i);
-      } else {
-        images.missing.push_back(name);
-        if (!other) other = find_other_board(grey, image.size.width, image.size.height, board);
+      if (!view.is_found()) {
+        images.missing.push_back(fmt::format("{} ({})", name, view.reason));
+        continue;
       }
+      view.image.name = name;
+      images.found.push_back(std::move(view.image));
+      images.numbers.push_back(i);
     }
     // Boards that are partly covered look smaller: only if no image shows the one that was named.
-    if (images.found.empty() && other)
-      throw InputError(
-          "--board",
-          fmt::format("the board that the images show, {}x{} corners", other->columns, other->rows),
-          fmt::format("{}x{}", board.columns, board.rows));
+    if (images.found.empty()) refuse_other(files, target);
     return images;
+  }
+
+  /// Throws InputError if an image shows another board than the one that was named.
+  static void refuse_other(const std::vector<fs::path>& files, const BoardTarget& target) {
+    for (const fs::path& file : files) {
+      const ColorImage image = read_color_image(file);
+      const std::vector<std::uint8_t> grey = grey_values(image.pixels);
+      const CharucoView view = target.find(grey, image.size.width, image.size.height);
+      target.refuse_other(grey, image.size.width, image.size.height, view);
+    }
   }
 
   static IntrinsicCalibration calibrate(const BoardImages& images, const Board& board,
@@ -140,8 +145,9 @@ struct CalibrateIntrinsics {
 
   void run() {
     configure();
-    const Board board = board_arguments.board();
-    if (!has_board_calibration()) find_board({}, 0, 0, board);  // throws, and says what is missing
+    const BoardTarget target = board_arguments.target();
+    target.require_finder();
+    const Board& board = target.board;
     Session session("calibrate intrinsics", shared);
     StageTimer timer(session.on_begin());
     const std::vector<fs::path> files = image_files(paths);
@@ -152,13 +158,13 @@ struct CalibrateIntrinsics {
                        fmt::format("{} images, one per image of the depth camera", files.size()),
                        fmt::format("{}", color_files.size()));
     const BoardImages images =
-        timer.time("find boards", [&] { return find_boards(files, board, session); });
+        timer.time("find boards", [&] { return find_boards(files, target, session); });
     IntrinsicCalibration found =
         timer.time("calibrate", [&] { return calibrate(images, board, options, session); });
     print("camera", found, session);
     if (!color_files.empty()) {
       const BoardImages beside = timer.time(
-          "find boards in colour", [&] { return find_boards(color_files, board, session); });
+          "find boards in colour", [&] { return find_boards(color_files, target, session); });
       const IntrinsicCalibration other = timer.time(
           "calibrate colour", [&] { return calibrate(beside, board, options, session); });
       print("colour camera", other, session);
@@ -187,10 +193,14 @@ struct CalibrateIntrinsics {
 
 void add_calibrate_intrinsics(CommandLine& line) {
   const auto state = std::make_shared<CalibrateIntrinsics>();
-  Arguments arguments(line, "intrinsics",
-                      "Find focal lengths, centre and lens distortion by images of a checkerboard",
-                      "symscene calibrate intrinsics infrared --board 8x6 --square 0.0245 "
-                      "-o camera.yaml --page camera.html");
+  Arguments arguments(
+      line, "intrinsics",
+      "Find focal lengths, centre and lens distortion by images of a checkerboard or "
+      "ChArUco board",
+      "symscene calibrate intrinsics infrared --board 8x6 --square 0.0245 "
+      "-o camera.yaml --page camera.html\n"
+      "  symscene calibrate intrinsics infrared --board 8x6 --square 0.03 --charuco "
+      "DICT_5X5_50 --marker 0.022 -o camera.yaml");
   arguments.inputs(state->paths, "IMAGES",
                    "infrared or colour images of the camera, or folders of them, one resolution");
   arguments.output_file(state->shared, "camera.yaml to write");

@@ -10,6 +10,7 @@ std::vector<OptionalPart> optional_parts() {
           {"physics", "libmujoco-dev", SYMSCENE_WITH_MUJOCO == 1},
           {"stitching and calibration by images", "libopencv-features2d-dev, libopencv-calib3d-dev",
            SYMSCENE_WITH_OPENCV == 1},
+          {"ChArUco boards", "libopencv-contrib-dev", SYMSCENE_WITH_ARUCO == 1},
           {"ROS 1 bags", "librosbag-storage-dev", SYMSCENE_WITH_ROSBAG == 1},
           {"rosbag2 files of SQLite", "libsqlite3-dev", SYMSCENE_WITH_SQLITE == 1},
           {"MCAP compressed by LZ4", "liblz4-dev", SYMSCENE_WITH_LZ4 == 1},

@@ -1,6 +1,7 @@
 // Boards by OpenCV; no other file of this room sees its types.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -43,8 +44,7 @@ IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage>, Index, In
                                           const IntrinsicCalibrationOptions&) {
   throw_no_opencv();
 }
-std::optional<Eigen::Isometry3d> board_pose(const std::vector<Eigen::Vector2d>&, const CameraModel&,
-                                            const Board&) {
+std::optional<Eigen::Isometry3d> board_pose(const BoardImage&, const CameraModel&, const Board&) {
   throw_no_opencv();
 }
 ColorPose calibrate_color_pose(std::span<const BoardImage>, std::span<const BoardImage>,
@@ -59,10 +59,11 @@ namespace {
 using BoardPoints = std::vector<cv::Point3f>;
 using ImagePoints = std::vector<cv::Point2f>;
 
-BoardPoints points_of(const Board& board) {
+/// On the board, the corners that an image shows.
+BoardPoints board_points(const BoardImage& image, const Board& board) {
   BoardPoints points;
-  for (std::size_t i = 0; i < board.corners(); ++i) {
-    const Eigen::Vector3f p = board.corner(i).cast<float>();
+  for (std::size_t i = 0; i < image.corners.size(); ++i) {
+    const Eigen::Vector3f p = board.corner(image.number(i)).cast<float>();
     points.emplace_back(p.x(), p.y(), p.z());
   }
   return points;
@@ -104,18 +105,52 @@ cv::Mat image_of(std::span<const std::uint8_t> grey, Index width, Index height) 
           const_cast<std::uint8_t*>(grey.data())};
 }
 
-void require_images(std::span<const BoardImage> images, int least, const Board& board) {
-  for (const BoardImage& image : images) {
-    if (image.corners.size() == board.corners()) continue;
-    throw InputError(image.name, fmt::format("{} corners", board.corners()),
-                     fmt::format("{}", image.corners.size()));
+void require_corners(const BoardImage& image, const Board& board) {
+  const std::size_t count = image.corners.size();
+  if (image.numbers.empty()) {
+    if (count != board.corners())
+      throw InputError(image.name, fmt::format("{} corners", board.corners()),
+                       fmt::format("{}", count));
+    return;
   }
-  if (images.size() < static_cast<std::size_t>(least))
+  const bool are_on_board =
+      std::all_of(image.numbers.begin(), image.numbers.end(),
+                  [&](std::size_t number) { return number < board.corners(); });
+  if (image.numbers.size() != count || count < BoardImage::least_corners || !are_on_board)
+    throw InputError(image.name,
+                     fmt::format("at least {} corners, each with a number below {}",
+                                 BoardImage::least_corners, board.corners()),
+                     fmt::format("{} corners and {} numbers", count, image.numbers.size()));
+}
+
+void require_count(std::size_t count, int least) {
+  if (count < static_cast<std::size_t>(least))
     throw InputError("images of the board",
                      fmt::format("at least {} (record it at different places of the image, near "
                                  "and far, and turned up to 45 degrees to all sides)",
                                  least),
-                     fmt::format("{}", images.size()));
+                     fmt::format("{}", count));
+}
+
+void require_images(std::span<const BoardImage> images, int least, const Board& board) {
+  for (const BoardImage& image : images) require_corners(image, board);
+  require_count(images.size(), least);
+}
+
+/// The corners that both images of a pair show, in one order.
+std::pair<BoardImage, BoardImage> shared_corners(const BoardImage& a, const BoardImage& b) {
+  std::map<std::size_t, std::size_t> places;  // in b, by number
+  for (std::size_t i = 0; i < b.corners.size(); ++i) places.emplace(b.number(i), i);
+  std::pair<BoardImage, BoardImage> shared;
+  for (std::size_t i = 0; i < a.corners.size(); ++i) {
+    const auto at = places.find(a.number(i));
+    if (at == places.end()) continue;
+    shared.first.corners.push_back(a.corners[i]);
+    shared.first.numbers.push_back(a.number(i));
+    shared.second.corners.push_back(b.corners[at->second]);
+    shared.second.numbers.push_back(a.number(i));
+  }
+  return shared;
 }
 
 /// The outcome of one call of OpenCV.
@@ -124,10 +159,9 @@ struct Solution {
   std::vector<cv::Mat> rotations, translations;
 };
 
-Solution solve(const std::vector<ImagePoints>& images, cv::Size size, const Board& board,
-               bool fits_k3) {
+Solution solve(const std::vector<BoardPoints>& points, const std::vector<ImagePoints>& images,
+               cv::Size size, bool fits_k3) {
   Solution solution;
-  const std::vector<BoardPoints> points(images.size(), points_of(board));
   cv::Mat extrinsic_deviations;
   const cv::TermCriteria until(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-10);
   cv::calibrateCamera(points, images, size, solution.matrix, solution.coefficients,
@@ -155,7 +189,7 @@ std::vector<Eigen::Vector2d> residuals_of(const BoardImage& image, const CameraM
                                           const Board& board) {
   std::vector<Eigen::Vector2d> residuals;
   for (std::size_t i = 0; i < image.corners.size(); ++i) {
-    const Eigen::Vector3d point = T_camera_board * board.corner(i);
+    const Eigen::Vector3d point = T_camera_board * board.corner(image.number(i));
     const Eigen::Vector2d shown = camera.distortion.distorted(point.hnormalized());
     const CameraIntrinsics& K = camera.intrinsics;
     residuals.push_back(image.corners[i] -
@@ -274,10 +308,14 @@ IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage> images, In
   const cv::Size size(static_cast<int>(width), static_cast<int>(height));
   Solution solution;
   do {
-    require_images(std::vector<BoardImage>(used.size(), images.front()), options.min_views, board);
-    std::vector<ImagePoints> points;
-    for (const std::size_t i : used) points.push_back(points_of(images[i].corners));
-    solution = solve(points, size, board, options.fits_k3);
+    require_count(used.size(), options.min_views);
+    std::vector<BoardPoints> placed;
+    std::vector<ImagePoints> shown;
+    for (const std::size_t i : used) {
+      placed.push_back(board_points(images[i], board));
+      shown.push_back(points_of(images[i].corners));
+    }
+    solution = solve(placed, shown, size, options.fits_k3);
   } while (leave_out_worst(used, solution, options.max_error_ratio, result.views));
   result.camera = model_of(solution.matrix, solution.coefficients, width, height);
   result.focal_deviation = solution.deviations.at<double>(0);
@@ -306,17 +344,19 @@ IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage> images, In
   rethrow_opencv(error);
 }
 
-std::optional<Eigen::Isometry3d> board_pose(const std::vector<Eigen::Vector2d>& corners,
-                                            const CameraModel& camera, const Board& board) try {
+std::optional<Eigen::Isometry3d> board_pose(const BoardImage& image, const CameraModel& camera,
+                                            const Board& board) try {
   board.validate();
-  if (corners.size() != board.corners()) return std::nullopt;
+  require_corners(image, board);
+  const BoardPoints placed = board_points(image, board);
+  const ImagePoints shown = points_of(image.corners);
+  const cv::Mat matrix = matrix_of(camera.intrinsics);
+  const cv::Mat coefficients = coefficients_of(camera.distortion);
   cv::Mat rotation, translation;
-  const bool found = cv::solvePnP(points_of(board), points_of(corners),
-                                  matrix_of(camera.intrinsics), coefficients_of(camera.distortion),
-                                  rotation, translation, false, cv::SOLVEPNP_IPPE);
+  const bool found = cv::solvePnP(placed, shown, matrix, coefficients, rotation, translation, false,
+                                  cv::SOLVEPNP_IPPE);
   if (!found) return std::nullopt;
-  cv::solvePnPRefineLM(points_of(board), points_of(corners), matrix_of(camera.intrinsics),
-                       coefficients_of(camera.distortion), rotation, translation);
+  cv::solvePnPRefineLM(placed, shown, matrix, coefficients, rotation, translation);
   return pose_of(rotation, translation);
 } catch (const cv::Exception& error) {
   rethrow_opencv(error);
@@ -332,15 +372,19 @@ ColorPose calibrate_color_pose(std::span<const BoardImage> depth_images,
   constexpr int least_pairs = 3;
   require_images(depth_images, least_pairs, board);
   require_images(color_images, least_pairs, board);
+  std::vector<BoardPoints> points;
   std::vector<ImagePoints> first, second;
   for (std::size_t i = 0; i < depth_images.size(); ++i) {
-    first.push_back(points_of(depth_images[i].corners));
-    second.push_back(points_of(color_images[i].corners));
+    const auto [one, other] = shared_corners(depth_images[i], color_images[i]);
+    if (one.corners.size() < BoardImage::least_corners) continue;
+    points.push_back(board_points(one, board));
+    first.push_back(points_of(one.corners));
+    second.push_back(points_of(other.corners));
   }
+  require_count(points.size(), least_pairs);
   cv::Mat K1 = matrix_of(depth.intrinsics), d1 = coefficients_of(depth.distortion);
   cv::Mat K2 = matrix_of(color.intrinsics), d2 = coefficients_of(color.distortion);
   cv::Mat R, t, E, F;
-  const std::vector<BoardPoints> points(first.size(), points_of(board));
   ColorPose pose;
   pose.pairs = first.size();
   const bool fits_k3 = depth.distortion.k3 != 0.0 || color.distortion.k3 != 0.0;

@@ -65,7 +65,7 @@ TEST(BoardPose, IsThatOfTheBoard) {
   Random random(8);
   for (int i = 0; i < 5; ++i) {
     const Eigen::Isometry3d pose = random_board_pose(true_camera(), the_board(), random);
-    const auto found = board_pose(board_image(true_camera(), the_board(), pose, 0.0, 1).corners,
+    const auto found = board_pose(board_image(true_camera(), the_board(), pose, 0.0, 1),
                                   true_camera(), the_board());
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->isApprox(pose, 1e-4));

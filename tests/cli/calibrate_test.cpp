@@ -1,5 +1,5 @@
 // `symscene calibrate`, run as a process.
-#include "calibration/simulated_boards.hpp"
+#include "calibration/simulated_charuco.hpp"
 #include "cli/small_scene.hpp"
 #include "symscene/io/image.hpp"
 #include "symscene/io/sequence.hpp"
@@ -27,6 +27,17 @@ void write_boards(const fs::path& folder, int count) {
     const Eigen::Isometry3d pose = random_board_pose(camera, the_board(), random);
     write(folder / (std::to_string(i) + ".png"),
           png_of(rendered_board(camera, the_board(), pose), {320, 240}));
+  }
+}
+
+void write_charuco_boards(const fs::path& folder, int count) {
+  fs::create_directories(folder);
+  Random random(4);
+  const CameraModel camera = charuco_camera();
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Isometry3d pose = random_board_pose(camera, the_charuco().board, random);
+    write(folder / (std::to_string(i) + ".png"),
+          png_of(rendered_charuco(camera, the_charuco(), pose), {480, 360}));
   }
 }
 
@@ -76,6 +87,27 @@ TEST_F(Command, CalibratesIntrinsicsByImagesOfABoard) {
   EXPECT_FALSE(fs::exists(file("new.yaml")));
 }
 
+TEST_F(Command, CalibratesIntrinsicsByImagesOfACharucoBoard) {
+  const std::string board = "--board 6x5 --square 0.03 -o charuco.yaml ";
+  const std::string command = "calibrate intrinsics markers " + board;
+  fs::create_directories(file("markers"));
+  if (!has_charuco()) {
+    write(file("markers/0.png"), png_of(std::vector<std::uint8_t>(64, 9), {8, 8}));
+    expect_refusal(command + "--charuco DICT_5X5_50 --marker 0.022", 1, "install libopencv-");
+    return;
+  }
+  write_charuco_boards(file("markers"), 6);
+  const Outcome outcome = run(command + "--charuco DICT_5X5_50 --marker 0.022 --page page.html");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(number_after(outcome.out, "fx "), 429.0, 5.0) << outcome.out;
+  EXPECT_NE(contents(file("page.html")).find("</svg>"), std::string::npos);
+  fs::remove(file("charuco.yaml"));
+  expect_refusal(command + "--charuco DICT_5X5_50 --marker 0.015", 2, "markers of about 2");
+  expect_refusal(command + "--charuco DICT_6X6_50 --marker 0.022", 2,
+                 "the markers that the images show, DICT_5X5_50");
+  EXPECT_FALSE(fs::exists(file("charuco.yaml")));
+}
+
 TEST_F(Command, CalibratesDepthByWallsAndUsesIt) {
   write_walls(file("walls"), 0.6, 2.0);
   const Outcome outcome = run("calibrate depth walls --wall -o camera.yaml --page page.html");
@@ -99,6 +131,13 @@ TEST_F(Command, RefusesBoardsThatAreNone) {
                  "the number of inner corners, like 8x6");
   expect_refusal("calibrate intrinsics nowhere --board 8x6 -o new.yaml", 2,
                  "the edge of a square in metres");
+  expect_refusal("calibrate intrinsics nowhere --board 8x2 --square 0.03 -o new.yaml", 2,
+                 "corners along each edge");
+  const std::string board = "calibrate intrinsics nowhere --board 8x6 --square 0.03 -o new.yaml ";
+  expect_refusal(board + "--marker 0.02", 2, "--charuco");
+  expect_refusal(board + "--charuco DICT_4X4_50", 2, "the edge of a marker in metres");
+  expect_refusal(board + "--charuco DICT_4X4_50 --marker 0.04", 2, "that of a square, 0.03 m");
+  expect_refusal(board + "--charuco DICT_8X8_50 --marker 0.02", 2, "--charuco");
   expect_refusal("calibrate", 2, "subcommand");
 }
 

@@ -30,10 +30,17 @@ struct Board {
   void validate() const;
 };
 
-/// The corners of a board in an image, row by row.
+/// Corners of a board in an image.
 struct BoardImage {
+  static constexpr std::size_t least_corners = 6;  ///< of a part of a board
+
   std::string name;
   std::vector<Eigen::Vector2d> corners;  ///< [px]
+  /// Which corners of the board they are; empty: all of them, row by row.
+  std::vector<std::size_t> numbers = {};
+
+  /// The number on the board of the i-th corner.
+  std::size_t number(std::size_t i) const { return numbers.empty() ? i : numbers[i]; }
 };
 
 /// Whether this build can find boards and calibrate (OpenCV is optional).
@@ -92,18 +99,18 @@ struct IntrinsicCalibration {
 };
 
 /// Intrinsics and lens distortion from images of a board (Zhang 2000, by OpenCV). Images that fit
-/// much worse than the others are left out and named. The size of the squares only scales the
-/// distances of the board: intrinsics do not depend on it. Throws InputError if there are too few
-/// images, the board is always parallel to the image (focal length and distance cannot be told
-/// apart then), or this build cannot.
+/// much worse than the others are left out and named. Images may show parts of the board. The size
+/// of the squares only scales the distances of the board: intrinsics do not depend on it. Throws
+/// InputError if there are too few images, the board is always parallel to the image (focal length
+/// and distance cannot be told apart then), or this build cannot.
 IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage> images, Index width,
                                           Index height, const Board& board,
                                           const IntrinsicCalibrationOptions& options = {});
 
 /// The pose of a board in the frame of a camera, from its corners. None if they do not fit.
-/// Throws InputError if this build cannot.
-std::optional<Eigen::Isometry3d> board_pose(const std::vector<Eigen::Vector2d>& corners,
-                                            const CameraModel& camera, const Board& board);
+/// Throws InputError if the corners are not of the board or this build cannot.
+std::optional<Eigen::Isometry3d> board_pose(const BoardImage& image, const CameraModel& camera,
+                                            const Board& board);
 
 /// The pose of a colour camera in the frame of a depth camera.
 struct ColorPose {
@@ -117,8 +124,8 @@ struct ColorPose {
 /// From pairs of images that show a board at the same time, taken by two calibrated cameras (by
 /// OpenCV's stereo calibration). Intrinsics are refined with the pose: a shift of one image is
 /// nearly a turn of its camera, so that errors of the centres would become errors of the pose.
-/// Throws InputError if the lists differ in length, there are fewer than three pairs, or this build
-/// cannot.
+/// Pairs that share fewer than BoardImage::least_corners corners are left out. Throws InputError if
+/// the lists differ in length, there are fewer than three pairs, or this build cannot.
 ColorPose calibrate_color_pose(std::span<const BoardImage> depth_images,
                                std::span<const BoardImage> color_images, const CameraModel& depth,
                                const CameraModel& color, const Board& board);
