@@ -18,8 +18,8 @@ class StagingPath {
   std::size_t slot_;
 };
 
-/// Removes what processes that live no more left beside `path` while they wrote it. What stood there
-/// before and was set aside gets its name back if nothing has it.
+/// Removes what processes that live no more left beside `path` while they wrote it. What stood
+/// there before and was set aside gets its name back if nothing has it.
 void remove_stale_staging(const std::filesystem::path& path);
 
 }  // namespace symscene
