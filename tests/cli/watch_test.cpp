@@ -51,8 +51,8 @@ TEST_F(Watch, FindsAtTheEndWhatReconstructAndSegmentFind) {
   const json live = objects_in("live"), found = objects_in("found");
   ASSERT_EQ(live.size(), found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const double points = found[i].at("points").size();
-    EXPECT_NEAR(live[i].at("points").size(), points, 0.05 * points + 5) << i;
+    const auto points = static_cast<double>(found[i].at("points").size());
+    EXPECT_NEAR(static_cast<double>(live[i].at("points").size()), points, 0.05 * points + 5) << i;
   }
 }
 
