@@ -17,7 +17,7 @@ class LiveHistory {
  public:
   /// The updates that are kept: at most this many, and at most this many points of all.
   static constexpr std::size_t max_updates = 600;
-  static constexpr std::size_t max_points = 20'000'000;
+  static constexpr std::size_t max_points = 8'000'000;
 
   void add(std::shared_ptr<const LiveReport> report);
   void finish();  ///< no update follows

@@ -90,7 +90,11 @@ LiveReport LiveLoop::make_report() {
   }
   const LiveSnapshot snapshot = take_snapshot(report);
   report.update.frames = snapshot.frames;
-  if (report.problem.empty()) report.update = scene_.update(snapshot);
+  try {
+    if (report.problem.empty()) report.update = scene_.update(snapshot);
+  } catch (const InputError& error) {
+    report.problem = error.what();
+  }
   report.spacing = median_spacing(report.update.result.cloud.positions).value_or(0.0F);
   report.latency = std::chrono::duration<double>(Clock::now() - arrived).count();
   return report;

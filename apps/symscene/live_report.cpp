@@ -35,7 +35,7 @@ Json objects_json(const LiveUpdate& update) {
 Json changes_json(const IdentifiedObjects& identified) {
   Json changes = Json::array();
   for (const ObjectChange& change : identified.changes)
-    changes.push_back({{"number", change.number}, {"fate", to_string(change.fate)}});
+    changes.push_back({{"number", change.number}, {"kind", to_string(change.kind)}});
   return changes;
 }
 
@@ -45,13 +45,14 @@ double seconds_of(const std::vector<StageTime>& stages) {
   return sum;
 }
 
-std::vector<ObjectNumber> number_of_each_point(const LiveUpdate& update) {
-  std::vector<ObjectNumber> numbers(static_cast<std::size_t>(update.result.cloud.size()), 0);
-  for (std::size_t k = 0; k < update.result.objects.size(); ++k) {
-    for (const Index i : update.result.objects[k].points)
-      numbers[static_cast<std::size_t>(i)] = update.identified.numbers[k];
+/// The place of each point's object among the objects, from 1; 0 for none.
+std::vector<std::uint16_t> object_of_each_point(const SegmentationResult& result) {
+  std::vector<std::uint16_t> places(static_cast<std::size_t>(result.cloud.size()), 0);
+  for (std::size_t k = 0; k < result.objects.size(); ++k) {
+    for (const Index i : result.objects[k].points)
+      places[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(k + 1);
   }
-  return numbers;
+  return places;
 }
 
 template <class Value>
@@ -108,7 +109,7 @@ std::string live_line(const LiveReport& report) {
       fmt::format("{}: {}, {:.2f} s after the last frame", after,
                   counted(report.update.result.objects.size(), "object"), report.latency);
   for (const ObjectChange& change : report.update.identified.changes)
-    line += fmt::format("; {} {}", change.number, to_string(change.fate));
+    line += fmt::format("; {} {}", change.number, to_string(change.kind));
   return line;
 }
 
@@ -116,7 +117,7 @@ std::string live_bytes(const LiveReport& report, std::size_t most) {
   const PointCloud& cloud = report.update.result.cloud;
   const auto size = static_cast<std::size_t>(cloud.size());
   const std::size_t count = std::min(size, most);
-  const std::vector<ObjectNumber> numbers = number_of_each_point(report.update);
+  const std::vector<std::uint16_t> places = object_of_each_point(report.update.result);
   const Quantization quantized(cloud.positions);
   std::string json = live_json(report);
   json.resize((json.size() + 3) / 4 * 4, ' ');  // what follows is aligned
@@ -130,7 +131,7 @@ std::string live_bytes(const LiveReport& report, std::size_t most) {
   for (std::size_t k = 0; k < count; ++k) {
     const Eigen::Vector3f position = cloud.position(nth(k));
     for (int axis = 0; axis < 3; ++axis) append(bytes, quantized.of(position[axis], axis));
-    append(bytes, static_cast<std::uint16_t>(numbers[static_cast<std::size_t>(nth(k))]));
+    append(bytes, places[static_cast<std::size_t>(nth(k))]);
   }
   for (std::size_t k = 0; cloud.has_colors() && k < count; ++k) {
     for (int channel = 0; channel < 3; ++channel) append(bytes, cloud.colors(nth(k), channel));

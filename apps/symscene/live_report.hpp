@@ -24,8 +24,9 @@ std::string live_json(const LiveReport& report);
 /// The report as a line for people.
 std::string live_line(const LiveReport& report);
 
-/// The report and at most `most` points of the update, evenly spread, with the numbers of their
-/// objects (0 for none) and colours, in the layout of docs/formats.md (*Live updates*).
+/// The report and at most `most` points of the update, evenly spread, with the places of their
+/// objects in the report (0 for none) and colours, in the layout of docs/formats.md (*Live
+/// updates*).
 std::string live_bytes(const LiveReport& report, std::size_t most);
 
 }  // namespace symscene::app

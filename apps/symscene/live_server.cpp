@@ -1,6 +1,7 @@
 #include "live_server.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <random>
 #include <thread>
@@ -30,7 +31,8 @@ std::string random_token() {
 
 namespace {
 
-constexpr std::size_t threads = 16;  ///< a page holds one while it listens
+constexpr std::size_t threads = 16;
+constexpr int max_streams = 8;  ///< each holds a thread
 constexpr std::size_t default_points = 20000;
 constexpr std::chrono::milliseconds keep_alive{1000};
 
@@ -50,14 +52,31 @@ std::optional<std::size_t> number_of(const std::string& text) {
   return is_number ? std::optional<std::size_t>(std::stoul(text)) : std::nullopt;
 }
 
-std::string event_of(const LiveHistory::News& news) {
+std::string event_of(const LiveHistory::News& news, const std::string& run) {
   std::string text;
   if (news.newest) {
-    text += fmt::format("id: {}\ndata: {{\"oldest\":{},\"report\":{}}}\n\n", news.newest->number,
-                        news.oldest, live_json(*news.newest));
+    text += fmt::format("id: {0}-{1}\ndata: {{\"run\":\"{0}\",\"oldest\":{2},\"report\":{3}}}\n\n",
+                        run, news.newest->number, news.oldest, live_json(*news.newest));
   }
   if (news.is_finished) text += "event: finished\ndata: {}\n\n";
   return text.empty() ? ": waiting\n\n" : text;
+}
+
+/// What pages need of a report: of the cloud positions and colours, no hypotheses and surfaces.
+std::shared_ptr<const LiveReport> for_pages(const LiveReport& report) {
+  auto kept = std::make_shared<LiveReport>(report);
+  SegmentationResult& result = kept->update.result;
+  result.cloud.normals.resize(0, 3);
+  result.rejected.clear();
+  result.completed.clear();
+  result.surfaces.clear();
+  return kept;
+}
+
+/// A port in use is refused, that of another run of this user too.
+void reuse_only_closed(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
 }  // namespace
@@ -65,6 +84,9 @@ std::string event_of(const LiveHistory::News& news) {
 struct LiveServer::Implementation {
   Implementation(LiveAddress given, std::string html)
       : address(std::move(given)), page(std::move(html)) {
+    server.set_socket_options(reuse_only_closed);
+    server.set_keep_alive_timeout(1);
+    server.set_payload_max_length(1024);  // no request has a body
     server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
     server.set_pre_routing_handler(
         [this](const httplib::Request& request, httplib::Response& reply) {
@@ -84,7 +106,13 @@ struct LiveServer::Implementation {
     if (port < 0)
       throw InputError("--host, --port", "an address that is free on this machine",
                        fmt::format("{}:{}", address.host, address.port));
-    listener = std::thread([this] { server.listen_after_bind(); });
+    listener = std::thread([this] {
+      server.listen_after_bind();
+      has_ended = true;
+    });
+    // A server that does not listen yet cannot be stopped.
+    while (!server.is_running() && !has_ended)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   ~Implementation() {
@@ -117,22 +145,32 @@ struct LiveServer::Implementation {
     return host == address.host || host == "localhost" || host == "127.0.0.1" || host == "[::1]";
   }
 
-  /// A page that lost its connection says which update it got last; older ones are not sent again.
+  /// The update that a page which lost its connection got last; 0 if it was one of another run.
+  std::size_t known_to(const httplib::Request& request) const {
+    const std::string id = request.get_header_value("Last-Event-ID");
+    const std::string own = run + "-";
+    return id.starts_with(own) ? number_of(id.substr(own.size())).value_or(0) : 0;
+  }
+
   void stream(const httplib::Request& request, httplib::Response& reply) {
-    std::size_t known = number_of(request.get_header_value("Last-Event-ID")).value_or(0);
-    bool knows_end = false;
+    if (++streams > max_streams) {
+      --streams;
+      reply.status = 503;
+      reply.set_content("Too many pages are open.\n", "text/plain");
+      return;
+    }
     reply.set_chunked_content_provider(
         "text/event-stream",
-        [this, known, knows_end](std::size_t, httplib::DataSink& sink) mutable {
-          const LiveHistory::News news = history.wait(known, knows_end, keep_alive);
+        [this, known = known_to(request), knows_end = false](std::size_t,
+                                                             httplib::DataSink& sink) mutable {
+          LiveHistory::News news = history.wait(known, knows_end, keep_alive);
           if (news.is_closed) return false;
-          LiveHistory::News told = news;
-          told.is_finished = news.is_finished && !knows_end;
           if (news.newest) known = news.newest->number;
-          knows_end = news.is_finished;
-          const std::string event = event_of(told);
+          news.is_finished = std::exchange(knows_end, news.is_finished) != news.is_finished;
+          const std::string event = event_of(news, run);
           return sink.write(event.data(), event.size());
-        });
+        },
+        [this](bool) { --streams; });
   }
 
   void send(const httplib::Request& request, httplib::Response& reply) const {
@@ -149,8 +187,11 @@ struct LiveServer::Implementation {
 
   LiveAddress address;
   std::string page;
+  std::string run = random_token();  ///< so that pages notice a new run at the same address
   int port = -1;
   LiveHistory history;
+  std::atomic<int> streams = 0;
+  std::atomic<bool> has_ended = false;
   httplib::Server server;
   std::thread listener;
 };
@@ -170,7 +211,7 @@ std::string LiveServer::url() const {
 }
 
 void LiveServer::publish(std::shared_ptr<const LiveReport> report) {
-  implementation_->history.add(std::move(report));
+  implementation_->history.add(for_pages(*report));
 }
 
 void LiveServer::finish() { implementation_->history.finish(); }
@@ -183,7 +224,8 @@ bool LiveServer::is_built() { return false; }
 
 LiveServer::LiveServer(const LiveAddress&, std::string) {
   throw InputError("symscene watch",
-                   "a build with an HTTP server (libcpp-httplib-dev), or --no-page", "one without");
+                   "a build with an HTTP server (libcpp-httplib-dev), or --no-server",
+                   "one without");
 }
 
 std::string LiveServer::url() const { return {}; }

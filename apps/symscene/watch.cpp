@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <cctype>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -35,9 +38,10 @@ class Playback {
   Clock::time_point wait_for(std::size_t i, const StopRequest& stop) const {
     if (is_fast_) return Clock::now();
     constexpr std::chrono::milliseconds slice{50};
+    constexpr double longest = 1e6;  // the clock holds this much [s]
+    const double after = std::clamp(sequence_.time(i) - sequence_.time(0), 0.0, longest);
     const Clock::time_point due =
-        start_ + std::chrono::duration_cast<Clock::duration>(
-                     std::chrono::duration<double>(sequence_.time(i) - sequence_.time(0)));
+        start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(after));
     while (Clock::now() < due && !stop.is_made())
       std::this_thread::sleep_until(std::min(due, Clock::now() + slice));
     return due;
@@ -71,6 +75,10 @@ struct Watch {
 
   /// Beyond this machine the scene is only served to those who have a token.
   LiveAddress address() const {
+    const bool is_plain = std::all_of(token.begin(), token.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '-' || c == '_';
+    });
+    if (!is_plain) throw InputError("--token", "letters, digits, - and _", "'" + token + "'");
     LiveAddress address{host, port.value_or(0), token};
     if (token.empty() && !address.is_loopback()) address.token = random_token();
     return address;
@@ -97,15 +105,6 @@ struct Watch {
       session.print_line(live_line(report));
   }
 
-  std::optional<DepthFrame> read(FrameReader& reader, Session& session) const {
-    try {
-      return reader.next();
-    } catch (const InputError& error) {
-      session.warn(error.what());
-      return std::nullopt;
-    }
-  }
-
   void play(const DepthSequence& sequence, LiveLoop& loop, const StopRequest& stop,
             Session& session) const {
     const PoseUse use = poses == "exact" ? PoseUse::exact : PoseUse::start;
@@ -113,10 +112,11 @@ struct Watch {
     FrameReader reader(sequence);
     for (std::size_t i = 0; i < sequence.size() && !stop.is_made(); ++i) {
       const Clock::time_point arrived = playback.wait_for(i, stop);
-      const std::optional<DepthFrame> frame = read(reader, session);
-      if (!frame) continue;
-      const auto pose = poses.empty() ? std::nullopt : sequence.pose(i);
-      loop.add(*frame, pose, use, arrived);
+      try {
+        loop.add(reader.next(), poses.empty() ? std::nullopt : sequence.pose(i), use, arrived);
+      } catch (const InputError& error) {
+        session.warn(error.what());  // the frames after it may be in order
+      }
     }
   }
 
@@ -144,18 +144,22 @@ struct Watch {
     const std::unique_ptr<LiveServer> server = serve(session);
     const StopRequest stop;
     const FrameRate rate(sequence->size());
-    std::shared_ptr<const LiveReport> last;
+    std::shared_ptr<const LiveReport> last;  // that has a scene
+    std::string problem = "none that can be read";
     LiveLoop loop(scene, table_arguments.told(), [&](std::shared_ptr<const LiveReport> report) {
-      last = report;
+      if (report->problem.empty())
+        last = report;
+      else
+        problem = report->problem;
       tell(*report, session);
       if (server) server->publish(std::move(report));
     });
     play(*sequence, loop, stop, session);
     loop.finish();
     const double per_second = rate.per_second();
-    if (!last || !last->problem.empty())
-      throw InputError(path.string(), "a frame that shows a surface",
-                       last ? last->problem : "none that can be read");
+    if (!last && stop.is_made())
+      throw InputError(path.string(), "an update before the command is stopped", "none");
+    if (!last) throw InputError(path.string(), "a frame that shows a surface", problem);
     write(*last, scene, fields, session);
     if (server) {
       server->finish();

@@ -12,7 +12,8 @@ constexpr int edge = TsdfBlock::edge;
 constexpr int voxels = TsdfBlock::voxels;
 constexpr float packed_unit = Measurement::depth_unit;
 
-/// A look contradicts a voxel if the distances differ by this share of the truncation distance.
+/// A frame contradicts a voxel if the distances differ by this share of the truncation distance,
+/// which by default is more than two standard deviations of a depth.
 constexpr float contradicting_share = 0.75F;
 
 /// Projection of a block's voxels, up to the translation of the block.
@@ -153,7 +154,7 @@ template <bool forgets>
     const int old = distance[i];
     int before = weight[i];
     if constexpr (forgets) {
-      // What a look of full weight contradicts has moved: the looks before it count less.
+      // What a frame contradicts at full weight has moved: the frames before it count less.
       const float gap = std::abs(cut_off * units - static_cast<float>(old));
       const int contradicts = static_cast<int>(gap > contradicting_share * cut * units) &
                               static_cast<int>(full >= -full_depth) & seen;

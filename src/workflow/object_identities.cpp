@@ -42,15 +42,15 @@ double overlap(std::span<const std::uint64_t> a, std::span<const std::uint64_t> 
 
 }  // namespace
 
-std::string to_string(ObjectFate fate) {
-  switch (fate) {
-    case ObjectFate::appeared:
+std::string to_string(ObjectChangeKind kind) {
+  switch (kind) {
+    case ObjectChangeKind::appeared:
       return "appeared";
-    case ObjectFate::returned:
+    case ObjectChangeKind::returned:
       return "returned";
-    case ObjectFate::unclear:
+    case ObjectChangeKind::unclear:
       return "unclear";
-    case ObjectFate::gone:
+    case ObjectChangeKind::gone:
       return "gone";
   }
   return "unknown";
@@ -94,7 +94,8 @@ void ObjectIdentities::find(ObjectNumber number, std::vector<Cell> cells,
   const auto [place, is_new] = known_.try_emplace(number);
   Known& known = place->second;
   if (is_new || known.absent)
-    identified.changes.push_back({number, is_new ? ObjectFate::appeared : ObjectFate::returned});
+    identified.changes.push_back(
+        {number, is_new ? ObjectChangeKind::appeared : ObjectChangeKind::returned});
   known = {std::move(cells), {}};
 }
 
@@ -102,11 +103,12 @@ void ObjectIdentities::miss(ObjectNumber number, std::span<const Cell> all,
                             IdentifiedObjects& identified) {
   Known& known = known_.at(number);
   const auto left = static_cast<double>(shared_cells(known.cells, all));
-  const ObjectFate fate = left < options_.min_left * static_cast<double>(known.cells.size())
-                              ? ObjectFate::gone
-                              : ObjectFate::unclear;
-  if (known.absent != fate) identified.changes.push_back({number, fate});
-  known.absent = fate;
+  const ObjectChangeKind kind = left < options_.min_left * static_cast<double>(known.cells.size())
+                                    ? ObjectChangeKind::gone
+                                    : ObjectChangeKind::unclear;
+  if (known.absent != kind) identified.changes.push_back({number, kind});
+  known.absent = kind;
+  ++known.absence;
 }
 
 IdentifiedObjects ObjectIdentities::identify(const SegmentationResult& result) {
@@ -133,6 +135,8 @@ IdentifiedObjects ObjectIdentities::identify(const SegmentationResult& result) {
         identified.numbers.end())
       miss(number, all, identified);
   }
+  std::erase_if(known_,
+                [&](const auto& known) { return known.second.absence >= options_.max_absence; });
   std::sort(identified.changes.begin(), identified.changes.end(),
             [](const ObjectChange& a, const ObjectChange& b) { return a.number < b.number; });
   return identified;

@@ -57,12 +57,13 @@ TEST_F(Watch, FindsAtTheEndWhatReconstructAndSegmentFind) {
 }
 
 TEST_F(Watch, RefusesFramesThatShowNothingAndOptionsThatContradict) {
-  const Outcome dark = run("watch dark --no-server --fast");
+  const Outcome dark = run("watch dark --no-server --fast -o new");
   EXPECT_EQ(dark.code, 1);
   EXPECT_NE(dark.err.find("expected"), std::string::npos) << dark.err;
-  EXPECT_EQ(run("watch none --no-server").code, 1);
+  EXPECT_EQ(run("watch none --no-server -o new").code, 1);
   EXPECT_EQ(run("watch sweep --no-server --port 70000").code, 2);
-  EXPECT_EQ(run("watch sweep --no-server --no-table --any-up").code, 1);
+  EXPECT_EQ(run("watch sweep --no-server --no-table --any-up -o new").code, 1);
+  EXPECT_NE(run("watch sweep --token 'a&b' -o new").err.find("--token"), std::string::npos);
   EXPECT_FALSE(fs::exists(file("new")));
 }
 

@@ -14,7 +14,7 @@ const TOKEN = '0123456789abcdef';
 const command = process.env.SYMSCENE_COMMAND;
 
 const object = (number, x) => ({ number, points: 300, score: 0.9, center: [x, 0, 0.05], axes: 1, planes: 0, class: 'revolution' });
-const change = (number, fate) => ({ number, fate });
+const change = (number, kind) => ({ number, kind });
 
 // Three updates: two objects, a third one, and the first taken away.
 const REPORTS = [
@@ -25,8 +25,8 @@ const REPORTS = [
 
 /** An update as docs/formats.md describes it: 300 points of each object, thinned evenly. */
 function encodeUpdate(report, most) {
-  const all = report.objects.flatMap(({ number, center }) => Array.from({ length: 300 }, (_, i) => ({
-    number, place: [center[0] + 0.04 * Math.cos(i), center[1] + 0.04 * Math.sin(i), (0.1 * i) / 300] })));
+  const all = report.objects.flatMap(({ center }, k) => Array.from({ length: 300 }, (_, i) => ({
+    object: k + 1, place: [center[0] + 0.04 * Math.cos(i), center[1] + 0.04 * Math.sin(i), (0.1 * i) / 300] })));
   const count = Math.min(most, all.length);
   const points = Array.from({ length: count }, (_, k) => all[Math.floor((k * all.length) / count)]);
   const json = Buffer.from(JSON.stringify(report));
@@ -36,8 +36,8 @@ function encodeUpdate(report, most) {
   [padded.length, count, all.length, 0].forEach((value, i) => header.writeUInt32LE(value, 4 + 4 * i));
   [-0.5, -0.5, -0.5, 1 / 65535].forEach((value, i) => header.writeFloatLE(value, 20 + 4 * i));
   const values = Buffer.alloc(8 * count);
-  points.forEach(({ number, place }, i) => {
-    [...place.map((value) => Math.round((value + 0.5) * 65535)), number].forEach((value, k) => values.writeUInt16LE(value, 8 * i + 2 * k));
+  points.forEach(({ object: at, place }, i) => {
+    [...place.map((value) => Math.round((value + 0.5) * 65535)), at].forEach((value, k) => values.writeUInt16LE(value, 8 * i + 2 * k));
   });
   return Buffer.concat([header, padded, values]);
 }
@@ -45,6 +45,7 @@ function encodeUpdate(report, most) {
 class Server {
   streams = new Set();
   sent = 1;
+  run = 'first';
   isFinished = false;
 
   async start(page, port = 0) {
@@ -71,7 +72,7 @@ class Server {
   }
 
   #tell(reply) {
-    reply.write(`id: ${this.sent}\ndata: ${JSON.stringify({ oldest: 1, report: REPORTS[this.sent - 1] })}\n\n`);
+    reply.write(`id: ${this.run}-${this.sent}\ndata: ${JSON.stringify({ run: this.run, oldest: 1, report: REPORTS[this.sent - 1] })}\n\n`);
     if (this.isFinished) reply.write('event: finished\ndata: {}\n\n');
   }
 
@@ -149,7 +150,7 @@ describe('the page of a live scene', () => {
     await page.waitForFunction(() => / 100 of 600 points$/.test(document.querySelector('.facts').textContent));
   });
 
-  servedTest('says that the connection is lost, and goes on when it is back', async () => `http://127.0.0.1:${server.port}/`, WINDOW, async (page) => {
+  servedTest('says that the connection is lost, goes on when it is back, and begins anew with another run', async () => `http://127.0.0.1:${server.port}/`, WINDOW, async (page) => {
     await page.goto(server.url);
     await shown(page, server.sent);
     const { port } = server;
@@ -159,6 +160,11 @@ describe('the page of a live scene', () => {
     await server.start(server.page, port);
     await page.waitForSelector('.state[data-state="live"]', { timeout: 30000 });
     await shown(page, 3);
+    await page.evaluate(() => { window.isOld = true; });
+    await server.stop();
+    server.run = 'second';
+    await server.start(server.page, port);
+    await page.waitForFunction(() => !window.isOld && window.symscene?.state.shown === 3, null, { timeout: 60000 });
     server.finish();
     await page.waitForSelector('.state[data-state="finished"]');
   });
@@ -206,6 +212,7 @@ describe('symscene watch', { skip: !command }, () => {
       assert.equal((await fetch(new URL(path, address))).status, 403, path);
       assert.equal((await fetch(new URL(`${path}?token=${TOKEN}0`, address))).status, 403, path);
     }
+    await assert.rejects(promisify(execFile)(command, ['watch', 'sweep', '--port', new URL(address).port], { cwd: folder, timeout: 60000 }), /an address that is free/);
     assert.equal((await fetch(new URL(`/updates/999?token=${TOKEN}`, address))).status, 404);
     const ended = new Promise((resolve) => { child.on('exit', resolve); });
     child.kill('SIGINT');

@@ -45,10 +45,10 @@ ObjectNumber number_at(const LiveUpdate& update, const Eigen::Vector3d& place) {
   return number;
 }
 
-bool tells(const LiveUpdate& update, ObjectNumber number, ObjectFate fate) {
+bool tells(const LiveUpdate& update, ObjectNumber number, ObjectChangeKind kind) {
   return std::any_of(
       update.identified.changes.begin(), update.identified.changes.end(),
-      [&](const ObjectChange& change) { return change.number == number && change.fate == fate; });
+      [&](const ObjectChange& change) { return change.number == number && change.kind == kind; });
 }
 
 const Eigen::Vector3d ball{-0.1, -0.08, 0.05};
@@ -68,14 +68,14 @@ TEST(LiveScene, WithinHalfASecondOfFramesABallIsGoneAndBackAndTheOthersKeepTheir
 
   filmed.film(without, 15);
   const LiveUpdate after = filmed.scene.objects();
-  EXPECT_TRUE(tells(after, taken, ObjectFate::gone));
+  EXPECT_TRUE(tells(after, taken, ObjectChangeKind::gone));
   EXPECT_EQ(number_at(after, ball), 0U);
   EXPECT_EQ(number_at(after, other_ball), kept);
 
   filmed.film(all, 15);
   const LiveUpdate again = filmed.scene.objects();
   EXPECT_EQ(number_at(again, ball), taken);
-  EXPECT_TRUE(tells(again, taken, ObjectFate::returned));
+  EXPECT_TRUE(tells(again, taken, ObjectChangeKind::returned));
   EXPECT_EQ(number_at(again, other_ball), kept);
 }
 

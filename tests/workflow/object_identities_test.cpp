@@ -40,7 +40,7 @@ struct Balls {
 std::vector<std::string> told(const IdentifiedObjects& identified) {
   std::vector<std::string> changes;
   for (const ObjectChange& change : identified.changes)
-    changes.push_back(std::to_string(change.number) + " " + to_string(change.fate));
+    changes.push_back(std::to_string(change.number) + " " + to_string(change.kind));
   return changes;
 }
 
@@ -75,6 +75,17 @@ TEST(ObjectIdentities, WhatIsPutBackIsTheSameObject) {
   identities.identify(Balls().ball(0.0F).ball(0.2F).done());
   identities.identify(Balls().ball(0.0F).done());
   EXPECT_EQ(told(identities.identify(Balls().ball(0.2F).ball(0.0F).done())), (Told{"2 returned"}));
+}
+
+TEST(ObjectIdentities, AnObjectThatIsAwayForLongIsForgotten) {
+  ObjectIdentityOptions options;
+  options.max_absence = 3;
+  ObjectIdentities identities(options);
+  identities.identify(Balls().ball(0.0F).ball(0.2F).done());
+  for (int k = 0; k < 2; ++k) identities.identify(Balls().ball(0.0F).done());
+  EXPECT_EQ(told(identities.identify(Balls().ball(0.0F).ball(0.2F).done())), (Told{"2 returned"}));
+  for (int k = 0; k < 3; ++k) identities.identify(Balls().ball(0.0F).done());
+  EXPECT_EQ(told(identities.identify(Balls().ball(0.0F).ball(0.2F).done())), (Told{"3 appeared"}));
 }
 
 TEST(ObjectIdentities, AnObjectWhosePointsAreThereButNotAsAnObjectIsUnclear) {

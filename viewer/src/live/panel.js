@@ -2,8 +2,8 @@
 import { h } from '../dom.js';
 import { css, inkOn, objectColor } from '../palette.js';
 
-const STATES = { waiting: 'connecting', live: 'live', lost: 'connection lost, trying again', finished: 'the last frame is in' };
-const FATES = { appeared: 'appeared', returned: 'is found again', unclear: 'is not clear any more', gone: 'is gone' };
+const STATES = { waiting: 'connecting', live: 'live', lost: 'connection lost, trying again', refused: 'the server refuses this page', finished: 'the last frame is in' };
+const CHANGES = { appeared: 'appeared', returned: 'returned', unclear: 'is unclear: its points match no object', gone: 'is gone' };
 const LOGGED = 60;
 
 const seconds = (value) => (value < 10 ? `${value.toFixed(2)} s` : `${value.toFixed(1)} s`);
@@ -26,10 +26,11 @@ export class LivePanel {
     this.facts = h('p', { class: 'facts' });
     this.latency = h('p', { class: 'latency' });
     this.problem = h('p', { class: 'problem', hidden: true });
+    this.error = h('p', { class: 'problem', role: 'alert', hidden: true });
     this.objects = h('ul', { class: 'objects' });
     this.log = h('ul', { class: 'log' });
     this.element = h('aside', { class: 'panel', 'aria-label': 'Objects' },
-      h('h1', {}, title), this.state, this.facts, this.latency, this.problem,
+      h('h1', {}, title), this.state, this.facts, this.latency, this.problem, this.error,
       h('h2', {}, 'Objects'), this.objects, h('h2', {}, 'Changes'), this.log);
   }
 
@@ -38,11 +39,18 @@ export class LivePanel {
     this.state.dataset.state = state;
   }
 
-  /** Of an update that is shown; `received` is how long the page waited for its points. [s] */
+  /** Why the last request for an update failed; null if it did not. */
+  setError(error) {
+    this.error.textContent = error ? `The update cannot be read (${error}); trying again.` : '';
+    this.error.hidden = !error;
+  }
+
+  /** Of an update that is shown; `received` is how long the page waited for its points, or null if the update is an old one. [s] */
   show({ report, numbers, size }, received) {
     this.facts.textContent = `update ${report.update} · ${counted(report.frames, 'frame')}${report.lost ? `, ${report.lost} lost` : ''} · ` +
       (numbers.length < size ? `${numbers.length} of ${size} points` : `${size} points`);
-    this.latency.textContent = `${seconds(report.latency + received)} behind the camera (objects ${seconds(report.latency)}, page ${seconds(received)})`;
+    this.latency.textContent = received === null ? `objects were found ${seconds(report.latency)} after the last frame`
+      : `${seconds(report.latency + received)} behind the camera (objects ${seconds(report.latency)}, page ${seconds(received)})`;
     this.problem.textContent = report.problem ? `No scene yet: ${report.problem}` : '';
     this.problem.hidden = !report.problem;
     this.objects.replaceChildren(...report.objects.slice().sort((a, b) => a.number - b.number).map(objectRow));
@@ -50,8 +58,8 @@ export class LivePanel {
 
   /** Of each update that arrives. */
   addChanges({ changes, frames }) {
-    for (const { number, fate } of changes) {
-      this.log.prepend(h('li', {}, chip(number), h('span', {}, `${FATES[fate] ?? fate} after ${counted(frames, 'frame')}`)));
+    for (const { number, kind } of changes) {
+      this.log.prepend(h('li', {}, chip(number), h('span', {}, `${CHANGES[kind] ?? kind} after ${counted(frames, 'frame')}`)));
     }
     while (this.log.children.length > LOGGED) this.log.lastChild.remove();
   }

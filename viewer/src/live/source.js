@@ -2,8 +2,8 @@
 import { decodeUpdate } from './decode.js';
 
 export class LiveSource {
-  onReport = () => {}; // ({report, oldest}) of each new update
-  onState = () => {}; // 'waiting', 'live', 'lost' or 'finished'
+  onReport = () => {}; // ({run, report, oldest}) of each new update
+  onState = () => {}; // 'waiting', 'live', 'lost', 'refused' or 'finished'
 
   constructor(location) {
     this.base = new URL('.', location);
@@ -20,7 +20,7 @@ export class LiveSource {
   listen() {
     this.events = new EventSource(this.address('events'));
     this.events.onopen = () => this.onState('live');
-    this.events.onerror = () => this.onState('lost');
+    this.events.onerror = () => this.onState(this.events.readyState === EventSource.CLOSED ? 'refused' : 'lost');
     this.events.onmessage = ({ data }) => this.onReport(JSON.parse(data));
     this.events.addEventListener('finished', () => {
       this.events.close();

@@ -48,11 +48,10 @@ struct TsdfOptions {
           "lower bound of the depth of zero weight, in standard deviations of a depth");
     visit("max_weight", self.max_weight, "", between(1.0, 250.0),
           "largest weight of a voxel, in frontal views at 1 m");
-    visit(
-        "max_contradicted_looks", self.max_contradicted_looks, "", between(0.0, 1000.0),
-        "weight that a voxel keeps where a frame contradicts it, in looks like that frame's: what "
-        "was added or taken away is in the surface after about as many frames. 0 keeps all: the "
-        "scene is at rest");
+    visit("max_contradicted_looks", self.max_contradicted_looks, "", between(0.0, 1000.0),
+          "weight that a voxel keeps where a frame contradicts it, in weights of that frame: what "
+          "was added or taken away is in the surface after about as many frames. 0 keeps all "
+          "weight, for scenes at rest");
     visit("max_color_weight", self.max_color_weight, "frames", between(1, 255),
           "largest weight of a voxel's colour");
     visit("max_memory", self.max_memory, "GB", above_up_to(0.0, 1000.0),

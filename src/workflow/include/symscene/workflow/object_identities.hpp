@@ -18,6 +18,7 @@ struct ObjectIdentityOptions {
   double cell_spacings = 3.0;
   double min_overlap = 0.2;
   double min_left = 0.3;
+  int max_absence = 100;
 
   template <class Self, class Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -28,27 +29,29 @@ struct ObjectIdentityOptions {
           "result");
     visit("min_left", self.min_left, "", between(0.0, 1.0),
           "share of an object's cells that still hold points, below which the object is gone");
+    visit("max_absence", self.max_absence, "results", at_least(1.0),
+          "results in a row without an object, after which it is not recognised any more");
   }
   /// Throws InputError if a value is out of its range.
   void validate() const { check_fields(*this); }
 };
 
-/// What became of an object since the result before.
-enum class ObjectFate {
+/// What changed of an object since the result before.
+enum class ObjectChangeKind {
   appeared,  ///< no earlier object was there
   returned,  ///< an object that was unclear or gone is found where it was
-  unclear,   ///< its points are there, but no object of the result is it
+  unclear,   ///< its points are there, but no object of the result matches it
   gone       ///< its points are not there any more
 };
 
-std::string to_string(ObjectFate fate);
+std::string to_string(ObjectChangeKind kind);
 
 /// Numbers of objects start at 1 and are never used again for another object.
 using ObjectNumber = std::uint32_t;
 
 struct ObjectChange {
   ObjectNumber number = 0;
-  ObjectFate fate = ObjectFate::appeared;
+  ObjectChangeKind kind = ObjectChangeKind::appeared;
 };
 
 /// The objects of a result as those of the results before.
@@ -70,8 +73,10 @@ class ObjectIdentities {
   using Cell = std::uint64_t;
 
   struct Known {
-    std::vector<Cell> cells;                ///< ascending, when it was last found
-    std::optional<ObjectFate> absent = {};  ///< unclear or gone; none if the last result has it
+    std::vector<Cell> cells;  ///< ascending, when it was last found
+    std::optional<ObjectChangeKind> absent =
+        {};           ///< unclear or gone; none if the last result has it
+    int absence = 0;  ///< results in a row without it
   };
 
   std::vector<Cell> cells_of(const PointCloud& cloud, std::span<const Index> points) const;
