@@ -203,7 +203,7 @@ void add_watch(CommandLine& line) {
                  "address of this machine to serve at (default 127.0.0.1: only this machine)");
   arguments.count("--port", state->port, between(0, 65535),
                   "port to serve at (default: a free one)");
-  arguments.text("--token", "TEXT", state->token,
+  arguments.text("--token", "TOKEN", state->token,
                  "what requests must bring (default: at other addresses than this machine's own a "
                  "random one)");
   arguments.sequence_options(state->source);
