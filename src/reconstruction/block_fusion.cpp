@@ -157,7 +157,8 @@ template <bool forgets>
       // What a frame contradicts at full weight has moved: the frames before it count less.
       const float gap = std::abs(cut_off * units - static_cast<float>(old));
       const int contradicts = static_cast<int>(gap > contradicting_share * cut * units) &
-                              static_cast<int>(full >= -full_depth) & seen;
+                              static_cast<int>(full >= -full_depth) & seen &
+                              static_cast<int>(root > 0);
       const auto kept = static_cast<int>(max_contradicted * static_cast<float>(added));
       before -= contradicts * std::max(before - kept, 0);
     }

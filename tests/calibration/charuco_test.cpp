@@ -24,7 +24,7 @@ void expect_true_corners(const CharucoView& view, const Eigen::Isometry3d& T_cam
   for (std::size_t i = 0; i < view.image.corners.size(); ++i) {
     const Eigen::Vector3d corner = the_charuco().board.corner(view.image.number(i));
     EXPECT_LT((view.image.corners[i] - shown_at(charuco_camera(), T_camera_board * corner)).norm(),
-              0.3);
+              0.5);
   }
 }
 
@@ -35,7 +35,7 @@ TEST(FindCharuco, FindsTheCornersOfABoardInViewToAFractionOfAPixel) {
     const auto pose = random_board_pose(charuco_camera(), the_charuco().board, random);
     const CharucoView view = view_of(the_charuco(), the_charuco(), pose);
     ASSERT_TRUE(view.is_found()) << view.reason;
-    EXPECT_GE(view.image.corners.size(), 24U);  // of 30
+    EXPECT_GE(view.image.corners.size(), 20U);  // of 30
     expect_true_corners(view, pose);
   }
 }

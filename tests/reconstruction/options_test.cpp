@@ -53,7 +53,7 @@ int expect_every_field_is_checked() {
 
 TEST(ReconstructionOptions, OutOfRangeAreRefusedFieldByField) {
   EXPECT_EQ(expect_every_field_is_checked<MeasurementOptions>(), 15);
-  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 12);
+  EXPECT_EQ(expect_every_field_is_checked<TsdfOptions>(), 13);
   EXPECT_EQ(expect_every_field_is_checked<TrackingOptions>(), 33);
   EXPECT_EQ(expect_every_field_is_checked<SurfaceExtractionOptions>(), 3);
 }
