@@ -81,7 +81,7 @@ TEST(TsdfChange, BothSidesOfAThinPlateStay) {
     for (int k = 0; k < 6; ++k) {
       fuse(*volume, {plane(-Eigen::Vector3d::UnitZ(), 0.8)}, small_camera(),
            Eigen::Isometry3d::Identity());
-      fuse(*volume, {plane(Eigen::Vector3d::UnitZ(), 0.805)}, small_camera(), back);
+      fuse(*volume, {plane(Eigen::Vector3d::UnitZ(), -0.805)}, small_camera(), back);
     }
   }
   EXPECT_TRUE(same(keeping, forgetful));
