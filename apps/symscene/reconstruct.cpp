@@ -9,13 +9,11 @@
 #include "frame_rate.hpp"
 #include "frame_reader.hpp"
 #include "scene_output.hpp"
-#include "sensor_choice.hpp"
 #include "session.hpp"
+#include "sweep_arguments.hpp"
 #include "sweep_stitching.hpp"
-#include "symscene/io/sequence.hpp"
 #include "symscene/reconstruction/trajectory_error.hpp"
 #include "symscene/workflow/reconstructed_scene.hpp"
-#include "thinned_sequence.hpp"
 
 namespace symscene::app {
 namespace {
@@ -53,34 +51,15 @@ constexpr int max_unreadable_warnings = 5;
 struct Reconstruct {
   SharedOptions shared;
   ReconstructOptions options;
-  SequenceOptions source;
-  std::filesystem::path path;
-  std::string poses;
-  std::optional<int> every;
-  TableArguments table_arguments;
-  SensorArguments sensor_arguments;
+  SweepArguments sweep;
   ReportedSensor sensor;  ///< of the sequence
-
-  std::size_t step() const { return static_cast<std::size_t>(every.value_or(1)); }
 
   OptionFields configure() { return configure_options(options, shared.config); }
 
-  std::optional<Eigen::Isometry3d> given_pose(const DepthSequence& sequence, std::size_t i) const {
-    return poses.empty() ? std::nullopt : sequence.pose(i);
-  }
-
-  void require_poses(const DepthSequence& sequence) const {
-    if (poses.empty()) return;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < sequence.size(); ++i) count += sequence.pose(i).has_value() ? 1 : 0;
-    if (count == 0) throw InputError(path.string(), "poses, which --poses needs", "none");
-  }
-
   PlacedSequence track(const DepthSequence& sequence, Session& session, StageTimer& timer) const {
-    const PoseUse use = poses == "exact" ? PoseUse::exact : PoseUse::start;
     FrameReader reader(sequence);
     PlacedSequence tracked{
-        Reconstruction(sequence.camera(), options.reconstruction), {}, FrameLog(step())};
+        Reconstruction(sequence.camera(), options.reconstruction), {}, FrameLog(sweep.step())};
     auto& [reconstruction, placed, log] = tracked;
     const FrameRate rate(sequence.size());
     double waited = 0.0;
@@ -97,13 +76,13 @@ struct Reconstruct {
       }
       waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       if (!frame) continue;
-      const std::optional<Eigen::Isometry3d> pose = given_pose(sequence, i);
-      if (!pose && !poses.empty() && reconstruction.empty()) {
+      const std::optional<Eigen::Isometry3d> pose = sweep.given_pose(sequence, i);
+      if (!pose && sweep.uses_poses() && reconstruction.empty()) {
         // The first fused frame sets the world frame, which must be that of the poses.
         log.add_lost(i, "no earlier frame has a pose");
         continue;
       }
-      const FrameReport report = reconstruction.add(*frame, pose, use);
+      const FrameReport report = reconstruction.add(*frame, pose, sweep.pose_use());
       log.add(i, report);
       if (!report.fused) continue;
       placed.trajectory.push_back({sequence.time(i), report.tracking.T_world_camera});
@@ -116,7 +95,7 @@ struct Reconstruct {
 
   void report_trajectory(const DepthSequence& sequence, const PlacedFrames& placed,
                          Session& session) const {
-    if (poses == "exact") return;
+    if (sweep.poses == "exact") return;
     const PosesAndTruth known = poses_and_truth(sequence, placed);
     if (known.truth.size() < 3) return;
     const TrajectoryError error = trajectory_error(known.poses, known.truth);
@@ -127,18 +106,19 @@ struct Reconstruct {
         degrees(error.relative_angle), error.interval, 1e3 * error.drift));
   }
 
-  SceneOutput output() const { return {path, shared.output, table_arguments, options.scene}; }
+  SceneOutput output() const { return {sweep.path, shared.output, sweep.table, options.scene}; }
 
   /// A sequence of one frame: the frame's own pixels are the surface.
   void run_on_view(const DepthSequence& sequence, const OptionFields& fields, Session& session,
                    StageTimer& timer) const {
     const DepthFrame frame =
         timer.time("read", [&] { return sensor.prepared(sequence.read(0), sequence.camera()); });
-    const Eigen::Isometry3d pose = given_pose(sequence, 0).value_or(Eigen::Isometry3d::Identity());
+    const Eigen::Isometry3d pose =
+        sweep.given_pose(sequence, 0).value_or(Eigen::Isometry3d::Identity());
     const PlacedFrames placed{{{frame.time, pose}}, {0}};
     session.on_begin()("find table");
-    const auto [view, surface] = naming(path, [&] {
-      return reconstructed_view({frame, sequence.camera(), pose}, table_arguments.told(),
+    const auto [view, surface] = naming(sweep.path, [&] {
+      return reconstructed_view({frame, sequence.camera(), pose}, sweep.table.told(),
                                 {options.view, options.reconstruction.occupancy, options.scene});
     });
     for (const StageTime& time : view.stages) timer.add(time.stage, time.seconds);
@@ -154,14 +134,14 @@ struct Reconstruct {
   /// The frames as tracked or, where they are too far apart for that, as stitched.
   PlacedSequence place(const DepthSequence& sequence, Session& session, StageTimer& timer) const {
     PlacedSequence tracked = track(sequence, session, timer);
-    if (!poses.empty()) return tracked;
+    if (sweep.uses_poses()) return tracked;
     const std::string reason = reason_to_stitch(sequence, tracked, options.hand_over);
     if (reason.empty()) return tracked;
     session.on_begin()("stitch");
     const double min_placed =
         options.hand_over.min_placed * static_cast<double>(tracked.log.fused());
     auto stitched =
-        stitch_sequence(sequence, step(), min_placed, options.stitching.with(measurement()),
+        stitch_sequence(sequence, sweep.step(), min_placed, options.stitching.with(measurement()),
                         options.reconstruction, timer);
     PlacedSequence& chosen = stitched ? *stitched : tracked;
     chosen.log.warn(stitched ? fmt::format("{}: they were placed by stitching, {} of {}", reason,
@@ -181,7 +161,7 @@ struct Reconstruct {
     session.print_line(rate.summary());
     for (const std::string& line : log.lines()) session.print_line(line);
     if (placed.frames.empty())
-      throw InputError(path.string(), "a frame that can be fused", log.first_run());
+      throw InputError(sweep.path.string(), "a frame that can be fused", log.first_run());
     report_trajectory(sequence, placed, session);
     const std::vector<ReportMember> written = output().write(
         reconstruction, options.reconstruction.surface,
@@ -197,11 +177,7 @@ struct Reconstruct {
   }
 
   void choose_sensor(const DepthSequence& sequence, Session& session) {
-    const bool tracked = sequence.size() > 1;
-    sensor = sensor_arguments.choose(
-        sequence, tracked,
-        {sequence.depth_scale(), measurement().min_depth, measurement().max_depth}, options.sensor,
-        session);
+    sensor = sweep.choose_sensor(sequence, measurement(), options.sensor, session);
     double& tracking_noise = options.reconstruction.measurement.noise;
     tracking_noise = sensor.tracking_noise.value_or(tracking_noise);
     options.view.noise = sensor.noise.value_or(options.view.noise);
@@ -209,15 +185,12 @@ struct Reconstruct {
 
   void run() {
     const OptionFields fields = configure();
-    table_arguments.table();  // before the work
-    require_beside_frames(shared.output, path);
+    sweep.table.table();  // before the work
+    require_beside_frames(shared.output, sweep.path);
     require_folder(shared.output);
     Session session("reconstruct", shared);
     StageTimer timer(session.on_begin());
-    const auto sequence =
-        timer.time("open", [&] { return every_nth(open_sequence(path, source), step()); });
-    session.warn(sequence->warnings());
-    require_poses(*sequence);
+    const auto sequence = timer.time("open", [&] { return sweep.open(session); });
     timer.time("estimate sensor", [&] { choose_sensor(*sequence, session); });
     if (sequence->size() == 1) {
       run_on_view(*sequence, fields, session, timer);
@@ -235,16 +208,11 @@ void add_reconstruct(CommandLine& line) {
       line, "reconstruct", "Turn a depth sequence into a scene: track, fuse, find the table",
       "symscene reconstruct sweep -o scene\n"
       "  symscene reconstruct tum_fr1_xyz -o desk --intrinsics 517.3,516.5,318.6,255.3");
-  arguments.input(state->path, "SEQUENCE",
+  arguments.input(state->sweep.path, "SEQUENCE",
                   "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or recording of "
                   "ROS");
   arguments.output_folder(state->shared, "scene folder to write");
-  arguments.sequence_options(state->source);
-  arguments.every(state->every, "use every N-th frame (default 1)");
-  arguments.choice("--poses", state->poses, {"exact", "start"},
-                   "use the sequence's poses as they are, or as initial poses of tracking");
-  state->table_arguments.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
-  state->sensor_arguments.add_to(arguments);
+  state->sweep.add_to(arguments);
   arguments.run_stages(state);
 }
 

@@ -13,13 +13,11 @@
 #include "live_loop.hpp"
 #include "live_server.hpp"
 #include "made_by.hpp"
-#include "scene_output.hpp"
-#include "sensor_choice.hpp"
 #include "session.hpp"
 #include "stop_request.hpp"
+#include "sweep_arguments.hpp"
 #include "symscene/io/result.hpp"
 #include "symscene/viewer/live_page.hpp"
-#include "thinned_sequence.hpp"
 #include "workflow/score_models.hpp"
 
 namespace symscene::app {
@@ -56,17 +54,12 @@ class Playback {
 struct Watch {
   SharedOptions shared;
   LiveOptions options;
-  SequenceOptions source;
-  std::filesystem::path path;
-  std::string poses;
-  std::optional<int> every;
+  SweepArguments sweep;
   bool is_fast = false;
   bool is_unserved = false;
   std::string host = "127.0.0.1";
   std::optional<int> port;
   std::string token;
-  TableArguments table_arguments;
-  SensorArguments sensor_arguments;
 
   OptionFields configure() {
     return configure_options(options, shared.config,
@@ -86,16 +79,10 @@ struct Watch {
 
   std::unique_ptr<LiveServer> serve(Session& session) const {
     if (is_unserved) return nullptr;
-    auto server = std::make_unique<LiveServer>(address(), render_live_page(folder_name(path)));
+    auto server =
+        std::make_unique<LiveServer>(address(), render_live_page(folder_name(sweep.path)));
     session.print_line(fmt::format("open {}", server->url()));
     return server;
-  }
-
-  SensorChoice choose_sensor(const DepthSequence& sequence, Session& session) const {
-    const MeasurementOptions& measured = options.tracked.reconstruction.measurement;
-    return sensor_arguments.choose(sequence, sequence.size() > 1,
-                                   {sequence.depth_scale(), measured.min_depth, measured.max_depth},
-                                   options.tracked.sensor, session);
   }
 
   void tell(const LiveReport& report, Session& session) const {
@@ -107,13 +94,12 @@ struct Watch {
 
   void play(const DepthSequence& sequence, LiveLoop& loop, const StopRequest& stop,
             Session& session) const {
-    const PoseUse use = poses == "exact" ? PoseUse::exact : PoseUse::start;
     const Playback playback(sequence, is_fast);
     FrameReader reader(sequence);
     for (std::size_t i = 0; i < sequence.size() && !stop.is_made(); ++i) {
       const Clock::time_point arrived = playback.wait_for(i, stop);
       try {
-        loop.add(reader.next(), poses.empty() ? std::nullopt : sequence.pose(i), use, arrived);
+        loop.add(reader.next(), sweep.given_pose(sequence, i), sweep.pose_use(), arrived);
       } catch (const InputError& error) {
         session.warn(error.what());  // the frames after it may be in order
       }
@@ -126,27 +112,26 @@ struct Watch {
     LiveOptions defaults;
     ResultExtras extras;
     extras.made_by =
-        made_by("watch", path, changed_options(fields, option_fields(defaults)), session);
+        made_by("watch", sweep.path, changed_options(fields, option_fields(defaults)), session);
     if (!scene.cameras().empty()) extras.trajectory = &scene.cameras();
     write_result(absolute(shared.output), last.update.result, extras);
   }
 
   void run() {
     const OptionFields fields = configure();
-    table_arguments.table();  // before the work
-    if (!shared.output.empty()) require_beside_frames(shared.output, path);
+    sweep.table.table();  // before the work
+    if (!shared.output.empty()) require_beside_frames(shared.output, sweep.path);
     Session session("watch", shared);
-    const auto sequence =
-        every_nth(open_sequence(path, source), static_cast<std::size_t>(every.value_or(1)));
-    session.warn(sequence->warnings());
-    LiveScene scene(sequence->camera(), options, named_sensor(sensor_arguments.name));
-    scene.use(choose_sensor(*sequence, session));
+    const auto sequence = sweep.open(session);
+    LiveScene scene(sequence->camera(), options);
+    scene.use(sweep.choose_sensor(*sequence, options.tracked.reconstruction.measurement,
+                                  options.tracked.sensor, session));
     const std::unique_ptr<LiveServer> server = serve(session);
     const StopRequest stop;
     const FrameRate rate(sequence->size());
     std::shared_ptr<const LiveReport> last;  // that has a scene
     std::string problem = "none that can be read";
-    LiveLoop loop(scene, table_arguments.told(), [&](std::shared_ptr<const LiveReport> report) {
+    LiveLoop loop(scene, sweep.table.told(), [&](std::shared_ptr<const LiveReport> report) {
       if (report->problem.empty())
         last = report;
       else
@@ -158,8 +143,8 @@ struct Watch {
     loop.finish();
     const double per_second = rate.per_second();
     if (!last && stop.is_made())
-      throw InputError(path.string(), "an update before the command is stopped", "none");
-    if (!last) throw InputError(path.string(), "a frame that shows a surface", problem);
+      throw InputError(sweep.path.string(), "an update before the command is stopped", "none");
+    if (!last) throw InputError(sweep.path.string(), "a frame that shows a surface", problem);
     write(*last, scene, fields, session);
     if (server) {
       server->finish();
@@ -192,7 +177,7 @@ void add_watch(CommandLine& line) {
       line, "watch", "Find the objects of a scene while its frames arrive, and show them on a page",
       "symscene watch sweep\n"
       "  symscene watch sweep --no-server --fast -o result");
-  arguments.input(state->path, "SEQUENCE",
+  arguments.input(state->sweep.path, "SEQUENCE",
                   "sequence folder (SymScene, TUM, 7-Scenes, Redwood or ICL-NUIM), or recording of "
                   "ROS, played as it was recorded");
   arguments.optional_output_folder(state->shared, "result folder to write after the last frame");
@@ -206,12 +191,7 @@ void add_watch(CommandLine& line) {
   arguments.text("--token", "TOKEN", state->token,
                  "what requests must bring (default: at other addresses than this machine's own a "
                  "random one)");
-  arguments.sequence_options(state->source);
-  arguments.every(state->every, "use every N-th frame (default 1)");
-  arguments.choice("--poses", state->poses, {"exact", "start"},
-                   "use the sequence's poses as they are, or as initial poses of tracking");
-  state->table_arguments.add_to(arguments, "the table plane a,b,c,d with ax + by + cz + d = 0");
-  state->sensor_arguments.add_to(arguments);
+  state->sweep.add_to(arguments);
   arguments.run_stages(state);
 }
 
