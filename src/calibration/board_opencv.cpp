@@ -1,4 +1,4 @@
-// Boards by OpenCV; no other file of this room sees its types.
+// Calibration by the corners of boards, with OpenCV.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,38 +8,22 @@
 #include "core/median.hpp"
 #include "symscene/calibration/intrinsic_calibration.hpp"
 #include "symscene/core/error.hpp"
+#include "without_opencv.hpp"
 
 #ifdef SYMSCENE_HAS_OPENCV
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/opencv_memory.hpp"
+#include "opencv_images.hpp"
 #endif
 
 namespace symscene {
 
 #ifndef SYMSCENE_HAS_OPENCV
 
-namespace {
-
-[[noreturn]] void throw_no_opencv() {
-  throw InputError("calibration by a board",
-                   "a build with OpenCV (install libopencv-calib3d-dev and "
-                   "libopencv-features2d-dev and build again)",
-                   "one without");
-}
-
-}  // namespace
-
 bool has_board_calibration() { return false; }
 
-std::optional<std::vector<Eigen::Vector2d>> find_board(std::span<const std::uint8_t>, Index, Index,
-                                                       const Board&) {
-  throw_no_opencv();
-}
-std::optional<Board> find_other_board(std::span<const std::uint8_t>, Index, Index, const Board&) {
-  throw_no_opencv();
-}
 IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage>, Index, Index, const Board&,
                                           const IntrinsicCalibrationOptions&) {
   throw_no_opencv();
@@ -57,7 +41,6 @@ ColorPose calibrate_color_pose(std::span<const BoardImage>, std::span<const Boar
 namespace {
 
 using BoardPoints = std::vector<cv::Point3f>;
-using ImagePoints = std::vector<cv::Point2f>;
 
 /// On the board, the corners that an image shows.
 BoardPoints board_points(const BoardImage& image, const Board& board) {
@@ -94,15 +77,6 @@ Eigen::Isometry3d pose_of(const cv::Mat& rotation, const cv::Mat& translation) {
     pose.translation()[i] = translation.at<double>(i);
   }
   return pose;
-}
-
-/// A view of the pixels; OpenCV does not write to them.
-cv::Mat image_of(std::span<const std::uint8_t> grey, Index width, Index height) {
-  if (grey.size() != std::size_t{width} * height)
-    throw InputError("image of a board", fmt::format("{}×{} pixels", width, height),
-                     fmt::format("{}", grey.size()));
-  return {static_cast<int>(height), static_cast<int>(width), CV_8UC1,
-          const_cast<std::uint8_t*>(grey.data())};
 }
 
 void require_corners(const BoardImage& image, const Board& board) {
@@ -258,40 +232,6 @@ void require_tilt(const IntrinsicCalibration& found, double min_tilt) {
 }  // namespace
 
 bool has_board_calibration() { return true; }
-
-std::optional<std::vector<Eigen::Vector2d>> find_board(std::span<const std::uint8_t> grey,
-                                                       Index width, Index height,
-                                                       const Board& board) try {
-  board.validate();
-  const cv::Mat image = image_of(grey, width, height);
-  ImagePoints corners;
-  const bool found =
-      cv::findChessboardCornersSB(image, {board.columns, board.rows}, corners,
-                                  cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY);
-  if (!found || corners.size() != board.corners()) return std::nullopt;
-  std::vector<Eigen::Vector2d> result;
-  for (const cv::Point2f& p : corners) result.emplace_back(p.x, p.y);
-  return result;
-} catch (const cv::Exception& error) {
-  rethrow_opencv(error);
-}
-
-std::optional<Board> find_other_board(std::span<const std::uint8_t> grey, Index width, Index height,
-                                      const Board& board) try {
-  const cv::Mat image = image_of(grey, width, height);
-  ImagePoints corners;
-  cv::Mat pattern;
-  // Grown from the smallest board that there is.
-  const bool found = cv::findChessboardCornersSB(
-      image, {3, 3}, corners, cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_LARGER, pattern);
-  if (!found) return std::nullopt;
-  const Board other{pattern.cols, pattern.rows, board.square};
-  const bool same = (other.columns == board.columns && other.rows == board.rows) ||
-                    (other.columns == board.rows && other.rows == board.columns);
-  return same ? std::nullopt : std::optional(other);
-} catch (const cv::Exception& error) {
-  rethrow_opencv(error);
-}
 
 IntrinsicCalibration calibrate_intrinsics(std::span<const BoardImage> images, Index width,
                                           Index height, const Board& board,

@@ -12,6 +12,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "core/opencv_memory.hpp"
+#include "opencv_images.hpp"
 #endif
 
 namespace symscene {
@@ -44,7 +45,6 @@ CharucoPicture charuco_picture(const CharucoBoard&, Index) { throw_no_aruco(); }
 namespace {
 
 using cv::aruco::Dictionary;
-using ImagePoints = std::vector<cv::Point2f>;
 
 static_assert(cv::aruco::DICT_7X7_1000 == 15 && cv::aruco::DICT_APRILTAG_36h11 == 20);
 
@@ -60,15 +60,6 @@ cv::Ptr<cv::aruco::CharucoBoard> layout_of(const CharucoBoard& board) {
       board.board.columns + 1, board.board.rows + 1, static_cast<float>(board.board.square),
       static_cast<float>(board.marker),
       dictionary_of(static_cast<std::size_t>(at - names.begin())));
-}
-
-/// A view of the pixels; OpenCV does not write to them.
-cv::Mat image_of(std::span<const std::uint8_t> grey, Index width, Index height) {
-  if (grey.size() != std::size_t{width} * height)
-    throw InputError("image of a board", fmt::format("{}×{} pixels", width, height),
-                     fmt::format("{}", grey.size()));
-  return {static_cast<int>(height), static_cast<int>(width), CV_8UC1,
-          const_cast<std::uint8_t*>(grey.data())};
 }
 
 struct Markers {
