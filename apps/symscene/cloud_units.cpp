@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/median.hpp"
+#include "core/spacing.hpp"
 #include "symscene/core/error.hpp"
-#include "symscene/core/neighbors.hpp"
 
 namespace symscene::app {
 namespace {
@@ -35,12 +35,7 @@ double extent_of(const Points& points) {
 /// Of the distances of points from their nearest ones, one that nearly all exceed. [m]
 double spacing_of(const Points& points) {
   constexpr double few = 0.02;
-  std::vector<float> distances;
-  const NeighborLists nearest = nearest_neighbors(points, 1);
-  for (std::size_t i = 0; i < nearest.size(); ++i)
-    for (const Index other : nearest.of(i))
-      distances.push_back((points.row(static_cast<Eigen::Index>(i)) - points.row(other)).norm());
-  return double{quantile(std::move(distances), few).value_or(0.0F)};
+  return double{quantile(nearest_distances(points), few).value_or(0.0F)};
 }
 
 void require_larger_than_objects(double extent, const std::string& file,

@@ -1,12 +1,13 @@
 #include "live_report.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/little_endian.hpp"
 #include "counted.hpp"
 
 namespace symscene::app {
@@ -55,11 +56,8 @@ std::vector<std::uint16_t> object_of_each_point(const SegmentationResult& result
   return places;
 }
 
-template <class Value>
-void append(std::string& bytes, Value value) {
-  char raw[sizeof(Value)];
-  std::memcpy(raw, &value, sizeof(Value));
-  bytes.append(raw, sizeof(Value));
+void append(std::string& bytes, float value) {
+  append_little_endian(bytes, std::bit_cast<std::uint32_t>(value));
 }
 
 /// Positions as multiples of a step from the corner of their box.
@@ -123,18 +121,20 @@ std::string live_bytes(const LiveReport& report, std::size_t most) {
   json.resize((json.size() + 3) / 4 * 4, ' ');  // what follows is aligned
   std::string bytes = "SYL1";
   for (const std::size_t value : {json.size(), count, size, std::size_t{cloud.has_colors()}})
-    append(bytes, static_cast<std::uint32_t>(value));
+    append_little_endian(bytes, static_cast<std::uint32_t>(value));
   for (int axis = 0; axis < 3; ++axis) append(bytes, quantized.corner[axis]);
   append(bytes, quantized.step);
   bytes += json;
   const auto nth = [&](std::size_t k) { return static_cast<Index>(k * size / count); };
   for (std::size_t k = 0; k < count; ++k) {
     const Eigen::Vector3f position = cloud.position(nth(k));
-    for (int axis = 0; axis < 3; ++axis) append(bytes, quantized.of(position[axis], axis));
-    append(bytes, places[static_cast<std::size_t>(nth(k))]);
+    for (int axis = 0; axis < 3; ++axis)
+      append_little_endian(bytes, quantized.of(position[axis], axis));
+    append_little_endian(bytes, places[static_cast<std::size_t>(nth(k))]);
   }
   for (std::size_t k = 0; cloud.has_colors() && k < count; ++k) {
-    for (int channel = 0; channel < 3; ++channel) append(bytes, cloud.colors(nth(k), channel));
+    for (int channel = 0; channel < 3; ++channel)
+      append_little_endian(bytes, cloud.colors(nth(k), channel));
   }
   return bytes;
 }
