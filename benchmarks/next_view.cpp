@@ -42,6 +42,7 @@ void declare(CLI::App& app, Arguments& a) {
                  "objects by the hash of their name: all, fitting, held-out; of tables: all")
       ->capture_default_str();
   app.add_option("--scene", a.kind, "packed, pile or table: scanned objects")
+      ->check(CLI::IsMember({"packed", "pile", "table"}))
       ->capture_default_str();
   app.add_option("--scenes", a.scenes, "scenes")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--first", a.first, "number of the first scene")
@@ -96,13 +97,6 @@ std::vector<ExplorationPolicy> policies_of(const Arguments& arguments) {
   return {all.begin(), all.end()};
 }
 
-ClutterKind parse_kind(const std::string& text) {
-  for (const ClutterKind kind : {ClutterKind::packed, ClutterKind::pile}) {
-    if (text == to_string(kind)) return kind;
-  }
-  throw InputError("--scene", "packed, pile or table", text);
-}
-
 using SceneExplorer = std::function<std::vector<Exploration>(int scene)>;
 
 SceneExplorer table_explorer(const Arguments& arguments) {
@@ -118,7 +112,7 @@ SceneExplorer table_explorer(const Arguments& arguments) {
 /// Explores the scene of a number; prints what scenes are made of. The arguments must outlive it.
 SceneExplorer scene_explorer(Arguments& arguments) {
   if (arguments.kind == scanned_table_kind) return table_explorer(arguments);
-  arguments.options.kind = parse_kind(arguments.kind);
+  arguments.options.kind = parse_clutter_kind(arguments.kind);
   auto objects = read_clutter_objects(arguments.objects, parse_object_share(arguments.share));
   fmt::print("{} objects ({}), {}\n", objects.size(), arguments.share, arguments.kind);
   return [&arguments, objects = std::move(objects)](int scene) {

@@ -93,14 +93,18 @@ SceneStatistic relative_difference(SceneStatistic a, SceneStatistic b) {
   };
 }
 
-Estimate estimate(const SceneStatistic& statistic, std::size_t scenes) {
+std::vector<std::size_t> all_scenes(std::size_t scenes) {
   std::vector<std::size_t> all(scenes);
   std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+Estimate estimate(const SceneStatistic& statistic, std::size_t scenes) {
   const auto drawn = [&](std::span<const std::size_t> some) -> std::optional<double> {
     return statistic(some);
   };
   const Interval interval = bootstrap_interval(scenes, drawn).value_or(Interval{});
-  return {statistic(all), interval.low, interval.high};
+  return {statistic(all_scenes(scenes)), interval.low, interval.high};
 }
 
 }  // namespace symscene

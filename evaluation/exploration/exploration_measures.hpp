@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "compared_scenes.hpp"
 
@@ -30,6 +31,9 @@ SceneStatistic grasp_success(const PolicyExplorations& explorations);
 /// a − b, and a / b − 1; 0 where b is 0.
 SceneStatistic difference(SceneStatistic a, SceneStatistic b);
 SceneStatistic relative_difference(SceneStatistic a, SceneStatistic b);
+
+/// The places of all of so many scenes.
+std::vector<std::size_t> all_scenes(std::size_t scenes);
 
 /// A statistic of all scenes, and its 95 % interval by resampling scenes.
 struct Estimate {

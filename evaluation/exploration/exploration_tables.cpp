@@ -7,12 +7,6 @@
 namespace symscene {
 namespace {
 
-std::vector<std::size_t> all_of(std::size_t scenes) {
-  std::vector<std::size_t> all(scenes);
-  for (std::size_t k = 0; k < scenes; ++k) all[k] = k;
-  return all;
-}
-
 /// "+4.2" of 0.042.
 std::string signed_percent(double share) { return fmt::format("{:+.1f}", 100.0 * share); }
 
@@ -43,7 +37,7 @@ TextTable measure_table(const ComparedScenes& scenes, const ExplorationMeasure& 
   TextTable table{{fmt::format("{}, %", measure.name)}};
   for (std::size_t k = 1; k <= scenes.views(); ++k) table.front().push_back(fmt::format("{}", k));
   table.front().push_back("mean");
-  const std::vector<std::size_t> all = all_of(scenes.scenes());
+  const std::vector<std::size_t> all = all_scenes(scenes.scenes());
   for (const auto& [policy, explorations] : scenes.by_policy) {
     table.push_back({to_string(policy)});
     for (std::size_t k = 0; k < scenes.views(); ++k)
