@@ -63,37 +63,26 @@ bool LiveLoop::wait_for_frames() {
   return is_snapshot_wanted_;
 }
 
-LiveSnapshot LiveLoop::take_snapshot(LiveReport& report) {
+/// The scene of the frames so far. Sets what the report tells of them, and when the last arrived.
+LiveSnapshot LiveLoop::take_snapshot(LiveReport& report, Clock::time_point& arrived) {
   const std::lock_guard lock(mutex_);
-  segmented_ = scene_.frames();
-  is_snapshot_wanted_ = false;
+  segmented_ = report.update.frames = scene_.frames();
   report.lost = lost_;
   report.frame_time = frame_time_;
-  LiveSnapshot snapshot{segmented_, {}};
-  try {
-    snapshot = scene_.snapshot(table_);
-  } catch (const InputError& error) {
-    report.problem = error.what();
-  }
-  wake_.notify_all();
-  return snapshot;
+  arrived = arrived_;
+  is_snapshot_wanted_ = false;
+  wake_.notify_all();  // a waiting add() goes on when the lock is released
+  return scene_.snapshot(table_);
 }
 
-/// The frames so far may show no surface; those after them may.
 LiveReport LiveLoop::make_report() {
   LiveReport report;
   report.number = ++updates_;
   Clock::time_point arrived;
-  {
-    const std::lock_guard lock(mutex_);
-    arrived = arrived_;
-  }
-  const LiveSnapshot snapshot = take_snapshot(report);
-  report.update.frames = snapshot.frames;
   try {
-    if (report.problem.empty()) report.update = scene_.update(snapshot);
+    report.update = scene_.update(take_snapshot(report, arrived));
   } catch (const InputError& error) {
-    report.problem = error.what();
+    report.problem = error.what();  // the frames so far show no surface; those after them may
   }
   report.spacing = median_spacing(report.update.result.cloud.positions).value_or(0.0F);
   report.latency = std::chrono::duration<double>(Clock::now() - arrived).count();

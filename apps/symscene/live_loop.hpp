@@ -36,7 +36,7 @@ class LiveLoop {
   void work();
   bool wait_for_frames();
   LiveReport make_report();
-  LiveSnapshot take_snapshot(LiveReport& report);
+  LiveSnapshot take_snapshot(LiveReport& report, Clock::time_point& arrived);
 
   LiveScene& scene_;
   KnownTable table_;
