@@ -127,7 +127,7 @@ TEST(TsdfVolume, KeepsOneSideOfAThinWallWhenTheOtherIsSeenMore) {
   const Eigen::Isometry3d front = Eigen::Isometry3d::Identity();
   const Eigen::Isometry3d back = motion({0, std::numbers::pi, 0}, {0, 0, 1.605});
   for (int k = 0; k < 30; ++k) fuse(volume, {plane(-Eigen::Vector3d::UnitZ(), 0.8)}, camera, front);
-  fuse(volume, {plane(Eigen::Vector3d::UnitZ(), 0.805)}, camera, back);
+  fuse(volume, {plane(Eigen::Vector3d::UnitZ(), -0.805)}, camera, back);
   int behind = 0;
   for_each_seen_voxel(volume, [&](const Eigen::Vector3d& p, double distance, double) {
     if (p.head<2>().norm() > 0.2 || p.z() < 0.8085) return;
