@@ -92,14 +92,24 @@ struct Watch {
       session.print_line(live_line(report));
   }
 
-  void play(const DepthSequence& sequence, LiveLoop& loop, const StopRequest& stop,
-            Session& session) const {
+  /// The first fused frame sets the world frame, which must be that of the poses.
+  bool may_be_fused(const LiveScene& scene, const std::optional<Eigen::Isometry3d>& pose) const {
+    return pose || !sweep.uses_poses() || !scene.cameras().empty();
+  }
+
+  void play(const DepthSequence& sequence, const LiveScene& scene, LiveLoop& loop,
+            const StopRequest& stop, Session& session) const {
     const Playback playback(sequence, is_fast);
     FrameReader reader(sequence);
     for (std::size_t i = 0; i < sequence.size() && !stop.is_made(); ++i) {
       const Clock::time_point arrived = playback.wait_for(i, stop);
       try {
-        loop.add(reader.next(), sweep.given_pose(sequence, i), sweep.pose_use(), arrived);
+        const DepthFrame frame = reader.next();
+        const auto pose = sweep.given_pose(sequence, i);
+        if (!may_be_fused(scene, pose))
+          throw InputError(sweep.path.string(), "a pose with the first fused frame",
+                           fmt::format("frame {} without one; it is left out", i));
+        loop.add(frame, pose, sweep.pose_use(), arrived);
       } catch (const InputError& error) {
         session.warn(error.what());  // the frames after it may be in order
       }
@@ -139,7 +149,7 @@ struct Watch {
       tell(*report, session);
       if (server) server->publish(std::move(report));
     });
-    play(*sequence, loop, stop, session);
+    play(*sequence, scene, loop, stop, session);
     loop.finish();
     const double per_second = rate.per_second();
     if (!last && stop.is_made())

@@ -58,6 +58,34 @@ TEST_F(Watch, OfASceneAtRestFindsAtTheEndWhatReconstructAndSegmentFind) {
   }
 }
 
+TEST_F(Watch, LeavesOutFramesBeforeTheFirstPoseAndRefusesToUsePosesThatAreNotThere) {
+  // As a folder of TUM RGB-D, where poses begin two frames after the images.
+  fs::create_directories(file("late"));
+  fs::copy(file("sweep") / "depth", file("late") / "depth", fs::copy_options::recursive);
+  std::istringstream poses(contents(file("sweep") / "poses.txt"));
+  std::string images, later;
+  int frame = 0;
+  for (std::string line; std::getline(poses, line); ++frame) {
+    images += line.substr(0, line.find(' ')) + " " + image(frame) + "\n";
+    if (frame >= 2) later += line + "\n";
+  }
+  write(file("late") / "depth.txt", images);
+  write(file("late") / "groundtruth.txt", later);
+  const std::string camera = " --intrinsics 262,262,159.5,119.5 --depth-scale 1000";
+  const Outcome watched = run("watch late --no-server --fast --poses exact --json" + camera);
+  ASSERT_EQ(watched.code, 0) << watched.err;
+  EXPECT_EQ(lines_of(watched.out).back().at("frames"), frames - 2);
+  EXPECT_NE(watched.err.find("expected a pose with the first fused frame, found frame 1 without"),
+            std::string::npos)
+      << watched.err;
+
+  fs::remove(copy_of_sweep("poseless") / "poses.txt");
+  const Outcome poseless = run("watch poseless --no-server --fast --poses exact");
+  EXPECT_EQ(poseless.code, 1);
+  EXPECT_NE(poseless.err.find("expected poses, which --poses needs"), std::string::npos)
+      << poseless.err;
+}
+
 TEST_F(Watch, RefusesFramesThatShowNothingAndOptionsThatContradict) {
   const Outcome dark = run("watch dark --no-server --fast -o new");
   EXPECT_EQ(dark.code, 1);
