@@ -37,11 +37,15 @@ export function hashOf(state, { scene, objects, viewpoint }) {
 
 export function keepAddress(app) {
   let timer = 0;
+  let known = location.hash; // as it was read or written last
   const write = () => {
+    // Another hash was just set: the page shows what it asks for when the browser tells of it.
+    if (location.hash !== '' && location.hash !== known) return;
     const hash = hashOf(app.store.get(), app);
-    if (hash === location.hash.replace(/^#/, '')) return;
-    history.replaceState(null, '', hash ? `#${hash}` : location.pathname + location.search);
+    if (hash !== location.hash.replace(/^#/, '')) history.replaceState(null, '', hash ? `#${hash}` : location.pathname + location.search);
+    known = location.hash;
   };
+  addEventListener('hashchange', () => { known = location.hash; });
   const later = () => { clearTimeout(timer); timer = setTimeout(write, DELAY); };
   app.store.subscribe(later);
   app.viewpoint.controls.addEventListener('change', later);
