@@ -188,6 +188,14 @@ describe('the page of a run', () => {
     assert.match(await page.evaluate('location.hash'), /show=believed/);
     await page.evaluate(() => { location.hash = '#t=4'; });
     await page.waitForFunction(() => window.symscene.time === 4);
+    // A new address stays where the page was about to write its own.
+    await page.evaluate(() => {
+      window.symscene.seek(20);
+      const end = performance.now() + 300;
+      while (performance.now() < end); // the page's own is due now
+      location.hash = '#t=5';
+    });
+    await page.waitForFunction(() => window.symscene.time === 5);
   }, { hash: '#t=12.3&show=believed&speed=2&view=top', isFresh: true });
 
   runTest('ignores an address that makes no sense', WINDOW, async (page) => {

@@ -1,5 +1,6 @@
 // Keeps the hash of the address up to date, so that the address shows what the page shows. Controls that are as the page
 // begins are left out.
+import { createHashWriter } from './hash_writer.js';
 import { initialState } from './store.js';
 
 const SWITCHES = ['planes', 'axes', 'labels', 'rest', 'mesh', 'path', 'grasps', 'views'];
@@ -37,15 +38,8 @@ export function hashOf(state, { scene, objects, viewpoint }) {
 
 export function keepAddress(app) {
   let timer = 0;
-  let known = location.hash; // as it was read or written last
-  const write = () => {
-    // Another hash was just set: the page shows what it asks for when the browser tells of it.
-    if (location.hash !== '' && location.hash !== known) return;
-    const hash = hashOf(app.store.get(), app);
-    if (hash !== location.hash.replace(/^#/, '')) history.replaceState(null, '', hash ? `#${hash}` : location.pathname + location.search);
-    known = location.hash;
-  };
-  addEventListener('hashchange', () => { known = location.hash; });
+  const replaceHash = createHashWriter();
+  const write = () => replaceHash(hashOf(app.store.get(), app));
   const later = () => { clearTimeout(timer); timer = setTimeout(write, DELAY); };
   app.store.subscribe(later);
   app.viewpoint.controls.addEventListener('change', later);

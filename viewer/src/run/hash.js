@@ -1,5 +1,6 @@
 // The hash of the address sets moment and view: #t=12.3&view=top&show=believed&speed=2&labels=0. The page keeps `t` up to date.
 import { isView } from '../camera.js';
+import { createHashWriter } from '../hash_writer.js';
 
 const DELAY = 1000; // between changes of the address while it plays [ms]
 
@@ -21,12 +22,13 @@ export function applyHash(hash, { store, actions, viewpoint }) {
 export function keepTimeInHash(store) {
   let timer = 0;
   let known = store.get().time;
+  const replaceHash = createHashWriter();
   const write = () => {
     timer = 0;
     known = store.get().time;
     const wanted = new URLSearchParams(location.hash.replace(/^#/, ''));
     wanted.set('t', known.toFixed(2));
-    history.replaceState(null, '', `#${wanted}`);
+    replaceHash(String(wanted));
   };
   store.subscribe(({ time, playing }, changed) => {
     if (time === known || !(changed.has('time') || changed.has('playing'))) return;
