@@ -208,17 +208,6 @@ describe('a result with objects', () => {
     assert.ok(Math.abs((await hook(page, 'pixels()')).filled - shown) < 0.002);
   });
 
-  browserTest('shows what a new address asks for, even where its own was about to be written', path, WINDOW, async (page) => {
-    await page.evaluate(() => {
-      location.hash = '#rejected=5'; // the browser tells of it later
-      document.querySelector('[title="Copy the address of this view"]').click();
-    });
-    await page.waitForFunction(() => window.symscene.rejection === 5);
-    await page.waitForFunction(() => location.hash === '#rejected=5');
-    await hook(page, 'reset()');
-    await page.waitForFunction(() => location.hash === '');
-  });
-
   browserTest('tells what decided the score of an object, for and against', path, WINDOW, async (page) => {
     await hook(page, 'select(1)');
     const text = await page.textContent('.object.selected .effects');
@@ -248,6 +237,17 @@ describe('a result with objects', () => {
     assert.equal(await hook(page, 'rejection'), 5);
     assert.ok(await page.locator('[data-rejection="5"]').isVisible());
   }, { hash: '#rejected=5' });
+
+  browserTest('shows what a new address asks for, even where its own was about to be written', path, WINDOW, async (page) => {
+    await page.evaluate(() => {
+      location.hash = '#rejected=4'; // the browser tells of it later
+      document.querySelector('[title="Copy the address of this view"]').click();
+    });
+    await page.waitForFunction(() => window.symscene.rejection === 4);
+    await page.waitForFunction(() => location.hash === '#rejected=4');
+    await hook(page, 'reset()');
+    await page.waitForFunction(() => location.hash === '');
+  });
 
   browserTest('measures the distance between two clicked points', path, WINDOW, async (page) => {
     await page.click('[data-toggle=measure]');
